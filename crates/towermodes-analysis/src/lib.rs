@@ -8,6 +8,7 @@
 //! | How far do the methods differ? | [`compare`] | [`study`] |
 //! | How do frequencies converge as the number of segments increases? | [`converge`] | [`study`] |
 //! | Does the rotor excite a mode of the tower? | [`campbell`] | [`resonance`] |
+//! | What are the modes of a turbine that turns? | [`coupled_campbell`] | [`whirl`] |
 //! | What if the soil is softer? | [`soil_band`](soil_band::soil_band) | [`mod@soil_band`] |
 //! | Do two descriptions describe the same tower? | [`agree`] | [`agreement`] |
 //! | Which numbers do the frequencies depend on? | [`influences`] | [`influence`] |
@@ -68,6 +69,7 @@
 //! ```
 
 pub mod agreement;
+mod assignment;
 pub mod damping;
 pub mod elastodyn;
 pub mod influence;
@@ -76,6 +78,7 @@ pub mod resonance;
 pub mod soil_band;
 pub mod study;
 mod verdict;
+pub mod whirl;
 
 pub use agreement::agree;
 pub use damping::damping;
@@ -85,3 +88,4 @@ pub use mac::mac;
 pub use resonance::campbell;
 pub use study::{compare, converge};
 pub use verdict::Verdict;
+pub use whirl::coupled_campbell;

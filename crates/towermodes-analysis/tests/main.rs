@@ -11,3 +11,4 @@ mod elastodyn_towers;
 mod soil_band;
 mod study;
 mod towers;
+mod whirl;

@@ -8,6 +8,7 @@ use towermodes::blade::BladeError;
 use towermodes::modes::Family;
 use towermodes::tower::TowerError;
 use towermodes::tower::{Rotor, Rpm};
+use towermodes::turbine::{TurbineModeName, TurbinePart};
 use towermodes::{BladeFamily, SolveError};
 
 /// The margin that certification guidelines require: an excitation must be at least 5 % away from a
@@ -79,6 +80,11 @@ pub enum Excited {
         /// Its order in the family, from 1.
         order: usize,
     },
+    /// A mode of the whole turbine, followed from speed to speed; see [`mod@crate::whirl`].
+    Turbine {
+        /// The name of its curve.
+        name: TurbineModeName,
+    },
 }
 
 /// A natural frequency against the rotor speed: one line of the diagram.
@@ -98,9 +104,13 @@ pub struct FrequencyLine {
 }
 
 impl FrequencyLine {
-    /// Whether it belongs to a blade mode.
+    /// Whether it belongs to a blade mode, of a blade alone or of the blades of a turbine.
     pub fn is_of_blade(&self) -> bool {
-        matches!(self.of, Excited::Blade { .. })
+        match self.of {
+            Excited::Tower { .. } => false,
+            Excited::Blade { .. } => true,
+            Excited::Turbine { name } => matches!(name.part, TurbinePart::Blades(..)),
+        }
     }
 }
 

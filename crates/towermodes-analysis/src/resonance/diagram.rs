@@ -97,7 +97,11 @@ pub fn campbell(
 }
 
 /// The margins of all lines, for each line in the order of the multiples.
-fn margins(lines: &[FrequencyLine], rotor: &Rotor, options: &CampbellOptions) -> Vec<Margin> {
+pub(crate) fn margins(
+    lines: &[FrequencyLine],
+    rotor: &Rotor,
+    options: &CampbellOptions,
+) -> Vec<Margin> {
     let multiples = options.multiples_of(rotor);
     let pairs = lines
         .iter()
@@ -108,12 +112,8 @@ fn margins(lines: &[FrequencyLine], rotor: &Rotor, options: &CampbellOptions) ->
         .collect()
 }
 
-fn check(
-    tower: &Tower,
-    solution: &Solution,
-    rotor: &Rotor,
-    options: &CampbellOptions,
-) -> Result<(), CampbellError> {
+/// Checks what does not depend on a tower.
+pub(crate) fn check_options(rotor: &Rotor, options: &CampbellOptions) -> Result<(), CampbellError> {
     let (margin, speeds) = (options.margin, options.speeds);
     if !(margin > 0.0 && margin < 1.0) {
         return Err(CampbellError::Margin { margin });
@@ -124,7 +124,16 @@ fn check(
     if !(2..=MOST_SPEEDS).contains(&speeds) {
         return Err(CampbellError::Speeds { speeds });
     }
-    rotor.validate()?;
+    Ok(rotor.validate()?)
+}
+
+fn check(
+    tower: &Tower,
+    solution: &Solution,
+    rotor: &Rotor,
+    options: &CampbellOptions,
+) -> Result<(), CampbellError> {
+    check_options(rotor, options)?;
     let heights_m = tower.station_heights_m();
     let is_of_tower = |mode: &Mode| {
         let points = mode.station_shape.iter().map(|point| point.height_m);

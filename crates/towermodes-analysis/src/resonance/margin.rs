@@ -1,12 +1,13 @@
 //! The distances of the multiples of the rotor speed from natural frequencies in operation.
 
-use super::campbell::{Excited, FrequencyLine, Margin};
+use super::campbell::{FrequencyLine, Margin};
 use crate::verdict::Verdict;
 use towermodes::tower::Rotor;
 
 /// The distance of a line from a multiple of the rotor speed, at the operating speed where both
-/// are closest; none for a frequency of 0, and for a line that ends below the lowest operating
-/// speed. A line that ends within the operating speeds does not pass, because the rest is unknown.
+/// are closest; none for a frequency of 0, and for a line that has no operating speeds. A line that
+/// is lost within the operating speeds does not pass, because the rest is unknown; one that begins
+/// or ends there without being lost is beyond the frequencies of the diagram at the other speeds.
 ///
 /// Between neighbouring points of a line f² is linear in Ω²: constant for a tower mode, Southwell's
 /// rule for a blade mode. So n Ω/f is monotonic between two points and closest to 1 at one of them
@@ -17,18 +18,18 @@ pub(super) fn margin(
     rotor: &Rotor,
     least: f64,
 ) -> Option<Margin> {
-    let known_rpm = match line.lost {
-        Some(_) => line.points.last()?[0],
-        None => f64::INFINITY,
-    };
-    if known_rpm < rotor.lowest_rpm {
+    let [first_rpm, last_rpm] = [line.points.first()?[0], line.points.last()?[0]];
+    let range_rpm = [
+        rotor.lowest_rpm.max(first_rpm),
+        rotor.highest_rpm.min(last_rpm),
+    ];
+    if range_rpm[0] > range_rpm[1] {
         return None;
     }
-    let range_rpm = [rotor.lowest_rpm, rotor.highest_rpm.min(known_rpm)];
+    let is_partly_known = line.lost.is_some() && last_rpm < rotor.highest_rpm;
     let nearest = nearest(&line.points, multiple, range_rpm)?;
     let distance = cautious(line, multiple, range_rpm, nearest.distance);
-    let is_tower = matches!(line.of, Excited::Tower { .. });
-    let is_strong = is_tower && is_strong(multiple, rotor);
+    let is_strong = !line.is_of_blade() && is_strong(multiple, rotor);
     Some(Margin {
         line: number,
         multiple,
@@ -37,7 +38,7 @@ pub(super) fn margin(
         natural_hz: nearest.natural_hz,
         distance: nearest.distance,
         verdict: match verdict(nearest.distance.abs(), distance, least, is_strong) {
-            Verdict::Pass if known_rpm < rotor.highest_rpm => Verdict::Warn,
+            Verdict::Pass if is_partly_known => Verdict::Warn,
             verdict => verdict,
         },
     })
@@ -228,7 +229,7 @@ fn between([a, b]: [f64; 2], share: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::campbell::LineEnd;
+    use super::super::campbell::{Excited, LineEnd};
     use super::*;
     use towermodes::BladeFamily;
 

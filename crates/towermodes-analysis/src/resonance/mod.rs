@@ -18,8 +18,12 @@ pub use campbell::{
     BEYOND_OPERATION, Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited,
     FrequencyLine, LineEnd, Margin, StiffnessClass,
 };
+pub(crate) use class::class_along;
 pub use diagram::campbell;
+pub(crate) use diagram::{check_options, margins};
 pub use margin::{TowerMargin, tower_margin};
 pub use reach::{MOST_MODES, reach_hz, solve_to_reach};
+pub(crate) use remark::mode_lost;
 pub use remark::{Assessment, Covered, Remark, assess};
 pub use rotor::{ChosenRotor, GivenRotor};
+pub(crate) use sweep::speeds_rpm;

@@ -46,6 +46,30 @@ pub enum Remark {
         /// The frequency up to which an excitation can be close to a mode, Hz.
         reach_hz: f64,
     },
+    /// The excitations reach higher than the modes of a turbine that are sought.
+    AboveLimit {
+        /// The frequency up to which modes are sought, Hz.
+        limit_hz: f64,
+        /// The frequency up to which an excitation can be close to a mode, Hz.
+        reach_hz: f64,
+    },
+    /// At rotor speeds the stiffness is not positive definite and not all modes of negative energy
+    /// were found.
+    Uncertified {
+        /// The lowest of these speeds, rpm.
+        lowest_rpm: f64,
+        /// The highest, rpm.
+        highest_rpm: f64,
+        /// How many of the speeds at which the turbine was solved.
+        speeds: usize,
+    },
+    /// A mode of the turbine has negative energy.
+    NegativeEnergy {
+        /// Its name.
+        label: String,
+        /// The lowest speed at which it has, rpm.
+        from_rpm: f64,
+    },
 }
 
 /// The operating speeds at which a line that ends early is checked.
@@ -91,6 +115,28 @@ impl fmt::Display for Remark {
                 four_digits(*known_hz),
                 four_digits(*reach_hz)
             ),
+            Self::AboveLimit { limit_hz, reach_hz } => write!(
+                f,
+                "modes are sought up to {} Hz, but excitations reach {} Hz: modes in between are not checked; raise the limit",
+                four_digits(*limit_hz),
+                four_digits(*reach_hz)
+            ),
+            Self::Uncertified {
+                lowest_rpm,
+                highest_rpm,
+                speeds,
+            } => write!(
+                f,
+                "unstable or not certified at {speeds} rotor speed{} from {} to {} rpm: the stiffness is not positive definite there, and not all modes of negative energy were found",
+                if *speeds == 1 { "" } else { "s" },
+                Rpm(*lowest_rpm),
+                Rpm(*highest_rpm)
+            ),
+            Self::NegativeEnergy { label, from_rpm } => write!(
+                f,
+                "{label} has negative energy from {} rpm: the rotor turns faster than it vibrates, and damping in the fixed frame makes the mode grow",
+                Rpm(*from_rpm)
+            ),
         }
     }
 }
@@ -127,7 +173,7 @@ pub fn assess(
 }
 
 /// The remark on a line that ends early.
-fn mode_lost(line: &FrequencyLine, rotor: &Rotor) -> Option<Remark> {
+pub(crate) fn mode_lost(line: &FrequencyLine, rotor: &Rotor) -> Option<Remark> {
     let end = line.lost?;
     let [last_rpm, _] = *line.points.last()?;
     Some(Remark::ModeLost {

@@ -24,7 +24,7 @@ const DOUBLINGS: usize = 3;
 
 /// Equally spaced speeds from standstill to beyond the highest, with both ends of the operating
 /// range, rpm.
-pub(super) fn speeds_rpm(rotor: &Rotor, count: usize) -> Vec<f64> {
+pub(crate) fn speeds_rpm(rotor: &Rotor, count: usize) -> Vec<f64> {
     let last_rpm = BEYOND_OPERATION * rotor.highest_rpm;
     let of_operation = [rotor.lowest_rpm, rotor.highest_rpm];
     let is_other = |rpm: &f64| {

@@ -1,5 +1,6 @@
 //! Blade modes followed from speed to speed by the modal assurance criterion (MAC) of their shapes.
 
+use crate::assignment::Assignment;
 use crate::mac::mac;
 use towermodes::BladeFamily;
 
@@ -9,16 +10,6 @@ const REPEATED: f64 = 1e-6;
 /// Two modes whose MACs with a followed mode differ by less than this are ambiguous: the modes
 /// veer, or the computation mixed a repeated pair.
 const AMBIGUOUS: f64 = 0.4;
-
-/// A mode with at least this MAC is the same mode.
-const SAME: f64 = 0.5;
-
-/// A mode that veers among three others has a MAC of one third with each. Below this limit it is
-/// another mode …
-const BETWEEN: f64 = 0.25;
-
-/// … and so it is if its MACs with all modes at this speed sum to less than this.
-const MADE_UP: f64 = 0.75;
 
 /// A mode of a blade at a speed.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,41 +62,14 @@ pub(super) struct Tracks {
     pub(super) modes: Vec<Followed>,
 }
 
-/// The assignment of the modes at one speed to the followed modes.
-pub(super) struct Assignment {
-    /// For each followed mode the index of its mode at this speed, if one was left.
-    chosen: Vec<Option<usize>>,
-    /// The MAC of each followed mode (row) with each mode at this speed (column).
-    mac: Vec<Vec<f64>>,
-}
-
-impl Assignment {
-    /// The index of the mode at this speed that continues a followed mode, or the MAC of the mode
-    /// assigned to it if that is too small.
-    fn found(&self, mode: usize) -> Result<usize, f64> {
-        let Some(other) = self.chosen[mode] else {
-            return Err(0.0);
-        };
-        let mac = self.mac[mode][other];
-        let together: f64 = self.mac[mode].iter().sum();
-        let is_between = mac >= BETWEEN && together >= MADE_UP;
-        if mac >= SAME || is_between {
-            Ok(other)
-        } else {
-            Err(mac)
-        }
-    }
-}
-
 impl Tracks {
     /// Begins with the modes at standstill.
     pub(super) fn begin(seen: &[Seen]) -> Self {
         let mut tracks = Self {
             modes: seen.iter().map(Followed::new).collect(),
         };
-        let chosen = (0..seen.len()).map(Some).collect();
-        let mac = tracks.macs(seen);
-        tracks.take(seen, &Assignment { chosen, mac });
+        let assignment = Assignment::in_order(tracks.macs(seen));
+        tracks.take(seen, &assignment);
         tracks
     }
 
@@ -115,26 +79,10 @@ impl Tracks {
         modes.any(|(index, mode)| mode.lost.is_none() && assignment.found(index).is_err())
     }
 
-    /// Greedy assignment by descending MAC: the pair with the largest MAC first, then the largest
-    /// among the modes that remain, and so on.
+    /// Which mode at this speed continues which followed mode.
     pub(super) fn assign(&self, seen: &[Seen]) -> Assignment {
-        let mac = self.macs(seen);
-        let followed = (0..self.modes.len()).filter(|mode| self.modes[*mode].lost.is_none());
-        let mut pairs: Vec<(usize, usize)> = followed
-            .flat_map(|mode| (0..seen.len()).map(move |other| (mode, other)))
-            .collect();
-        // Among equal MACs the closer index wins: the sort is stable.
-        pairs.sort_by_key(|(mode, other)| mode.abs_diff(*other));
-        pairs.sort_by(|a, b| mac[b.0][b.1].total_cmp(&mac[a.0][a.1]));
-        let mut chosen = vec![None; self.modes.len()];
-        let mut is_taken = vec![false; seen.len()];
-        for (mode, other) in pairs {
-            if chosen[mode].is_none() && !is_taken[other] {
-                chosen[mode] = Some(other);
-                is_taken[other] = true;
-            }
-        }
-        Assignment { chosen, mac }
+        let is_followed = |mode: usize| self.modes[mode].lost.is_none();
+        Assignment::greedy(self.macs(seen), is_followed)
     }
 
     /// Continues with the assigned modes; lines without an assigned mode end before this speed.
@@ -157,11 +105,8 @@ impl Tracks {
             }
             let is_new = mode.family.is_none();
             mode.family.get_or_insert(found.family);
-            let macs = &assignment.mac[index];
-            let rivals = macs.iter().enumerate().filter(|(i, _)| *i != other);
-            let rival = rivals.map(|(_, mac)| *mac).fold(0.0, f64::max);
             // An ambiguous shape could be followed to either mode.
-            if is_new || macs[other] - rival >= AMBIGUOUS {
+            if is_new || assignment.lead(index, other) >= AMBIGUOUS {
                 mode.shape.clone_from(&found.shape);
             }
         }

@@ -27,6 +27,8 @@ pub(super) fn schema_parser() -> PossibleValuesParser {
         PossibleValue::new("compare"),
         PossibleValue::new("converge"),
         PossibleValue::new("campbell"),
+        PossibleValue::new("campbell-turbine")
+            .help("result of `campbell` for a turbine with flexible blades"),
         PossibleValue::new("damping"),
         PossibleValue::new("check").help("result of `check` for two files"),
         PossibleValue::new("check-one").help("result of `check` for one file"),

@@ -47,9 +47,9 @@ pub(super) struct CampbellDocument<'a> {
 /// The tower that was solved.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct NamedJson<'a> {
+pub(super) struct NamedJson<'a> {
     /// The name in the file; may be empty.
-    name: &'a str,
+    pub(super) name: &'a str,
 }
 
 /// A natural frequency against the rotor speed.
@@ -62,7 +62,7 @@ struct LineJson<'a> {
     number: Option<usize>,
     /// Its family, as in the result of `solve`; for a blade mode that at standstill: `flap`, `lag`,
     /// `torsion` or `axial`.
-    family: &'static str,
+    family: String,
     /// Order within the family, from 1.
     order: usize,
     /// The name of the mode, as "1st fore-aft bending".
@@ -81,7 +81,7 @@ struct LineJson<'a> {
 /// The distance of an excitation from a natural frequency in the operating range.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct MarginJson<'a> {
+pub(super) struct MarginJson<'a> {
     /// Index of the line, from 0.
     line: usize,
     /// The name of its mode.
@@ -103,7 +103,7 @@ struct MarginJson<'a> {
 /// The stiffness class of a first bending mode.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct ClassJson {
+pub(super) struct ClassJson {
     /// The plane of the mode: `fore-aft` or `side-side`.
     family: Family,
     /// `soft-soft`, `soft-stiff`, `stiff-stiff`, or `met` if 1P or the blade passing frequency
@@ -147,15 +147,16 @@ pub fn write_campbell_json(
     write_result_json(&document, writer)
 }
 
-/// `tower` or `blade`, number, family, order.
-fn named(of: Excited) -> (&'static str, Option<usize>, &'static str, usize) {
+/// `tower`, `blade` or `turbine`, number, family or part, order.
+fn named(of: Excited) -> (&'static str, Option<usize>, String, usize) {
     match of {
         Excited::Tower {
             number,
             family,
             order,
-        } => ("tower", Some(number), family.name(), order),
-        Excited::Blade { family, order } => ("blade", None, family.name(), order),
+        } => ("tower", Some(number), family.name().to_owned(), order),
+        Excited::Blade { family, order } => ("blade", None, family.name().to_owned(), order),
+        Excited::Turbine { name } => ("turbine", None, name.part.to_string(), name.order),
     }
 }
 
@@ -174,7 +175,7 @@ fn line_json(line: &FrequencyLine) -> LineJson<'_> {
     }
 }
 
-fn margin_json<'a>(campbell: &'a Campbell, margin: &Margin) -> MarginJson<'a> {
+pub(super) fn margin_json<'a>(campbell: &'a Campbell, margin: &Margin) -> MarginJson<'a> {
     MarginJson {
         line: margin.line,
         label: &campbell.lines[margin.line].label,
@@ -187,7 +188,7 @@ fn margin_json<'a>(campbell: &'a Campbell, margin: &Margin) -> MarginJson<'a> {
     }
 }
 
-fn class_json((family, class): &(Family, StiffnessClass)) -> ClassJson {
+pub(super) fn class_json((family, class): &(Family, StiffnessClass)) -> ClassJson {
     ClassJson {
         family: *family,
         class: class.name(),
@@ -224,7 +225,7 @@ pub fn write_campbell_csv(campbell: &Campbell, writer: impl Write) -> Result<(),
         [
             of.to_owned(),
             number.map_or_else(String::new, |number| number.to_string()),
-            family.to_owned(),
+            family,
             order.to_string(),
             line.label.clone(),
             margin.multiple.to_string(),

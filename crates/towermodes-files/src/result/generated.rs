@@ -11,6 +11,7 @@ use towermodes_analysis::study::{Comparison, Convergence};
 use super::blade::BladeDocument;
 use super::calibration::CalibrationDocument;
 use super::campbell::CampbellDocument;
+use super::coupled_campbell::CoupledCampbellDocument;
 use super::damping::DampingDocument;
 use super::design::DesignDocument;
 use super::first_order::FirstOrderDocument;
@@ -40,6 +41,10 @@ pub fn generated_schema(kind: ResultKind) -> Result<String, ResultError> {
         ResultKind::Campbell => {
             generated_schema_of::<CampbellDocument<'static>>("towermodes campbell", "campbell")
         }
+        ResultKind::CoupledCampbell => generated_schema_of::<CoupledCampbellDocument<'static>>(
+            "towermodes campbell of a turbine",
+            "campbell TURBINE",
+        ),
         ResultKind::Damping => {
             generated_schema_of::<DampingDocument<'static>>("towermodes damping", "damping")
         }

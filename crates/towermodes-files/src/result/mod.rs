@@ -6,6 +6,8 @@
 mod blade;
 mod calibration;
 mod campbell;
+mod coupled_campbell;
+mod coupled_campbell_csv;
 mod damping;
 mod design;
 mod first_order;
@@ -25,6 +27,8 @@ pub use calibration::{
     write_calibration_json,
 };
 pub use campbell::{write_campbell_csv, write_campbell_json};
+pub use coupled_campbell::write_coupled_campbell_json;
+pub use coupled_campbell_csv::write_coupled_campbell_csv;
 pub use damping::{write_damping_csv, write_damping_json};
 pub use design::{
     DesignDocument, DesignedFrequency, DesignedLimit, DesignedVariable, write_design_json,

@@ -24,6 +24,8 @@ pub enum ResultKind {
     FirstOrder,
     /// Of `towermodes campbell`.
     Campbell,
+    /// Of `towermodes campbell` for a turbine with flexible blades.
+    CoupledCampbell,
     /// Of `towermodes damping`.
     Damping,
     /// Of `towermodes compare`.
@@ -40,7 +42,7 @@ pub enum ResultKind {
 
 impl ResultKind {
     /// All kinds.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Solution,
         Self::Several,
         Self::Blade,
@@ -50,6 +52,7 @@ impl ResultKind {
         Self::Calibration,
         Self::FirstOrder,
         Self::Campbell,
+        Self::CoupledCampbell,
         Self::Damping,
         Self::Comparison,
         Self::Convergence,
@@ -70,6 +73,7 @@ impl ResultKind {
             Self::Calibration => "calibrate",
             Self::FirstOrder => "first-order",
             Self::Campbell => "campbell",
+            Self::CoupledCampbell => "campbell-turbine",
             Self::Damping => "damping",
             Self::Comparison => "compare",
             Self::Convergence => "converge",
@@ -96,6 +100,7 @@ impl ResultKind {
             Self::Calibration => include_str!("../../schemas/calibrate.json"),
             Self::FirstOrder => include_str!("../../schemas/first-order.json"),
             Self::Campbell => include_str!("../../schemas/campbell.json"),
+            Self::CoupledCampbell => include_str!("../../schemas/campbell-turbine.json"),
             Self::Damping => include_str!("../../schemas/damping.json"),
             Self::Comparison => include_str!("../../schemas/compare.json"),
             Self::Convergence => include_str!("../../schemas/converge.json"),

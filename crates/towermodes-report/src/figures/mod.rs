@@ -24,7 +24,7 @@ mod tower;
 mod whirl;
 
 pub use animation::{AnimatedMode, AnimationData, animation_data};
-pub use campbell::campbell;
+pub use campbell::{campbell, coupled_campbell};
 pub use convergence::convergence;
 pub use design::{DesignedMode, design};
 pub use error::error;

@@ -8,6 +8,7 @@ mod model;
 mod remedy;
 mod rotor;
 mod text;
+mod turbine;
 
 pub use completeness::{completeness, proof_of_completeness};
 pub use mode::{blade_mode_shape, mode_shape};
@@ -15,3 +16,4 @@ pub use model::{buckling_load_factor, compared_segments, computed_by, levels, me
 pub use remedy::remedy;
 pub use rotor::{operation, speed_range, verdict_counts, verdict_word};
 pub use text::{counted, listed, printable};
+pub use turbine::{STRUCTURE_ONLY, proved};

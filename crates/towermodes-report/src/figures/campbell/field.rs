@@ -3,11 +3,9 @@
 use towermodes_analysis::resonance::Campbell;
 
 use crate::figures::{end_labels, legend};
-use crate::svg::{
-    Anchor, Axes, Colour, Dash, Drawing, Frame, Marker, Stroke, TextStyle, text_width,
-};
+use crate::svg::{Anchor, Axes, Colour, Dash, Drawing, Frame, Stroke, TextStyle, text_width};
 
-use super::key::{BLADE, entries, stroke};
+use super::key::entries;
 use super::layout::{ASIDE, Layout, SIZE, TICKS, WIDTH, end_labels};
 use super::lines::Shown;
 use super::marks::{self, Cluster, clusters};
@@ -138,12 +136,12 @@ fn modes(drawing: &mut Drawing, shown: &Shown, axes: &Axes) {
             .iter()
             .map(|[rpm, hz]| axes.at(*rpm, *hz))
             .collect();
-        drawing.polyline(&places, &stroke(group));
-        if group.is_blade {
+        drawing.polyline(&places, &group.kind.stroke());
+        if let Some((marker, colour)) = group.kind.marker() {
             let every = places.len().div_ceil(8).max(1);
             // Not at the ends, where they would be cut.
             for place in places.iter().skip(every.div_ceil(2)).step_by(every) {
-                drawing.marker(Marker::Disc, *place, 3.2, BLADE);
+                drawing.marker(marker, *place, 3.2, colour);
             }
         }
     }

@@ -9,22 +9,8 @@ use super::rays::{self, strong};
 use super::shades::{ribbon_edge, window_edge, window_hz};
 use crate::figures::legend::{Entry, Sample, words};
 use crate::number::four_digits;
-use crate::svg::{Colour, Dash, Marker, Stroke};
+use crate::svg::{Colour, Marker, Stroke};
 use crate::wording::counted;
-
-/// The colour of the tower's modes.
-const TOWER: Colour = Colour::Series(0);
-/// The colour of the blade's modes.
-pub(super) const BLADE: Colour = Colour::Series(1);
-
-/// How the line of a mode is drawn.
-pub(super) fn stroke(group: &Group) -> Stroke {
-    if group.is_blade {
-        Stroke::new(BLADE, 1.8).dashed(Dash::Dashed)
-    } else {
-        Stroke::new(TOWER, 2.0)
-    }
-}
 
 /// The entries of the legend, and how many lines of modes and excitations have no label.
 pub(super) fn entries(
@@ -53,17 +39,17 @@ fn line(line: Stroke, marker: Option<(Marker, Colour)>) -> Sample {
     }
 }
 
+/// One entry for the lines that are drawn alike, in the order in which they first appear; those of
+/// the tower first.
 fn modes(shown: &Shown) -> Vec<Entry> {
-    let kinds = [(false, "tower mode"), (true, "blade mode")].into_iter();
-    let entry = |(is_blade, text): (bool, &str)| {
-        let first = shown
-            .groups
-            .iter()
-            .find(|group| group.is_blade == is_blade)?;
-        let marker = is_blade.then_some((Marker::Disc, BLADE));
-        Some((line(stroke(first), marker), text.to_owned()))
-    };
-    kinds.filter_map(entry).collect()
+    let mut entries: Vec<Entry> = Vec::new();
+    for Group { kind, .. } in &shown.groups {
+        let words = kind.words();
+        if !entries.iter().any(|(_, own)| *own == words) {
+            entries.push((line(kind.stroke(), kind.marker()), words));
+        }
+    }
+    entries
 }
 
 fn excitations(campbell: &Campbell, shown: &Shown) -> Vec<Entry> {

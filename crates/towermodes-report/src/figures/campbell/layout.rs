@@ -3,10 +3,9 @@
 use towermodes_analysis::resonance::Campbell;
 
 use crate::figures::end_labels::{self, EndLabel, GAP};
-use crate::svg::{Axes, Frame, Marker, text_width};
+use crate::svg::{Axes, Frame, text_width};
 
 use super::above::{above_text, unresisted_text};
-use super::key::stroke;
 use super::lines::{Group, Shown};
 use super::rays::{self, Labelled, end_hz};
 
@@ -188,8 +187,8 @@ pub(super) fn end_labels(
     let of_group = |group: &&Group| EndLabel {
         y: axes.y.at(group.points.last().map_or(0.0, |[_, hz]| *hz)),
         text: group.label.clone(),
-        colour: stroke(group).colour,
-        marker: group.is_blade.then_some(Marker::Disc),
+        colour: group.kind.stroke().colour,
+        marker: group.kind.marker().map(|(marker, _)| marker),
         is_bold: false,
     };
     let of_multiple = |multiple: &usize| {

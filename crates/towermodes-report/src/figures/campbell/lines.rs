@@ -3,6 +3,7 @@
 use towermodes_analysis::resonance::{Campbell, FrequencyLine};
 
 use super::extent::{ends_hz, last_rpm};
+use super::kind::Kind;
 use crate::number::four_digits;
 
 /// The largest number of excitations: more would be a grey surface.
@@ -60,8 +61,8 @@ pub(super) struct Group {
     pub(super) members: Vec<usize>,
     /// Their label with the frequency.
     pub(super) label: String,
-    /// Whether they are of a blade.
-    pub(super) is_blade: bool,
+    /// Their kind.
+    pub(super) kind: Kind,
     /// Rotor speed (rpm) and frequency (Hz).
     pub(super) points: Vec<[f64; 2]>,
 }
@@ -107,12 +108,13 @@ pub(super) fn shown(campbell: &Campbell) -> Shown {
     }
 }
 
-/// The lines; coinciding tower lines form one group.
+/// The lines; coinciding lines of a tower with a rigid rotor, which are level, form one group.
 fn groups(campbell: &Campbell) -> Vec<Group> {
     let first_hz = |line: &FrequencyLine| line.points.first().map_or(f64::NAN, |[_, hz]| *hz);
     let are_one = |a: &FrequencyLine, b: &FrequencyLine| {
         let (a_hz, b_hz) = (first_hz(a), first_hz(b));
-        !a.is_of_blade() && !b.is_of_blade() && (b_hz - a_hz).abs() <= ONE_LINE * a_hz
+        let are_level = [a, b].iter().all(|line| Kind::of(line) == Kind::Tower);
+        are_level && (b_hz - a_hz).abs() <= ONE_LINE * a_hz
     };
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for (index, line) in campbell.lines.iter().enumerate() {
@@ -127,7 +129,7 @@ fn groups(campbell: &Campbell) -> Vec<Group> {
             members.iter().map(|line| &campbell.lines[*line]).collect();
         Group {
             label: label(&lines),
-            is_blade: lines[0].is_of_blade(),
+            kind: Kind::of(lines[0]),
             points: lines[0].points.clone(),
             members,
         }

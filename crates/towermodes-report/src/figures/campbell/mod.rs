@@ -4,6 +4,7 @@ mod above;
 mod extent;
 mod field;
 mod key;
+mod kind;
 mod layout;
 mod lines;
 mod marks;
@@ -13,10 +14,11 @@ mod shades;
 use towermodes::Rotor;
 use towermodes::tower::Rpm;
 use towermodes_analysis::resonance::Campbell;
+use towermodes_analysis::whirl::CoupledCampbell;
 
 use crate::number::digits;
 use crate::svg::{DataTable, Figure};
-use crate::wording::operation;
+use crate::wording::{STRUCTURE_ONLY, operation, proved};
 
 use above::{above_text, unresisted_text};
 use field::drawing;
@@ -33,6 +35,20 @@ pub fn campbell(campbell: &Campbell) -> Figure {
         description: description(campbell, &shown),
         drawing: drawing(campbell, &shown),
         table: table(campbell),
+    }
+}
+
+/// The Campbell diagram of a whole turbine: the curves of its coupled modes, whirl modes of one
+/// motion in one colour with the backward ones dashed, and the excitations, against the rotor
+/// speed.
+pub fn coupled_campbell(coupled: &CoupledCampbell) -> Figure {
+    let figure = campbell(&coupled.campbell);
+    let proof = proved(coupled);
+    Figure {
+        title: "Campbell diagram of the turning turbine: natural frequencies and excitations against rotor speed"
+            .to_owned(),
+        description: format!("{} {STRUCTURE_ONLY} {proof}", figure.description),
+        ..figure
     }
 }
 

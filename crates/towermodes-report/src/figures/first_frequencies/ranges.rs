@@ -74,11 +74,11 @@ pub(super) fn lanes(campbell: &Campbell) -> Vec<Lane> {
     let lines = || campbell.lines.iter().enumerate();
     let is_first_of = |line: &FrequencyLine, wanted: Family| match line.of {
         Excited::Tower { family, order, .. } => family == wanted && order == 1,
-        Excited::Blade { .. } => false,
+        Excited::Blade { .. } | Excited::Turbine { .. } => false,
     };
     let is_coupled = |line: &FrequencyLine| match line.of {
         Excited::Tower { family, .. } => family == Family::Coupled,
-        Excited::Blade { .. } => false,
+        Excited::Blade { .. } | Excited::Turbine { .. } => false,
     };
     let bending = [Family::ForeAft, Family::SideSide];
     let first = bending

@@ -1,0 +1,79 @@
+//! What the flexible rotor changes: coupled modes of the tower against those with a rigid rotor.
+
+use towermodes::modes::Family;
+use towermodes::turbine::{TurbineModeName, TurbinePart};
+use towermodes::{Mode, Solution};
+
+use super::diagram::CoupledCampbell;
+
+/// A mode of the tower with a rigid rotor, and the curve of the same name.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AgainstRigid {
+    /// The index of the curve, from 0.
+    pub curve: usize,
+    /// The name of the curve.
+    pub name: TurbineModeName,
+    /// The frequency of the tower with its rotor-nacelle assembly as a rigid body, Hz.
+    pub rigid_hz: f64,
+    /// At standstill; none if the turbine was not solved there.
+    pub at_rest: Option<Change>,
+    /// At the highest operating speed; none if the curve does not reach it.
+    pub at_highest: Option<Change>,
+}
+
+/// A coupled frequency against that with a rigid rotor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Change {
+    /// The coupled frequency, Hz.
+    pub coupled_hz: f64,
+    /// Coupled over rigid less 1.
+    pub difference: f64,
+}
+
+impl CoupledCampbell {
+    /// Each mode of the tower below the limit that has a curve of the same name, by frequency: what
+    /// the flexible and turning rotor changes. The solution is that of the same tower with the
+    /// machine as a rigid body, which does not turn about its shaft relative to the nacelle.
+    #[must_use]
+    pub fn against(&self, rigid: &Solution) -> Vec<AgainstRigid> {
+        let rows = rigid.modes.iter();
+        rows.filter_map(|mode| self.row(mode)).collect()
+    }
+
+    fn row(&self, mode: &Mode) -> Option<AgainstRigid> {
+        let name = TurbineModeName {
+            part: part(mode.family)?,
+            order: mode.order,
+        };
+        let curve = self.curves.iter().position(|curve| curve.name == name)?;
+        let rigid_hz = mode.frequency_hz;
+        if rigid_hz > self.limit_hz {
+            return None;
+        }
+        let change = |rpm: f64| {
+            let point = self.curves[curve].at_rpm(rpm)?;
+            let coupled_hz = point.frequency.frequency_hz;
+            Some(Change {
+                coupled_hz,
+                difference: coupled_hz / rigid_hz - 1.0,
+            })
+        };
+        Some(AgainstRigid {
+            curve,
+            name,
+            rigid_hz,
+            at_rest: change(0.0),
+            at_highest: change(self.campbell.rotor.highest_rpm),
+        })
+    }
+}
+
+fn part(family: Family) -> Option<TurbinePart> {
+    match family {
+        Family::ForeAft => Some(TurbinePart::TowerForeAft),
+        Family::SideSide => Some(TurbinePart::TowerSideSide),
+        Family::Torsion => Some(TurbinePart::TowerTorsion),
+        Family::Axial => Some(TurbinePart::TowerAxial),
+        _ => None,
+    }
+}

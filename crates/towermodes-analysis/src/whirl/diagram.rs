@@ -1,0 +1,245 @@
+//! The coupled Campbell diagram of a turbine.
+
+use std::f64::consts::PI;
+
+use towermodes::modes::Family;
+use towermodes::tower::Rotor;
+use towermodes::turbine::{
+    Turbine, TurbineError, TurbineMesh, TurbineModel, TurbineModes, TurbinePart,
+};
+
+use crate::resonance::{
+    Campbell, Excited, FrequencyLine, StiffnessClass, check_options, class_along, margins,
+};
+
+use super::curve::CoupledCurve;
+use super::follow::{Track, tracks};
+use super::meeting::{Meeting, meetings};
+use super::named;
+use super::options::{CoupledError, CoupledOptions};
+use super::refine::solved_speeds;
+use super::solved::{Solved, SolvedSpeed};
+
+/// Modes are sought up to this multiple of the limit …
+const HEADROOM: f64 = 1.1;
+/// … and up to so many times the change of the rotor speed in a step above it: a frequency in the
+/// fixed frame changes by about as much as the speed.
+const STEPS: f64 = 3.0;
+/// The mesh that errors are estimated on.
+const FINER: TurbineMesh = TurbineMesh {
+    tower_elements: 2,
+    tower_degree: 8,
+    blade_degree: 4,
+};
+
+/// Natural frequencies of a whole turbine against its rotor speed, with their distances from the
+/// excitations.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CoupledCampbell<S = TurbineModes> {
+    /// The curves as lines, with margins, classes, conclusion and verdict. A line has the index of
+    /// its curve.
+    pub campbell: Campbell,
+    /// The frequency up to which all modes are followed, Hz.
+    pub limit_hz: f64,
+    /// The rotor speeds at which the turbine was solved, rising, with their modes.
+    pub speeds: Vec<SolvedSpeed<S>>,
+    /// The curves: tower and drivetrain by mean frequency, then the blades.
+    pub curves: Vec<CoupledCurve>,
+    /// Where curves cross or veer, by rotor speed.
+    pub meetings: Vec<Meeting>,
+}
+
+impl CoupledCampbell {
+    /// Whether counts prove at every speed that no mode below the limit is missing and that none is
+    /// unstable.
+    #[must_use]
+    pub fn is_certified(&self) -> bool {
+        self.speeds.iter().all(|speed| speed.modes.is_complete)
+    }
+
+    /// The rotor speeds at which the turbine is unstable or its modes are not certified, rpm.
+    #[must_use]
+    pub fn uncertified_rpm(&self) -> Vec<f64> {
+        let speeds = self.speeds.iter();
+        let open = speeds.filter(|speed| !speed.modes.is_complete);
+        open.map(|speed| speed.rotor_speed_rpm).collect()
+    }
+}
+
+/// The coupled Campbell diagram of a turbine: structure only, without wind and controller, at
+/// constant speeds.
+///
+/// The turbine is solved at each of the speeds, on the usual mesh. Modes are followed by their
+/// shapes: the modal assurance criterion of one speed and the next in the inner product of the
+/// elastic energy. Where the shapes are ambiguous or curves swap their order, speeds are added
+/// between, up to [`CoupledOptions::most_added`]. Curves that swap their order while the shapes
+/// stay cross; curves that come close, turn away and exchange their shapes veer. Two curves that
+/// exchange their shapes within 1/32 of a step are taken for curves that cross.
+///
+/// Frequencies are those in the fixed frame: what acts on the tower with a frequency excites the
+/// modes that have it. On a blade, which turns, the same forward whirl has that frequency less the
+/// rotor speed, the same backward whirl that frequency plus the rotor speed. The margins compare
+/// each curve with the multiples of the rotor speed in the fixed frame, by the table of
+/// [`campbell`](crate::campbell()): modes of the tower and the drivetrain as tower modes, those of
+/// the blades as blade modes.
+///
+/// `watch` is called before each solve with the rotor speed in rpm.
+///
+/// Source: Allemang & Brown, *A correlation coefficient for modal vector analysis* (1982).
+///
+/// # Errors
+/// [`CoupledError`]: options or rotor are invalid, or the turbine cannot be solved at a speed.
+pub fn coupled_campbell(
+    turbine: &Turbine,
+    rotor: &Rotor,
+    options: &CoupledOptions,
+    mut watch: impl FnMut(f64),
+) -> Result<CoupledCampbell, CoupledError> {
+    let blades = turbine.machine().blades;
+    if rotor.blades != blades {
+        let (rotor, turbine) = (rotor.blades, blades);
+        return Err(CoupledError::Blades { rotor, turbine });
+    }
+    let mut model = TurbineModel::new(turbine, &TurbineMesh::default())?;
+    let mut finer = TurbineModel::new(turbine, &FINER)?;
+    let ends = ends_rpm(rotor, options)?;
+    diagram(rotor, options, |rpm, limit_hz, last| {
+        watch(rpm);
+        let speed = rpm * PI / 30.0;
+        let last = last.map_or(&[][..], std::slice::from_ref);
+        let modes = model.modes_from(limit_hz, speed, last);
+        let mut modes = modes.map_err(|error| CoupledError::At {
+            rotor_speed_rpm: rpm,
+            error,
+        })?;
+        if ends.contains(&rpm) {
+            finer.estimate_errors(&mut modes);
+        }
+        Ok(modes)
+    })
+}
+
+/// The speeds at which errors are estimated, rpm: the ends of the diagram and of operation. Between
+/// them they change little.
+fn ends_rpm(rotor: &Rotor, options: &CoupledOptions) -> Result<Vec<f64>, CoupledError> {
+    check_options(rotor, &options.common())?;
+    let speeds = options.speeds_rpm(rotor)?;
+    let ends = [speeds.first(), speeds.last()]
+        .into_iter()
+        .flatten()
+        .copied();
+    Ok(ends.chain([rotor.lowest_rpm, rotor.highest_rpm]).collect())
+}
+
+/// The same with a function that solves at a rotor speed (rpm) up to a frequency (Hz), given the
+/// modes at another speed.
+pub(super) fn diagram<S: Solved>(
+    rotor: &Rotor,
+    options: &CoupledOptions,
+    mut solve: impl FnMut(f64, f64, Option<&S>) -> Result<S, CoupledError>,
+) -> Result<CoupledCampbell<S>, CoupledError> {
+    let common = options.common();
+    check_options(rotor, &common)?;
+    let limit_hz = options.limit_hz;
+    if !(limit_hz.is_finite() && limit_hz > 0.0) {
+        return Err(TurbineError::Limit { limit_hz }.into());
+    }
+    let speeds_rpm = options.speeds_rpm(rotor)?;
+    let steps = speeds_rpm.windows(2).map(|step| step[1] - step[0]);
+    let step_hz = steps.fold(0.0, f64::max) / 60.0;
+    let sought_hz = (HEADROOM * limit_hz).max(limit_hz + STEPS * step_hz);
+    let solve = |rpm: f64, last: Option<&S>| solve(rpm, sought_hz, last);
+    let speeds = solved_speeds(&speeds_rpm, limit_hz, options.most_added, solve)?;
+    let (curves, tracks) = curves(&speeds, rotor, limit_hz);
+    let lines: Vec<FrequencyLine> = curves.iter().map(line).collect();
+    let first = first_bending(&curves, rotor);
+    Ok(CoupledCampbell {
+        campbell: Campbell {
+            rotor: *rotor,
+            margin: options.margin,
+            multiples: common.multiples_of(rotor),
+            known_to_hz: Some(limit_hz),
+            margins: margins(&lines, rotor, &common),
+            classes: first.iter().map(|(of, class, _)| (*of, *class)).collect(),
+            first_bending: first.iter().map(|(.., curve)| *curve).collect(),
+            lines,
+        },
+        limit_hz,
+        meetings: meetings(&speeds, &tracks, limit_hz),
+        speeds,
+        curves,
+    })
+}
+
+/// The curves that are below the limit somewhere, in their order, with their tracks.
+fn curves<S: Solved>(
+    speeds: &[SolvedSpeed<S>],
+    rotor: &Rotor,
+    limit_hz: f64,
+) -> (Vec<CoupledCurve>, Vec<Track>) {
+    let curve = |track: &Track| {
+        let places = (track.first..).zip(&track.modes);
+        let points = places.map(|(speed, mode)| super::CurvePoint {
+            rotor_speed_rpm: speeds[speed].rotor_speed_rpm,
+            ..speeds[speed].modes.point(*mode)
+        });
+        let points: Vec<super::CurvePoint> = points.collect();
+        let last_hz = points.last().map(|point| point.frequency.frequency_hz);
+        let is_left = last_hz.is_some_and(|hz| hz > limit_hz);
+        CoupledCurve {
+            name: points[0].name,
+            partner: None,
+            lost: track.lost.filter(|_| !is_left),
+            points,
+        }
+    };
+    let is_shown = |curve: &CoupledCurve| {
+        let mut points = curve.points.iter();
+        points.any(|point| point.frequency.frequency_hz <= limit_hz)
+    };
+    let mut all: Vec<(CoupledCurve, Track)> = tracks(speeds)
+        .into_iter()
+        .map(|track| (curve(&track), track))
+        .filter(|(curve, _)| is_shown(curve))
+        .collect();
+    let keys = all.iter().map(|(curve, _)| {
+        let points = &curve.points;
+        (named::part(points, rotor), named::mean_hz(points, rotor))
+    });
+    let keys: Vec<(TurbinePart, f64)> = keys.collect();
+    let order = named::in_order(&keys);
+    let parts: Vec<TurbinePart> = order.iter().map(|index| keys[*index].0).collect();
+    let ordered = order.iter().map(|index| all[*index].clone());
+    all = ordered.collect();
+    let (mut curves, tracks): (Vec<CoupledCurve>, Vec<Track>) = all.into_iter().unzip();
+    for (curve, name) in curves.iter_mut().zip(named::names(&parts)) {
+        curve.name = name;
+    }
+    named::pair(&mut curves);
+    (curves, tracks)
+}
+
+fn line(curve: &CoupledCurve) -> FrequencyLine {
+    FrequencyLine {
+        of: Excited::Turbine { name: curve.name },
+        label: curve.name.to_string(),
+        points: curve.places(),
+        error_hz: curve.error_hz(),
+        lost: curve.lost,
+    }
+}
+
+/// The curves of the first bending modes of the tower with their classes.
+fn first_bending(curves: &[CoupledCurve], rotor: &Rotor) -> Vec<(Family, StiffnessClass, usize)> {
+    let planes = [
+        (Family::ForeAft, TurbinePart::TowerForeAft),
+        (Family::SideSide, TurbinePart::TowerSideSide),
+    ];
+    let first = planes.into_iter().filter_map(|(family, part)| {
+        let is_first = |curve: &CoupledCurve| curve.name.part == part && curve.name.order == 1;
+        let index = curves.iter().position(is_first)?;
+        let class = class_along(&curves[index].places(), rotor)?;
+        Some((family, class, index))
+    });
+    first.collect()
+}

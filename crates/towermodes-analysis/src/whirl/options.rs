@@ -1,0 +1,152 @@
+//! Options of a coupled Campbell diagram, and why there is none.
+
+use thiserror::Error;
+use towermodes::tower::{Rotor, Rpm};
+use towermodes::turbine::TurbineError;
+use towermodes::{Family, Solution};
+
+use crate::resonance::{CampbellError, CampbellOptions, DEFAULT_MARGIN, reach_hz, speeds_rpm};
+
+/// The diagram reaches this multiple of the second bending frequency of the tower with a rigid
+/// rotor, which the flexible rotor may move up …
+const ABOVE_SECOND: f64 = 1.5;
+/// … but no more than this multiple of the frequency that the excitations reach.
+const WORTH: f64 = 2.0;
+/// The largest number of rotor speeds that are given.
+const MOST_SPEEDS: usize = 1000;
+
+/// Options of a coupled Campbell diagram.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CoupledOptions {
+    /// The required distance |d| of an excitation from a natural frequency, above 0 and below 1.
+    pub margin: f64,
+    /// The multiples n of the rotor speed; if empty, 1 and one, two and three times the number of
+    /// blades.
+    pub multiples: Vec<usize>,
+    /// The rotor speeds.
+    pub speeds: RotorSpeeds,
+    /// The frequency up to which modes are followed, Hz.
+    pub limit_hz: f64,
+    /// The largest number of speeds that are added where curves come close to each other.
+    pub most_added: usize,
+}
+
+/// The rotor speeds at which a turbine is solved.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RotorSpeeds {
+    /// So many, equally spaced from standstill to [`BEYOND_OPERATION`] times the highest operating
+    /// speed, and the lowest and the highest operating speed: 2 to 1000.
+    ///
+    /// [`BEYOND_OPERATION`]: crate::resonance::BEYOND_OPERATION
+    Equal(usize),
+    /// These, rpm, and the lowest and the highest operating speed.
+    Given(Vec<f64>),
+}
+
+impl CoupledOptions {
+    /// The usual options with a limit, Hz.
+    pub fn up_to(limit_hz: f64) -> Self {
+        let usual = CampbellOptions::default();
+        Self {
+            margin: DEFAULT_MARGIN,
+            multiples: Vec::new(),
+            speeds: RotorSpeeds::Equal(usual.speeds),
+            limit_hz,
+            most_added: 100,
+        }
+    }
+
+    /// The options that a diagram of the tower alone has too.
+    pub(super) fn common(&self) -> CampbellOptions {
+        let usual = CampbellOptions::default();
+        CampbellOptions {
+            margin: self.margin,
+            multiples: self.multiples.clone(),
+            speeds: match self.speeds {
+                RotorSpeeds::Equal(speeds) => speeds,
+                RotorSpeeds::Given(_) => usual.speeds,
+            },
+            ..usual
+        }
+    }
+
+    /// The rotor speeds by rising order, rpm.
+    ///
+    /// # Errors
+    /// [`CoupledError::Speed`], [`CoupledError::Speeds`].
+    pub(super) fn speeds_rpm(&self, rotor: &Rotor) -> Result<Vec<f64>, CoupledError> {
+        let given = match &self.speeds {
+            RotorSpeeds::Equal(count) => return Ok(speeds_rpm(rotor, *count)),
+            RotorSpeeds::Given(given) => given,
+        };
+        if given.len() > MOST_SPEEDS {
+            let speeds = given.len();
+            return Err(CoupledError::Speeds { speeds });
+        }
+        let is_speed = |rpm: f64| rpm.is_finite() && rpm >= 0.0;
+        if let Some(&rpm) = given.iter().find(|rpm| !is_speed(**rpm)) {
+            return Err(CoupledError::Speed { rpm });
+        }
+        let of_operation = [rotor.lowest_rpm, rotor.highest_rpm];
+        let mut all = [&given[..], &of_operation].concat();
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        Ok(all)
+    }
+}
+
+/// A limit for the coupled diagram of a turbine, Hz: the frequency that its excitations reach, and
+/// the second bending modes of its tower where they are less than twice as high. The solution is
+/// that of the tower with a rigid rotor.
+#[must_use]
+pub fn coupled_limit_hz(rotor: &Rotor, options: &CampbellOptions, rigid: &Solution) -> f64 {
+    let reach_hz = reach_hz(rotor, options);
+    let second = rigid.modes.iter().filter(|mode| {
+        let bends = matches!(mode.family, Family::ForeAft | Family::SideSide);
+        bends && mode.order == 2
+    });
+    let second_hz = second.map(|mode| mode.frequency_hz).fold(0.0, f64::max);
+    (ABOVE_SECOND * second_hz)
+        .min(WORTH * reach_hz)
+        .max(reach_hz)
+}
+
+/// Why there is no coupled Campbell diagram.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum CoupledError {
+    /// Margin, multiples, number of speeds or rotor.
+    #[error(transparent)]
+    Options(#[from] CampbellError),
+    /// The turbine, or the limit of the frequencies.
+    #[error(transparent)]
+    Turbine(#[from] TurbineError),
+    /// The turbine cannot be solved at a rotor speed.
+    #[error("the turbine at {} rpm: {error}", Rpm(*.rotor_speed_rpm))]
+    At {
+        /// The speed, rpm.
+        rotor_speed_rpm: f64,
+        /// Why.
+        error: TurbineError,
+    },
+    /// Two numbers of blades.
+    #[error("the rotor has {rotor} blades, but the turbine has {turbine}; give the same number")]
+    Blades {
+        /// That of the rotor.
+        rotor: usize,
+        /// That of the turbine.
+        turbine: usize,
+    },
+    /// A rotor speed that is negative or no number.
+    #[error("a rotor speed is {rpm} rpm; it must be a finite number of at least 0")]
+    Speed {
+        /// The speed, rpm.
+        rpm: f64,
+    },
+    /// Too many speeds.
+    #[error("{speeds} rotor speeds are given; at most {MOST_SPEEDS} are possible")]
+    Speeds {
+        /// How many.
+        speeds: usize,
+    },
+}

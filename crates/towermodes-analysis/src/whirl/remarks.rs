@@ -1,0 +1,61 @@
+//! The limits of a coupled Campbell diagram, as remarks.
+
+use towermodes::turbine::Turbine;
+
+use crate::Verdict;
+use crate::resonance::{Remark, mode_lost};
+
+use super::curve::CoupledCurve;
+use super::diagram::CoupledCampbell;
+
+impl CoupledCampbell {
+    /// The worst verdict of all margins; at best [`Verdict::Warn`] where modes do not cover all
+    /// excitations, or where the turbine is unstable or not certified at an operating speed.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        let rotor = &self.campbell.rotor;
+        let operation = rotor.lowest_rpm..=rotor.highest_rpm;
+        let mut open = self.uncertified_rpm().into_iter();
+        match open.any(|rpm| operation.contains(&rpm)) {
+            true => self.campbell.verdict().max(Verdict::Warn),
+            false => self.campbell.verdict(),
+        }
+    }
+
+    /// The limits of the diagram: values of the rotor that look like mistakes, lost modes,
+    /// excitations above the list of modes, speeds without certificate, modes of negative energy.
+    #[must_use]
+    pub fn remarks(&self, turbine: &Turbine) -> Vec<Remark> {
+        let campbell = &self.campbell;
+        let warnings = turbine.tower().rotor_warnings(&campbell.rotor).into_iter();
+        let lines = campbell.lines.iter();
+        let uncovered = campbell.uncovered_range_hz();
+        let uncovered =
+            uncovered.map(|[limit_hz, reach_hz]| Remark::AboveLimit { limit_hz, reach_hz });
+        warnings
+            .map(Remark::Rotor)
+            .chain(lines.filter_map(|line| mode_lost(line, &campbell.rotor)))
+            .chain(uncovered)
+            .chain(self.uncertified())
+            .chain(self.curves.iter().filter_map(negative_energy))
+            .collect()
+    }
+
+    fn uncertified(&self) -> Option<Remark> {
+        let open = self.uncertified_rpm();
+        Some(Remark::Uncertified {
+            lowest_rpm: *open.first()?,
+            highest_rpm: *open.last()?,
+            speeds: open.len(),
+        })
+    }
+}
+
+fn negative_energy(curve: &CoupledCurve) -> Option<Remark> {
+    let mut points = curve.points.iter();
+    let first = points.find(|point| point.frequency.has_negative_energy)?;
+    Some(Remark::NegativeEnergy {
+        label: curve.name.to_string(),
+        from_rpm: first.rotor_speed_rpm,
+    })
+}

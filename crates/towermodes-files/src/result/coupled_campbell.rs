@@ -1,0 +1,336 @@
+//! The natural frequencies of a whole turbine against its rotor speed, as JSON and as CSV.
+
+use std::io::Write;
+
+use serde::Serialize;
+use towermodes::turbine::{BladeEnergy, TurbineEnergy};
+use towermodes::{Rotor, Tower};
+use towermodes_analysis::Verdict;
+use towermodes_analysis::whirl::{
+    AgainstRigid, Change, CoupledCampbell, CoupledCurve, CurvePoint, Meeting, SolvedSpeed,
+};
+
+use super::campbell::{ClassJson, MarginJson, NamedJson, class_json, margin_json};
+use super::{ResultError, write_result_json};
+
+/// The result of `towermodes campbell` for a turbine with flexible blades: curves of its natural
+/// frequencies, with their proof, margins and meetings.
+///
+/// Structure only: no aerodynamics, no controller, constant speeds.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(super) struct CoupledCampbellDocument<'a> {
+    /// The worst verdict; at best `warn` where the list of modes does not cover all excitations, or
+    /// where the turbine is unstable or not certified at an operating speed.
+    verdict: Verdict,
+    /// The tower.
+    tower: NamedJson<'a>,
+    /// The rotor.
+    rotor: Rotor,
+    /// The required distance, as a fraction of the natural frequency.
+    margin: f64,
+    /// The frequency range (from, to), Hz, in which the turbine may have modes that are not in the
+    /// list although an excitation comes close to them; null if the list covers all excitations.
+    unjudged_hz: Option<[f64; 2]>,
+    /// The multiples of the rotor speed.
+    multiples: &'a [usize],
+    /// The frequency up to which all modes are listed, Hz.
+    limit_hz: f64,
+    /// Whether counts prove at every speed that no mode below the limit is missing and that none is
+    /// unstable.
+    is_certified: bool,
+    /// The rotor speeds at which the turbine was solved, rising, with their certificates.
+    speeds: Vec<SpeedJson>,
+    /// The curves: tower and drivetrain by mean frequency, then the blades.
+    curves: Vec<CurveJson>,
+    /// The distance of every curve from every multiple; `line` is the index of the curve.
+    margins: Vec<MarginJson<'a>>,
+    /// The stiffness class of the first fore-aft and of the first side-side bending mode.
+    classes: Vec<ClassJson>,
+    /// Where curves cross or veer, by rotor speed.
+    meetings: Vec<MeetingJson>,
+    /// The modes of the tower with its machine as a rigid body, against the curves of the same
+    /// name.
+    against_rigid: Vec<AgainstRigidJson>,
+    /// Assumptions of the reader, data that it omits, and possible input mistakes.
+    warnings: Vec<String>,
+}
+
+/// A rotor speed.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct SpeedJson {
+    /// rpm.
+    rotor_speed_rpm: f64,
+    /// Whether it was added to follow curves that come close to each other.
+    is_added: bool,
+    /// Whether counts prove that no mode below the limit is missing and that none is unstable.
+    is_complete: bool,
+    /// How many modes of negative energy there are if none is unstable; they may lie above the
+    /// limit.
+    negative_energy_expected: usize,
+    /// How many were found.
+    negative_energy_found: usize,
+}
+
+/// A mode followed over the rotor speed.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct CurveJson {
+    /// Its name: that of its modes over most of the operating speeds.
+    label: String,
+    /// Its part: `tower fore-aft`, `drivetrain torsion`, `flapwise backward whirl` …
+    part: String,
+    /// Its order by mean frequency among the curves with this part, from 1.
+    order: usize,
+    /// Of a backward whirl the index of the curve of the forward whirl, and the reverse; null
+    /// otherwise.
+    partner: Option<usize>,
+    /// The largest estimated error of its frequencies, Hz.
+    error_hz: f64,
+    /// The rotor speed at which the mode is no longer found, rpm; null if it is not lost.
+    lost_at_rpm: Option<f64>,
+    /// Its points by rising rotor speed.
+    points: Vec<PointJson>,
+}
+
+/// A mode of a curve at a rotor speed.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct PointJson {
+    /// rpm.
+    rotor_speed_rpm: f64,
+    /// Its number in the list of modes at this speed, from 1.
+    number: usize,
+    /// The natural frequency in the fixed frame, Hz.
+    frequency_hz: f64,
+    /// The lower bound that counts prove, Hz.
+    lower_hz: f64,
+    /// The upper bound that counts prove, Hz.
+    upper_hz: f64,
+    /// The estimated error of the mesh, Hz; null where it is not known: between the ends of the
+    /// diagram and of the operating range.
+    error_hz: Option<f64>,
+    /// How many modes have this frequency.
+    multiplicity: usize,
+    /// Whether the energy of the mode in the fixed frame is negative: damping makes it grow.
+    has_negative_energy: bool,
+    /// Its name at this speed, by elastic energy.
+    label: String,
+    /// Its name at this speed by kinetic energy.
+    second_label: String,
+    /// Fractions of its elastic energy.
+    energy: EnergyJson,
+}
+
+/// Fractions of the elastic energy of a mode; they sum to 1 without `tilt` and `yaw`.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct EnergyJson {
+    /// Bending of the tower downwind, with the soil and the foundation.
+    tower_fore_aft: f64,
+    /// Bending of the tower sideways, with the soil and the foundation.
+    tower_side_side: f64,
+    /// Torsion of the tower.
+    tower_torsion: f64,
+    /// Stretch of the tower.
+    tower_axial: f64,
+    /// The yaw drive.
+    yaw_drive: f64,
+    /// Torsion of the shaft.
+    shaft: f64,
+    /// Flapwise bending of the blades.
+    flapwise: HarmonicsJson,
+    /// Edgewise bending of the blades.
+    edgewise: HarmonicsJson,
+    /// Torsion of the blades.
+    blade_torsion: HarmonicsJson,
+    /// Stretch of the blades.
+    blade_axial: HarmonicsJson,
+}
+
+/// Fractions by how the deflections of the blades follow each other.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct HarmonicsJson {
+    /// All alike.
+    collective: f64,
+    /// A wave that runs around the rotor with the rotation.
+    forward: f64,
+    /// A wave against the rotation.
+    backward: f64,
+    /// As the cosine of the azimuth; `tilt + yaw = forward + backward`.
+    tilt: f64,
+    /// As the sine of the azimuth.
+    yaw: f64,
+}
+
+/// Two curves that meet.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct MeetingJson {
+    /// `crossing`: they swap their order and keep their shapes. `veering`: they come close, turn
+    /// away, and exchange their shapes.
+    kind: &'static str,
+    /// The indices of the curves, from 0.
+    curves: [usize; 2],
+    /// The names of the curves.
+    labels: [String; 2],
+    /// The rotor speed where they are closest, rpm.
+    rotor_speed_rpm: f64,
+    /// The mean of their frequencies there, Hz.
+    frequency_hz: f64,
+    /// Their least distance, Hz; 0 for a crossing.
+    least_distance_hz: f64,
+}
+
+/// A mode of the tower with its machine as a rigid body, and the curve of the same name.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct AgainstRigidJson {
+    /// The index of the curve, from 0.
+    curve: usize,
+    /// Its name.
+    label: String,
+    /// The frequency with a rigid machine, Hz.
+    rigid_hz: f64,
+    /// The coupled frequency at standstill, Hz; null if the turbine was not solved there.
+    at_rest_hz: Option<f64>,
+    /// Coupled over rigid − 1 at standstill.
+    at_rest_difference: Option<f64>,
+    /// The coupled frequency at the highest operating speed, Hz; null if the curve does not reach
+    /// it.
+    at_highest_hz: Option<f64>,
+    /// Coupled over rigid − 1 at the highest operating speed.
+    at_highest_difference: Option<f64>,
+}
+
+/// Writes a coupled Campbell diagram as indented JSON with a newline at the end. The tower is the
+/// one with the machine as a rigid body; `against_rigid` compares its modes.
+///
+/// # Errors
+/// [`ResultError`] if the writer refuses.
+pub fn write_coupled_campbell_json(
+    tower: &Tower,
+    coupled: &CoupledCampbell,
+    against_rigid: &[AgainstRigid],
+    warnings: &[String],
+    writer: impl Write,
+) -> Result<(), ResultError> {
+    let campbell = &coupled.campbell;
+    let margins = campbell.margins.iter();
+    let meetings = coupled.meetings.iter();
+    let document = CoupledCampbellDocument {
+        verdict: coupled.verdict(),
+        tower: NamedJson { name: tower.name() },
+        rotor: campbell.rotor,
+        margin: campbell.margin,
+        unjudged_hz: campbell.uncovered_range_hz(),
+        multiples: &campbell.multiples,
+        limit_hz: coupled.limit_hz,
+        is_certified: coupled.is_certified(),
+        speeds: coupled.speeds.iter().map(speed).collect(),
+        curves: coupled.curves.iter().map(curve).collect(),
+        margins: margins
+            .map(|margin| margin_json(campbell, margin))
+            .collect(),
+        classes: campbell.classes.iter().map(class_json).collect(),
+        meetings: meetings.map(|meeting| met(coupled, meeting)).collect(),
+        against_rigid: against_rigid.iter().map(compared).collect(),
+        warnings: warnings.to_vec(),
+    };
+    write_result_json(&document, writer)
+}
+
+fn speed(solved: &SolvedSpeed) -> SpeedJson {
+    SpeedJson {
+        rotor_speed_rpm: solved.rotor_speed_rpm,
+        is_added: solved.is_added,
+        is_complete: solved.modes.is_complete,
+        negative_energy_expected: solved.modes.negative_energy_expected,
+        negative_energy_found: solved.modes.negative_energy_found,
+    }
+}
+
+fn curve(curve: &CoupledCurve) -> CurveJson {
+    CurveJson {
+        label: curve.name.to_string(),
+        part: curve.name.part.to_string(),
+        order: curve.name.order,
+        partner: curve.partner,
+        error_hz: curve.error_hz(),
+        lost_at_rpm: curve.lost.map(|end| end.rotor_speed_rpm),
+        points: curve.points.iter().map(point).collect(),
+    }
+}
+
+fn point(point: &CurvePoint) -> PointJson {
+    let frequency = &point.frequency;
+    PointJson {
+        rotor_speed_rpm: point.rotor_speed_rpm,
+        number: point.mode + 1,
+        frequency_hz: frequency.frequency_hz,
+        lower_hz: frequency.lower_hz,
+        upper_hz: frequency.upper_hz,
+        error_hz: point.error_hz,
+        multiplicity: frequency.multiplicity,
+        has_negative_energy: frequency.has_negative_energy,
+        label: point.name.to_string(),
+        second_label: point.second_name.to_string(),
+        energy: shares(&point.energy),
+    }
+}
+
+fn shares(energy: &TurbineEnergy) -> EnergyJson {
+    let [flapwise, edgewise, blade_torsion, blade_axial] =
+        energy.blades.map(|energy| harmonics(&energy));
+    EnergyJson {
+        tower_fore_aft: energy.tower_fore_aft,
+        tower_side_side: energy.tower_side_side,
+        tower_torsion: energy.tower_torsion,
+        tower_axial: energy.tower_axial,
+        yaw_drive: energy.yaw_drive,
+        shaft: energy.shaft,
+        flapwise,
+        edgewise,
+        blade_torsion,
+        blade_axial,
+    }
+}
+
+fn harmonics(energy: &BladeEnergy) -> HarmonicsJson {
+    HarmonicsJson {
+        collective: energy.collective,
+        forward: energy.forward,
+        backward: energy.backward,
+        tilt: energy.tilt,
+        yaw: energy.yaw,
+    }
+}
+
+fn met(coupled: &CoupledCampbell, meeting: &Meeting) -> MeetingJson {
+    MeetingJson {
+        kind: meeting.kind.name(),
+        curves: meeting.curves,
+        labels: meeting
+            .curves
+            .map(|curve| coupled.curves[curve].name.to_string()),
+        rotor_speed_rpm: meeting.rotor_speed_rpm,
+        frequency_hz: meeting.frequency_hz,
+        least_distance_hz: meeting.least_distance_hz,
+    }
+}
+
+fn compared(row: &AgainstRigid) -> AgainstRigidJson {
+    let hz = |change: Option<Change>| change.map(|change| change.coupled_hz);
+    let difference = |change: Option<Change>| change.map(|change| change.difference);
+    AgainstRigidJson {
+        curve: row.curve,
+        label: row.name.to_string(),
+        rigid_hz: row.rigid_hz,
+        at_rest_hz: hz(row.at_rest),
+        at_rest_difference: difference(row.at_rest),
+        at_highest_hz: hz(row.at_highest),
+        at_highest_difference: difference(row.at_highest),
+    }
+}

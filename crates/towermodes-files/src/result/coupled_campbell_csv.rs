@@ -1,0 +1,115 @@
+//! The curves of a whole turbine as CSV: one line per curve and rotor speed.
+
+use std::io::Write;
+
+use towermodes::turbine::BladeMotion;
+use towermodes_analysis::whirl::{CoupledCampbell, CurvePoint};
+
+use super::ResultError;
+
+/// The columns before those of the energy.
+const HEADER: [&str; 15] = [
+    "curve",
+    "label",
+    "part",
+    "order",
+    "partner",
+    "rotor_speed_rpm",
+    "frequency_hz",
+    "lower_hz",
+    "upper_hz",
+    "error_hz",
+    "multiplicity",
+    "has_negative_energy",
+    "is_complete",
+    "label_at_speed",
+    "second_label_at_speed",
+];
+
+/// The parts that are no blades, in the order of their columns.
+const STATIONARY: [&str; 6] = [
+    "tower_fore_aft",
+    "tower_side_side",
+    "tower_torsion",
+    "tower_axial",
+    "yaw_drive",
+    "shaft",
+];
+
+/// How blades follow each other, in the order of their columns.
+const HARMONICS: [&str; 5] = ["collective", "forward", "backward", "tilt", "yaw"];
+
+/// Writes a coupled Campbell diagram as CSV: one line per curve and rotor speed, with the fractions
+/// of the elastic energy. Curves are counted from 0; `is_complete` is the certificate of the speed.
+///
+/// # Errors
+/// [`ResultError`] if the writer refuses.
+pub fn write_coupled_campbell_csv(
+    coupled: &CoupledCampbell,
+    writer: impl Write,
+) -> Result<(), ResultError> {
+    let mut csv = ::csv::Writer::from_writer(writer);
+    let header = HEADER.map(str::to_owned).into_iter();
+    csv.write_record(header.chain(energy_columns()))?;
+    for (index, curve) in coupled.curves.iter().enumerate() {
+        for point in &curve.points {
+            let named = [
+                index.to_string(),
+                curve.name.to_string(),
+                curve.name.part.to_string(),
+                curve.name.order.to_string(),
+                curve.partner.map_or_else(String::new, |k| k.to_string()),
+            ];
+            let is_complete = is_complete(coupled, point).to_string();
+            csv.write_record(named.into_iter().chain(numbers(point, is_complete)))?;
+        }
+    }
+    csv.flush()?;
+    Ok(())
+}
+
+fn is_complete(coupled: &CoupledCampbell, point: &CurvePoint) -> bool {
+    let mut speeds = coupled.speeds.iter();
+    let own = speeds.find(|speed| speed.rotor_speed_rpm == point.rotor_speed_rpm);
+    own.is_some_and(|speed| speed.modes.is_complete)
+}
+
+fn energy_columns() -> impl Iterator<Item = String> {
+    let blades = BladeMotion::ALL.into_iter().flat_map(|motion| {
+        let motion = motion.name().replace(' ', "_");
+        HARMONICS.map(|harmonic| format!("{motion}_{harmonic}"))
+    });
+    STATIONARY.map(str::to_owned).into_iter().chain(blades)
+}
+
+/// A point from the rotor speed on.
+fn numbers(point: &CurvePoint, is_complete: String) -> Vec<String> {
+    let (frequency, energy) = (&point.frequency, &point.energy);
+    let mut row = vec![
+        point.rotor_speed_rpm.to_string(),
+        frequency.frequency_hz.to_string(),
+        frequency.lower_hz.to_string(),
+        frequency.upper_hz.to_string(),
+        point.error_hz.map_or_else(String::new, |hz| hz.to_string()),
+        frequency.multiplicity.to_string(),
+        frequency.has_negative_energy.to_string(),
+        is_complete,
+        point.name.to_string(),
+        point.second_name.to_string(),
+    ];
+    let stationary = [
+        energy.tower_fore_aft,
+        energy.tower_side_side,
+        energy.tower_torsion,
+        energy.tower_axial,
+        energy.yaw_drive,
+        energy.shaft,
+    ];
+    let blades = energy
+        .blades
+        .iter()
+        .flat_map(|own| [own.collective, own.forward, own.backward, own.tilt, own.yaw]);
+    let shares = stationary.into_iter().chain(blades);
+    row.extend(shares.map(|share| share.to_string()));
+    row
+}

@@ -1,0 +1,94 @@
+//! The kinds of lines of a Campbell diagram: colour, dash and words of each.
+
+use towermodes::turbine::{BladeMotion, Harmonic, TurbinePart};
+use towermodes_analysis::resonance::{Excited, FrequencyLine};
+
+use crate::svg::{Colour, Dash, Marker, Stroke};
+
+/// The colour of the tower's modes.
+const TOWER: Colour = Colour::Series(0);
+/// The colour of the blade's modes.
+const BLADE: Colour = Colour::Series(1);
+
+/// A kind of line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// A mode of a tower with a rigid rotor.
+    Tower,
+    /// A mode of a blade alone.
+    Blade,
+    /// A mode of a whole turbine.
+    Turbine(TurbinePart),
+}
+
+impl Kind {
+    pub(super) fn of(line: &FrequencyLine) -> Self {
+        match line.of {
+            Excited::Tower { .. } => Self::Tower,
+            Excited::Blade { .. } => Self::Blade,
+            Excited::Turbine { name } => Self::Turbine(name.part),
+        }
+    }
+
+    /// How its lines are drawn. Whirl modes of one motion have one colour, the backward ones are
+    /// dashed.
+    pub(super) fn stroke(self) -> Stroke {
+        match self {
+            Self::Tower => Stroke::new(TOWER, 2.0),
+            Self::Blade => Stroke::new(BLADE, 1.8).dashed(Dash::Dashed),
+            Self::Turbine(TurbinePart::Blades(motion, harmonic)) => {
+                Stroke::new(colour(motion), 1.8).dashed(dash(harmonic))
+            }
+            Self::Turbine(TurbinePart::Shaft | TurbinePart::YawDrive) => {
+                Stroke::new(Colour::Series(5), 1.8).dashed(Dash::DashDot)
+            }
+            Self::Turbine(_) => Stroke::new(TOWER, 2.0),
+        }
+    }
+
+    /// The mark on its lines, if they have one.
+    pub(super) fn marker(self) -> Option<(Marker, Colour)> {
+        (self == Self::Blade).then_some((Marker::Disc, BLADE))
+    }
+
+    /// Its words in the legend; kinds that are drawn alike have the same.
+    pub(super) fn words(self) -> String {
+        match self {
+            Self::Tower => "tower mode".to_owned(),
+            Self::Blade => "blade mode".to_owned(),
+            Self::Turbine(TurbinePart::Blades(motion, harmonic)) => {
+                format!("{} {}", motion.name(), follow(harmonic))
+            }
+            Self::Turbine(TurbinePart::Shaft | TurbinePart::YawDrive) => "drivetrain".to_owned(),
+            Self::Turbine(_) => "tower".to_owned(),
+        }
+    }
+}
+
+fn colour(motion: BladeMotion) -> Colour {
+    Colour::Series(match motion {
+        BladeMotion::Flap => 1,
+        BladeMotion::Edge => 2,
+        BladeMotion::Torsion => 3,
+        BladeMotion::Axial => 4,
+    })
+}
+
+fn dash(harmonic: Harmonic) -> Dash {
+    match harmonic {
+        Harmonic::Backward | Harmonic::BackwardOf(_) | Harmonic::Tilt => Dash::Dashed,
+        Harmonic::Forward | Harmonic::ForwardOf(_) | Harmonic::Yaw => Dash::Whole,
+        Harmonic::Collective | Harmonic::Alternating => Dash::Dotted,
+    }
+}
+
+fn follow(harmonic: Harmonic) -> &'static str {
+    match harmonic {
+        Harmonic::Backward | Harmonic::BackwardOf(_) => "backward whirl",
+        Harmonic::Forward | Harmonic::ForwardOf(_) => "forward whirl",
+        Harmonic::Tilt => "tilt",
+        Harmonic::Yaw => "yaw",
+        Harmonic::Collective => "collective",
+        Harmonic::Alternating => "alternating",
+    }
+}

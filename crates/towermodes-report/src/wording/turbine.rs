@@ -1,0 +1,43 @@
+//! What a coupled Campbell diagram proves and leaves out, in words.
+
+use towermodes::number::four_digits;
+use towermodes::tower::Rpm;
+use towermodes_analysis::whirl::CoupledCampbell;
+
+use super::text::{counted, listed};
+
+/// Each sentence names at most this many rotor speeds.
+const NAMED: usize = 4;
+
+/// What the coupled modes of a turbine leave out.
+pub const STRUCTURE_ONLY: &str =
+    "Structure only: no aerodynamics, no controller, constant rotor speed.";
+
+/// The certificate of a coupled diagram in a sentence: "At all 31 rotor speeds from 0 to 14.52 rpm
+/// counts prove that no mode below 2.880 Hz is missing and that none is unstable." Or the speeds at
+/// which they do not.
+pub fn proved(coupled: &CoupledCampbell) -> String {
+    let limit = four_digits(coupled.limit_hz);
+    let rpm = |speed: Option<f64>| Rpm(speed.unwrap_or_default()).to_string();
+    let speeds: Vec<f64> = coupled.speeds.iter().map(|s| s.rotor_speed_rpm).collect();
+    let open = coupled.uncertified_rpm();
+    if open.is_empty() {
+        return format!(
+            "At all {} from {} to {} rpm counts prove that no mode below {limit} Hz is missing and that none is unstable.",
+            counted(speeds.len(), "rotor speed"),
+            rpm(speeds.first().copied()),
+            rpm(speeds.last().copied())
+        );
+    }
+    let mut named: Vec<String> = open.iter().map(|rpm| Rpm(*rpm).to_string()).collect();
+    let more = named.len().saturating_sub(NAMED);
+    named.truncate(NAMED);
+    if more > 0 {
+        named.push(format!("{more} more"));
+    }
+    format!(
+        "Unstable or not certified at {} rpm: the rotor turns so fast that the stiffness is not positive definite, and not all modes of negative energy were found. At the other {} counts prove that no mode below {limit} Hz is missing and that none is unstable.",
+        listed(&named),
+        counted(speeds.len() - open.len(), "rotor speed")
+    )
+}
