@@ -1,13 +1,20 @@
 //! `towermodes campbell`.
 
+pub(crate) mod coupled;
+
+use towermodes::turbine::Turbine;
 use towermodes::{Options, Solution, Tower};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{
     Assessment, Campbell, ChosenRotor, assess, reach_hz, solve_to_reach,
 };
 use towermodes_analysis::soil_band::{SoilBand, soil_band};
-use towermodes_files::{Note, RotorNotes, TowerInput, write_campbell_csv, write_campbell_json};
+use towermodes_files::{
+    Note, RotorNotes, TowerInput, write_campbell_csv, write_campbell_json,
+    write_coupled_campbell_csv, write_coupled_campbell_json,
+};
 
+use self::coupled::{Answer, Coupled, answer_of, coupled_of};
 use crate::args::{CampbellArguments, Format, Prescribed, RotorArguments};
 use crate::failure::{Failure, note, warn};
 use crate::input::tower_input;
@@ -27,6 +34,12 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     let tower = input.tower().map_err(Failure::Input)?;
     // Reported before a long solve.
     rotor_of(&input, &arguments.rotor)?;
+    let reason = match answer_of(&input, &arguments.turbine, arguments.is_of_tower_alone())? {
+        Answer::Turbine(turbine) => {
+            return run_coupled(arguments, format, input, (&tower, &turbine));
+        }
+        Answer::Tower(reason) => reason.into_iter().collect(),
+    };
     let factors = arguments.soil.factors(&input.description);
     let factors = factors.map_err(Failure::Usage)?;
     let prescribed = Prescribed::of(&mut input);
@@ -41,7 +54,7 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
             factors.map(of_factors).transpose()?
         }
     };
-    let notes = [std::mem::take(&mut input.notes), rotor_notes].concat();
+    let notes = [std::mem::take(&mut input.notes), reason, rotor_notes].concat();
     let mut result = Vec::new();
     match format {
         Format::Table => {
@@ -67,6 +80,42 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     warn(&solution.warnings, &input);
     deliver(&result, output)?;
     judged(&campbell)
+}
+
+/// The coupled diagram of a turbine; the exit code is 1 if a pair fails.
+fn run_coupled(
+    arguments: &CampbellArguments,
+    format: Format,
+    mut input: TowerInput,
+    (tower, turbine): (&Tower, &Turbine),
+) -> Result<(), Failure> {
+    let solved = coupled_of(
+        &input,
+        (tower, turbine),
+        &arguments.rotor,
+        &arguments.turbine,
+    )?;
+    let Coupled {
+        diagram,
+        against,
+        notes,
+    } = solved;
+    let notes = [std::mem::take(&mut input.notes), notes].concat();
+    let mut result = Vec::new();
+    match format {
+        Format::Table => {
+            let text = table::coupled_campbell(tower, &diagram, &against, arguments.all);
+            result.extend(text.into_bytes());
+        }
+        Format::Json => {
+            let said: Vec<String> = notes.iter().map(ToString::to_string).collect();
+            write_coupled_campbell_json(tower, &diagram, &against, &said, &mut result)?;
+        }
+        Format::Csv => write_coupled_campbell_csv(&diagram, &mut result)?,
+    }
+    note(&notes);
+    deliver(&result, arguments.destination.output())?;
+    judged(&diagram.campbell)
 }
 
 /// Frequencies and verdicts for these factors of the stiffness of the soil.
@@ -152,14 +201,18 @@ pub(crate) fn notes_on(input: &TowerInput, chosen: &ChosenRotor) -> Vec<Note> {
     } = &input.rotor_notes;
     let speeds = speeds.iter().filter(|_| !chosen.speeds_are_given);
     let blades = blades.iter().filter(|_| !chosen.blades_are_given);
-    let assumed = chosen.blades_are_assumed.then(|| {
+    let notes = speeds.chain(blades).chain(others).cloned();
+    notes.chain(assumed_blades(chosen)).collect()
+}
+
+/// The note on a number of blades that nobody gave.
+fn assumed_blades(chosen: &ChosenRotor) -> Option<Note> {
+    chosen.blades_are_assumed.then(|| {
         Note::new(format!(
             "the number of blades is not given; {} are assumed; --blades sets another number",
             chosen.rotor.blades
         ))
-    });
-    let notes = speeds.chain(blades).chain(others).cloned();
-    notes.chain(assumed).collect()
+    })
 }
 
 /// An error if a pair fails.

@@ -10,6 +10,7 @@ use towermodes::{BladeError, ParameterError, SensitivityError, SolveError, Tower
 use towermodes_analysis::damping::GivenDampingError;
 use towermodes_analysis::elastodyn::{MakeError, ShapesError};
 use towermodes_analysis::resonance::CampbellError;
+use towermodes_analysis::whirl::CoupledError;
 use towermodes_design::design::DesignError;
 use towermodes_files::elastodyn::TowerFileError;
 use towermodes_files::{
@@ -132,6 +133,9 @@ pub(crate) enum Failure {
     /// The Campbell diagram cannot be computed.
     #[error("{0}")]
     Campbell(CampbellError),
+    /// The coupled Campbell diagram of a turbine cannot be computed.
+    #[error("{0}")]
+    Coupled(CoupledError),
     /// An excitation is within the margin of a tower mode.
     #[error(
         "{} within the {} % margin in operation",
@@ -313,6 +317,7 @@ impl Failure {
             ) => 1,
             Self::Calibration(_) | Self::Unreached(_) => 1,
             Self::TowerFile(_) | Self::Refused(_) | Self::Unfit { .. } | Self::Disagree => 1,
+            Self::Coupled(CoupledError::At { .. }) => 1,
             Self::Campbell(CampbellError::Blade { .. }) | Self::Resonant { .. } => 1,
             Self::Picture(RasterError::Encoding(_)) => 1,
             Self::Unwritable(..) | Self::Unverified { .. } => 1,

@@ -5,6 +5,7 @@ mod study;
 
 use std::path::Path;
 
+use towermodes::turbine::Turbine;
 use towermodes::{Options, Tower, Warning};
 use towermodes_files::{Note, TowerInput};
 use towermodes_report::figures::{TitleWords, titled};
@@ -13,6 +14,7 @@ use towermodes_report::wording::computed_by;
 use towermodes_report::{figures, raster};
 
 use crate::args::{PictureFile, PictureFormat, PlotArguments, Prescribed, What};
+use crate::campbell::coupled::{Answer, Coupled, answer_of, coupled_of};
 use crate::campbell::{campbell_of, rotor_of, solved_to_reach};
 use crate::failure::{Failure, note, warn};
 use crate::input::tower_input;
@@ -142,14 +144,41 @@ fn campbell(
 ) -> Result<Drawn, Failure> {
     // Reported before a long solve.
     rotor_of(input, &arguments.rotor)?;
+    let reason = match answer_of(input, &arguments.turbine, arguments.is_of_tower_alone())? {
+        Answer::Turbine(turbine) => return coupled(input, (tower, &turbine), arguments),
+        Answer::Tower(reason) => reason,
+    };
     let mut options = options(input, arguments)?;
     let is_given = arguments.has_modes();
     let solution = solved_to_reach(input, tower, &arguments.rotor, &mut options, is_given)?;
-    let (campbell, notes) = campbell_of(input, tower, &solution, &arguments.rotor)?;
+    let (campbell, mut notes) = campbell_of(input, tower, &solution, &arguments.rotor)?;
+    notes.extend(reason);
     let drawn = Drawn::new(figures::campbell(&campbell), &solution.warnings);
     Ok(Drawn {
         notes,
         conclusion: campbell.conclusion(),
         ..drawn.computed(computed_by(&solution))
+    })
+}
+
+/// The diagram of a turbine with flexible blades.
+fn coupled(
+    input: &TowerInput,
+    (tower, turbine): (&Tower, &Turbine),
+    arguments: &PlotArguments,
+) -> Result<Drawn, Failure> {
+    let solved = coupled_of(
+        input,
+        (tower, turbine),
+        &arguments.rotor,
+        &arguments.turbine,
+    )?;
+    let Coupled { diagram, notes, .. } = solved;
+    let drawn = Drawn::new(figures::coupled_campbell(&diagram), &[]);
+    let how = format!("coupled modes at {} rotor speeds", diagram.speeds.len());
+    Ok(Drawn {
+        notes,
+        conclusion: diagram.campbell.conclusion(),
+        ..drawn.computed(how)
     })
 }

@@ -183,7 +183,7 @@ const RESULTS: [&[&str]; 4] = [
 ];
 
 /// The other results with a schema, by its name, and commands that give them.
-const OTHERS: [(&str, &[&str]); 7] = [
+const OTHERS: [(&str, &[&str]); 8] = [
     (
         "design",
         &[
@@ -215,7 +215,12 @@ const OTHERS: [(&str, &[&str]); 7] = [
             "examples/small-turbine/ElastoDyn.dat",
             "--rpm",
             "9,17",
+            "--uncoupled",
         ],
+    ),
+    (
+        "campbell-turbine",
+        &["campbell", "examples/nrel-5mw-turbine.toml"],
     ),
     ("check-one", &["check", "examples/nrel-5mw.toml"]),
     (

@@ -152,3 +152,38 @@ fn a_slow_start_is_warned_of_with_the_excitations_alone() {
         assert!(err.contains(slip), "{command:?}: {err}");
     }
 }
+
+/// The CSV of a turbine has a line for each point of the JSON, with energies that sum to 1.
+#[test]
+fn the_curves_of_a_turbine_are_the_same_in_csv_and_json() {
+    let command = [
+        "campbell",
+        "examples/nrel-5mw-turbine.toml",
+        "--speeds",
+        "3",
+    ];
+    let written = |format| said(&[&command[..], &["--format", format]].concat())[0].clone();
+    let json: serde_json::Value = serde_json::from_str(&written("json")).expect("JSON");
+    let curves = json["curves"].as_array().expect("curves").iter();
+    let points = curves.flat_map(|curve| curve["points"].as_array().expect("points"));
+    let points: Vec<&serde_json::Value> = points.collect();
+    let csv = written("csv");
+    let mut lines = csv
+        .lines()
+        .map(|line| line.split(',').collect::<Vec<&str>>());
+    let header = lines.next().expect("a header");
+    let column = |name: &str| header.iter().position(|own| *own == name).expect(name);
+    let rows: Vec<Vec<&str>> = lines.collect();
+    assert_eq!(rows.len(), points.len());
+    for (row, point) in rows.iter().zip(points) {
+        let number = |at: usize| row[at].parse::<f64>().expect("a number");
+        for key in ["rotor_speed_rpm", "frequency_hz", "lower_hz", "upper_hz"] {
+            assert_eq!(number(column(key)), point[key].as_f64().expect(key));
+        }
+        let energies = column("tower_fore_aft")..header.len();
+        let standing = |at: &usize| header[*at].ends_with("_tilt") || header[*at].ends_with("_yaw");
+        let sum: f64 = energies.filter(|at| !standing(at)).map(number).sum();
+        assert!((sum - 1.0).abs() < 1e-12, "{sum}");
+    }
+    assert_eq!(json["is_certified"], true);
+}

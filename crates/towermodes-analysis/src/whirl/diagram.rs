@@ -83,6 +83,9 @@ impl CoupledCampbell {
 /// [`campbell`](crate::campbell()): modes of the tower and the drivetrain as tower modes, those of
 /// the blades as blade modes.
 ///
+/// Between two speeds f² is interpolated linearly in Ω², as for blades. For a whirl that is an
+/// approximation, whose error falls with the square of the step.
+///
 /// `watch` is called before each solve with the rotor speed in rpm.
 ///
 /// Source: Allemang & Brown, *A correlation coefficient for modal vector analysis* (1982).

@@ -9,12 +9,14 @@ use super::parsers::{method_parser, number_parser};
 use super::prescribed::Prescribed;
 use super::rotor::RotorArguments;
 use super::soil::SoilArguments;
+use super::turbine::TurbineArguments;
 use super::{Destination, Format, csv_lines};
 
 const EXAMPLES: &str = "Examples:
   towermodes campbell examples/nrel-5mw.toml
   towermodes campbell tower.toml --rpm 7.5,12.1 --margin 10
   towermodes campbell NREL5MW_ElastoDyn.dat --rpm 12.1 --multiples 1,3,6 --format csv
+  towermodes campbell examples/nrel-5mw-turbine.toml --limit 3.5
 
 An excitation nP is n times the rotor speed. The distance is the difference of excitation and natural frequency in percent of the natural frequency, at the operating speed where it is smallest. The margin is the required distance.
 
@@ -22,11 +24,13 @@ FAIL: 1P or the blade passing frequency is closer to a tower mode than the margi
 
 Where the tower stands in soil or on an elastic foundation, a second table has the frequencies and verdicts for half and twice its stiffness. They do not change the exit code.
 
+For a turbine with flexible blades ([turbine] in the tower file, or an ElastoDyn deck with its blade files) the diagram is that of the whole turbine while its rotor turns: coupled modes of tower, drivetrain and blades in the fixed frame, each proved by counts, whirl modes in pairs, crossings and veerings. Structure only: no aerodynamics, no controller, constant speed. --uncoupled gives the diagram of the tower with a rigid rotor; so does every option that applies to it alone: --method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits, --soil-factor.
+
 Exit codes: 0 no pair fails; 1 at least one pair fails, or the computation or the output failed; 2 wrong usage or wrong input.";
 
 /// The arguments of `campbell`.
 #[derive(Debug, Args)]
-#[command(allow_negative_numbers = true, after_help = EXAMPLES, mut_arg("modes", up_to_excitations), mut_arg("format", |of| csv_lines(of, "One line per mode and excitation")))]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES, mut_arg("modes", up_to_excitations), mut_arg("format", |of| csv_lines(of, "One line per mode and excitation, for turbines per mode and rotor speed")))]
 pub(crate) struct CampbellArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
@@ -44,6 +48,9 @@ pub(crate) struct CampbellArguments {
 
     #[command(flatten)]
     pub(crate) rotor: RotorArguments,
+
+    #[command(flatten)]
+    pub(crate) turbine: TurbineArguments,
 
     #[command(flatten)]
     pub(crate) soil: SoilArguments,
@@ -69,6 +76,14 @@ impl CampbellArguments {
             points: 2,
             ..options
         })
+    }
+
+    /// Whether options are given that apply only to the tower with a rigid rotor.
+    pub(crate) fn is_of_tower_alone(&self) -> bool {
+        self.method.is_some()
+            || self.segments.is_some()
+            || self.model.is_given()
+            || self.soil.is_given()
     }
 
     /// Whether the number of modes is given.

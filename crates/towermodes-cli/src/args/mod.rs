@@ -26,6 +26,7 @@ mod sensitivities;
 mod soil;
 mod solve;
 mod sweep;
+mod turbine;
 mod verify;
 mod words;
 
@@ -54,6 +55,7 @@ pub(crate) use rotor::RotorArguments;
 pub(crate) use sensitivities::SensitivitiesArguments;
 pub(crate) use solve::{SolveArguments, SolveFormat};
 pub(crate) use sweep::{SweepArguments, SweepFormat};
+pub(crate) use turbine::TurbineArguments;
 pub(crate) use verify::{VerifyArguments, VerifyFormat};
 
 use std::ffi::OsString;

@@ -163,6 +163,13 @@ pub(super) fn margin_parser(text: &str) -> Result<f64, String> {
     percent.ok_or_else(|| "must be a number between 0 and 100 (percent), for example 5".into())
 }
 
+/// A frequency in Hz above 0.
+pub(super) fn frequency_parser(text: &str) -> Result<f64, String> {
+    let hz = text.trim().parse().ok();
+    let hz = hz.filter(|hz: &f64| *hz > 0.0 && hz.is_finite());
+    hz.ok_or_else(|| "must be a frequency above 0 Hz, for example 3.5".into())
+}
+
 /// The lowest and the highest rotor speed, or one constant speed, in rpm.
 pub(super) fn speeds_parser(text: &str) -> Result<(f64, f64), String> {
     let speed = |text: &str| {

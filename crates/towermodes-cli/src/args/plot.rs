@@ -12,6 +12,7 @@ use super::model::ModelArguments;
 use super::parsers::{method_parser, number_parser, scale_parser};
 use super::prescribed::Prescribed;
 use super::rotor::RotorArguments;
+use super::turbine::TurbineArguments;
 
 const EXAMPLES: &str = "Examples:
   towermodes plot tower.toml --output shapes.svg
@@ -49,6 +50,9 @@ pub(crate) struct PlotArguments {
 
     #[command(flatten)]
     pub(crate) rotor: RotorArguments,
+
+    #[command(flatten)]
+    pub(crate) turbine: TurbineArguments,
 
     /// Title above the picture, '' for none
     /// [default: name of the tower, type of picture, method]
@@ -149,6 +153,10 @@ impl PlotArguments {
                 "--rpm, --blades, --multiples and --margin apply only to --what campbell, soil and scour",
             );
         }
+        let of_turbine = self.turbine.is_given() || self.turbine.uncoupled;
+        if self.what != What::Campbell && of_turbine {
+            return Err("--limit, --speeds and --uncoupled apply only to --what campbell");
+        }
         if self.what != What::Convergence && self.segments.len() > 1 {
             return Err(
                 "a list of numbers of segments applies only to --what convergence; give one number",
@@ -223,6 +231,11 @@ impl PlotArguments {
         }
     }
 
+    /// Whether options are given that apply only to the tower with a rigid rotor.
+    pub(crate) fn is_of_tower_alone(&self) -> bool {
+        self.method.is_some() || !self.segments.is_empty() || self.model.is_given()
+    }
+
     /// The given numbers of segments.
     pub(crate) fn segments(&self) -> &[usize] {
         &self.segments
@@ -284,6 +297,8 @@ mod tests {
             "--rpm 12",
             "--margin 5",
             "--what tower --margin 5",
+            "--uncoupled",
+            "--what soil --limit 3",
             "--what shapes --segments 9,10",
             "--what convergence --method spectral --segments 9",
         ];
@@ -297,6 +312,8 @@ mod tests {
         for words in [
             "--what campbell --rpm 12 --segments 9",
             "--what campbell --margin 5",
+            "--what campbell --uncoupled",
+            "--what campbell --limit 3 --speeds 9",
             "-o /dev/null --png",
             "--what convergence --method rmje --segments 9,10",
             "--what convergence --method cardanic --hinges 0.2",

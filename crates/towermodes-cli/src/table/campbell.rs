@@ -35,7 +35,7 @@ pub fn campbell(tower: &Tower, campbell: &Campbell, has_blade: bool, all: bool) 
     text
 }
 
-fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
+pub(super) fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
     let mut before = None;
     let rows = shown.iter().map(|margin| {
         let line = &campbell.lines[margin.line];
@@ -75,7 +75,7 @@ fn distance(campbell: &Campbell, margin: &Margin) -> String {
     }
 }
 
-fn hidden(count: usize, is_all: bool) -> Option<String> {
+pub(super) fn hidden(count: usize, is_all: bool) -> Option<String> {
     let others = if is_all { "" } else { "other " };
     let rest = if count == 1 {
         "is not shown because its frequencies differ"
@@ -103,7 +103,7 @@ fn unresisted(campbell: &Campbell) -> Option<String> {
 }
 
 /// The rotor, the margin and how many verdicts of each kind.
-fn summary(campbell: &Campbell, has_blade: bool) -> String {
+pub(super) fn summary(campbell: &Campbell, has_blade: bool) -> String {
     let [pass, warn, fail] = verdict_counts(campbell);
     format!(
         "{} | margin {} % | {pass} pass, {warn} warn, {fail} fail{}",

@@ -92,3 +92,24 @@ fn follow(harmonic: Harmonic) -> &'static str {
         Harmonic::Alternating => "alternating",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One colour for a whirl pair, another for another motion; the dash tells backward from
+    /// forward.
+    #[test]
+    fn whirl_pairs_have_one_colour() {
+        let stroke =
+            |motion, harmonic| Kind::Turbine(TurbinePart::Blades(motion, harmonic)).stroke();
+        let [backward, forward] = [Harmonic::Backward, Harmonic::Forward]
+            .map(|harmonic| stroke(BladeMotion::Flap, harmonic));
+        assert_eq!(backward.colour, forward.colour);
+        assert_ne!(backward, forward);
+        let edge = stroke(BladeMotion::Edge, Harmonic::Forward);
+        assert_ne!(edge.colour, forward.colour);
+        let tower = Kind::Turbine(TurbinePart::TowerForeAft).stroke();
+        assert_eq!(tower.colour, Kind::Tower.stroke().colour);
+    }
+}

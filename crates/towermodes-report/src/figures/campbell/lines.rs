@@ -141,7 +141,7 @@ fn groups(campbell: &Campbell) -> Vec<Group> {
 fn label(lines: &[&FrequencyLine]) -> String {
     let names: Vec<String> = lines
         .iter()
-        .map(|line| line.label.replace(" bending", ""))
+        .map(|line| line.label.replace(" bending", "").replace(" whirl", ""))
         .collect();
     let hz = match lines {
         [line] => range_hz(&line.points),

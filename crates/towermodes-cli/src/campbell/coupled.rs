@@ -1,0 +1,111 @@
+//! `towermodes campbell` for a turbine with flexible blades.
+
+use towermodes::turbine::Turbine;
+use towermodes::{Options, Tower};
+use towermodes_analysis::resonance::ChosenRotor;
+use towermodes_analysis::whirl::{
+    AgainstRigid, CoupledCampbell, CoupledOptions, RotorSpeeds, coupled_campbell, coupled_limit_hz,
+};
+use towermodes_files::{Note, TowerInput};
+
+use super::{assumed_blades, rotor_of, solved_to_reach};
+use crate::args::{RotorArguments, TurbineArguments};
+use crate::failure::Failure;
+use crate::progress::Progress;
+
+/// Speeds that are usually added where curves come close, for the progress.
+const USUALLY_ADDED: usize = 10;
+
+/// The coupled diagram of a turbine, with what it is compared with.
+pub(crate) struct Coupled {
+    pub(crate) diagram: CoupledCampbell,
+    pub(crate) against: Vec<AgainstRigid>,
+    /// The notes of the reader on the turbine and the rotor, and the limits of the diagram.
+    pub(crate) notes: Vec<Note>,
+}
+
+/// Which diagram answers.
+pub(crate) enum Answer {
+    /// That of the whole turbine.
+    Turbine(Box<Turbine>),
+    /// That of the tower with a rigid rotor, with a note on why, if a user could expect the other.
+    Tower(Option<Note>),
+}
+
+/// The diagram of the turbine if the input has one, unless options ask for that of the tower alone;
+/// `alone` is whether options are given that only the tower alone has.
+///
+/// # Errors
+/// [`Failure::Input`] at the place of what no turbine can have; [`Failure::Usage`] for options of a
+/// turbine without one.
+pub(crate) fn answer_of(
+    input: &TowerInput,
+    arguments: &TurbineArguments,
+    alone: bool,
+) -> Result<Answer, Failure> {
+    if arguments.uncoupled {
+        return Ok(Answer::Tower(None));
+    }
+    let turbine = input.whole_turbine().map_err(Failure::Input)?;
+    match (turbine, arguments.is_given()) {
+        (None, true) => Err(Failure::Usage(
+            "--limit and --speeds apply only to a turbine with flexible blades; the input has none",
+        )),
+        (None, false) => Ok(Answer::Tower(input.turbine_missing.clone())),
+        (Some(_), true) if alone => Err(Failure::Usage(
+            "--limit and --speeds apply to the turbine with flexible blades, --method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits and --soil-factor to the tower with a rigid rotor; omit one or the other",
+        )),
+        (Some(_), false) if alone => Ok(Answer::Tower(Some(Note::new(
+            "the rotor is rigid in this diagram, because of options that apply to the tower alone (--method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits, --soil-factor); without them the diagram is that of the turbine with flexible blades".to_owned(),
+        )))),
+        (Some(turbine), _) => Ok(Answer::Turbine(Box::new(turbine))),
+    }
+}
+
+/// Solves a turbine at its rotor speeds, and its tower with the machine as a rigid body.
+///
+/// # Errors
+/// [`Failure::NoRotor`], [`Failure::Unsolved`], [`Failure::Coupled`].
+pub(crate) fn coupled_of(
+    input: &TowerInput,
+    (tower, turbine): (&Tower, &Turbine),
+    rotor: &RotorArguments,
+    arguments: &TurbineArguments,
+) -> Result<Coupled, Failure> {
+    let chosen = rotor_of(input, rotor)?;
+    let mut options = Options::default();
+    let rigid = solved_to_reach(input, tower, rotor, &mut options, false)?;
+    let common = rotor.options();
+    let usual_hz = coupled_limit_hz(&chosen.rotor, &common, &rigid);
+    let speeds = arguments.speeds.unwrap_or(common.speeds);
+    let options = CoupledOptions {
+        margin: common.margin,
+        multiples: common.multiples,
+        speeds: RotorSpeeds::Equal(speeds),
+        ..CoupledOptions::up_to(arguments.limit.unwrap_or(usual_hz))
+    };
+    let names = (0..speeds + USUALLY_ADDED).map(|k| format!("rotor speed {}", k + 1));
+    let progress = Progress::of(names);
+    let mut is_first = true;
+    let diagram = coupled_campbell(turbine, &chosen.rotor, &options, |_| {
+        if !std::mem::take(&mut is_first) {
+            progress.done();
+        }
+    });
+    let diagram = diagram.map_err(Failure::Coupled)?;
+    let remarks = diagram.remarks(turbine);
+    let remarks = remarks.iter().map(|remark| Note::new(remark.to_string()));
+    Ok(Coupled {
+        against: diagram.against(&rigid),
+        notes: notes(input, &chosen).into_iter().chain(remarks).collect(),
+        diagram,
+    })
+}
+
+/// The notes on the rotor's speeds and on the turbine; those on a blade alone do not apply.
+fn notes(input: &TowerInput, chosen: &ChosenRotor) -> Vec<Note> {
+    let speeds = input.rotor_notes.speeds.iter();
+    let speeds = speeds.filter(|_| !chosen.speeds_are_given);
+    let notes = speeds.chain(&input.turbine_notes).cloned();
+    notes.chain(assumed_blades(chosen)).collect()
+}

@@ -1,0 +1,154 @@
+//! The coupled Campbell diagram of a turbine as text: conclusion, curves, distances, meetings, what
+//! the flexible rotor changes, proof.
+
+use towermodes::Tower;
+use towermodes::number::with_error;
+use towermodes::tower::Rpm;
+use towermodes_analysis::resonance::Margin;
+use towermodes_analysis::whirl::{AgainstRigid, Change, CoupledCampbell, CoupledCurve, Meeting};
+use towermodes_report::wording::{STRUCTURE_ONLY, counted, proved};
+
+use super::campbell::{hidden, pairs, summary};
+use super::text::{text_table, title, wrapped};
+
+/// The diagram as text; `all` shows every pair of mode and excitation, and the meetings of curves
+/// outside the operating speeds.
+pub fn coupled_campbell(
+    tower: &Tower,
+    coupled: &CoupledCampbell,
+    against: &[AgainstRigid],
+    all: bool,
+) -> String {
+    let campbell = &coupled.campbell;
+    let is_strong = |multiple| multiple == 1 || multiple == campbell.rotor.blades;
+    let is_shown = |margin: &&Margin| {
+        let is_first = campbell.first_bending.contains(&margin.line) && is_strong(margin.multiple);
+        all || is_first || margin.is_near()
+    };
+    let shown: Vec<&Margin> = campbell.margins.iter().filter(is_shown).collect();
+    let hidden = hidden(campbell.margins.len() - shown.len(), shown.is_empty());
+    let mut text = title(tower);
+    for sentence in campbell.conclusion() {
+        text += &(wrapped(&sentence) + "\n");
+    }
+    text += &format!("\n{}\n\n", curves(coupled));
+    if !shown.is_empty() {
+        text += &format!("{}\n\n", pairs(campbell, &shown));
+    }
+    text.extend(hidden.map(|line| line + "\n\n"));
+    text += &meetings(coupled, all);
+    if !against.is_empty() {
+        text += &format!("{}\n\n", compared(coupled, against));
+    }
+    for sentence in [proved(coupled), STRUCTURE_ONLY.to_owned()] {
+        text += &(wrapped(&sentence) + "\n");
+    }
+    text + &summary(campbell, true) + "\n"
+}
+
+/// Each curve with its frequencies at rest and at both ends of operation, and its whirl partner.
+fn curves(coupled: &CoupledCampbell) -> String {
+    let rotor = &coupled.campbell.rotor;
+    let first_rpm = coupled.speeds.first().map_or(0.0, |s| s.rotor_speed_rpm);
+    let mut columns = vec![first_rpm, rotor.lowest_rpm, rotor.highest_rpm];
+    columns.dedup();
+    let at = |curve: &CoupledCurve, rpm: f64| match curve.at_rpm(rpm) {
+        Some(point) => {
+            let hz = point.frequency.frequency_hz;
+            with_error(hz, hz, curve.error_hz())
+        }
+        None => "-".to_owned(),
+    };
+    let row = |(index, curve): (usize, &CoupledCurve)| {
+        let partner = curve
+            .partner
+            .map_or_else(String::new, |k| (k + 1).to_string());
+        let sign = match curve.has_negative_energy() {
+            true => " (negative energy)",
+            false => "",
+        };
+        let ends = columns.iter().map(|rpm| at(curve, *rpm));
+        let named = [(index + 1).to_string(), format!("{}{sign}", curve.name)];
+        named.into_iter().chain(ends).chain([partner]).collect()
+    };
+    let rows: Vec<Vec<String>> = coupled.curves.iter().enumerate().map(row).collect();
+    let heading = |rpm: &f64| format!("Hz at {} rpm", Rpm(*rpm));
+    let header = ["".to_owned(), "coupled mode".to_owned()].into_iter();
+    let header = header.chain(columns.iter().map(heading));
+    let header: Vec<String> = header.chain(["whirls with".to_owned()]).collect();
+    wide_table(&header, &rows)
+}
+
+/// A table of any number of columns; all but the second are flush right.
+fn wide_table(header: &[String], rows: &[Vec<String>]) -> String {
+    let mut table = super::text::plain_table();
+    table.set_header(header);
+    table.add_rows(rows);
+    super::text::align_right(&mut table, (0..header.len()).filter(|column| *column != 1));
+    table.trim_fmt()
+}
+
+/// The crossings and veerings in operation, or all.
+fn meetings(coupled: &CoupledCampbell, all: bool) -> String {
+    let rotor = &coupled.campbell.rotor;
+    let operation = rotor.lowest_rpm..=rotor.highest_rpm;
+    let is_shown = |meeting: &&Meeting| all || operation.contains(&meeting.rotor_speed_rpm);
+    let shown: Vec<&Meeting> = coupled.meetings.iter().filter(is_shown).collect();
+    let name = |curve: usize| coupled.curves[curve].name.to_string();
+    let rows = shown.iter().map(|meeting| {
+        [
+            format!(
+                "{} and {}",
+                name(meeting.curves[0]),
+                name(meeting.curves[1])
+            ),
+            meeting.kind.name().to_owned(),
+            format!("{:.2}", meeting.rotor_speed_rpm),
+            format!("{:.4}", meeting.frequency_hz),
+            format!("{:.4}", meeting.least_distance_hz),
+        ]
+    });
+    let header = ["curves", "meet by", "rotor rpm", "Hz", "least distance Hz"];
+    let mut text = match shown.is_empty() {
+        true => String::new(),
+        false => format!("{}\n\n", text_table(header, rows, 2..=4)),
+    };
+    let others = coupled.meetings.len() - shown.len();
+    if others > 0 {
+        let more = counted(others, "crossing or veering");
+        let more = more.replace("crossing or veerings", "crossings or veerings");
+        text += &format!("{more} of curves outside the operating speeds not shown (use --all)\n\n");
+    }
+    text
+}
+
+/// The tower's modes with a rigid machine, and what the flexible rotor makes of them.
+fn compared(coupled: &CoupledCampbell, against: &[AgainstRigid]) -> String {
+    let hz = |change: Option<Change>| {
+        change.map_or_else(|| "-".to_owned(), |own| format!("{:.4}", own.coupled_hz))
+    };
+    let percent = |change: Option<Change>| {
+        let percent = change.map(|own| format!("{:+.2} %", 100.0 * own.difference));
+        percent.unwrap_or_else(|| "-".to_owned())
+    };
+    let rows = against.iter().map(|row| {
+        [
+            row.name.to_string(),
+            format!("{:.4}", row.rigid_hz),
+            hz(row.at_rest),
+            percent(row.at_rest),
+            hz(row.at_highest),
+            percent(row.at_highest),
+        ]
+    });
+    let highest = format!("at {} rpm", Rpm(coupled.campbell.rotor.highest_rpm));
+    let header = [
+        "tower mode",
+        "rigid rotor Hz",
+        "flexible, at rest",
+        "difference",
+        &highest,
+        "difference",
+    ];
+    text_table(header, rows, 1..=5)
+}
