@@ -3,13 +3,14 @@
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
-use super::energy::TurbinePart;
+use super::energy::{Harmonic, TurbinePart};
 use super::error::TurbineError;
 use super::frequencies::{Part, Whole, check};
 use super::mode::{TurbineMode, TurbineModes};
 use super::model::TurbineModel;
 use super::name::TurbineModeName;
 use super::search::{Found, Guess};
+use crate::rotor::Reactionless;
 
 impl TurbineModel {
     /// The modes up to a limit (Hz) at a speed of the rotor (rad/s), with names and shapes.
@@ -103,13 +104,30 @@ impl TurbineModel {
 }
 
 /// Numbers modes with the same part by frequency.
+///
+/// Tilt and yaw are mixtures of the two whirls, so that a pair of the one counts as a pair of the
+/// other: after the first whirls in flap the next tilt in flap is the 2nd.
 fn number(modes: &mut [TurbineMode], name: impl Fn(&mut TurbineMode) -> &mut TurbineModeName) {
-    let mut orders: HashMap<TurbinePart, usize> = HashMap::new();
+    let mut below: HashMap<TurbinePart, usize> = HashMap::new();
     for mode in modes {
         let name = name(mode);
-        let order = orders.entry(name.part).or_default();
-        *order += 1;
-        name.order = *order;
+        let count = |part| below.get(&part).copied().unwrap_or_default();
+        let before = match name.part {
+            TurbinePart::Blades(motion, harmonic) => {
+                let of = |harmonic| count(TurbinePart::Blades(motion, harmonic));
+                let mixed = of(Harmonic::Tilt) + of(Harmonic::Yaw);
+                match harmonic {
+                    Harmonic::Forward | Harmonic::Backward => of(harmonic) + mixed / 2,
+                    Harmonic::Tilt | Harmonic::Yaw => {
+                        (of(Harmonic::Forward) + of(Harmonic::Backward) + mixed) / 2
+                    }
+                    _ => of(harmonic),
+                }
+            }
+            part => count(part),
+        };
+        name.order = before + 1;
+        *below.entry(name.part).or_default() += 1;
     }
 }
 
@@ -152,8 +170,6 @@ fn guesses(part: Part, speed: f64, before: &[TurbineModes]) -> Vec<Guess<'_>> {
 
 /// The part with the harmonic of blades that do not move the hub.
 fn of_part(part: TurbinePart, own: Part) -> TurbinePart {
-    use super::energy::Harmonic;
-    use crate::rotor::Reactionless;
     match (part, own) {
         (TurbinePart::Blades(motion, _), Some(wave)) => {
             let harmonic = match wave {

@@ -21,7 +21,8 @@ use crate::modes::Ordinal;
 pub struct TurbineModeName {
     /// The part.
     pub part: TurbinePart,
-    /// Order by frequency among the modes with this part, from 1.
+    /// Order by frequency among the modes with this part, from 1. A pair of tilt and yaw counts as
+    /// one of forward and backward whirl.
     pub order: usize,
 }
 
