@@ -42,14 +42,14 @@ impl RigidTower {
     pub(crate) fn shares(&self, force: &[f64; 6]) -> RigidShares {
         let a = times(&self.flexibility, force);
         RigidShares {
-            motions: self.energies(&a),
+            motions: self.coordinates(&a).map(|x| x * x),
             total: a.iter().zip(force).map(|(a, f)| a * f).sum(),
         }
     }
 
-    /// Twice the kinetic energies over the square of the frequency of surge, sway, heave, roll,
-    /// pitch and yaw in a rigid motion of the base.
-    pub(crate) fn energies(&self, a: &[f64; 6]) -> [f64; 6] {
+    /// Surge, sway, heave, roll, pitch and yaw in a rigid motion of the base: square roots of twice
+    /// their kinetic energies over the square of the frequency, with the sign of the motion.
+    pub(crate) fn coordinates(&self, a: &[f64; 6]) -> [f64; 6] {
         let inertia = &self.inertia;
         let mut motions = [0.0; 6];
         for plane in [Plane::ForeAft, Plane::SideSide] {
@@ -57,12 +57,12 @@ impl RigidTower {
             let ((w, _), (theta, sign)) = (components[0], components[1]);
             let (mass, moment) = (inertia[w][w], sign * inertia[w][theta]);
             let (deflection, rotation) = (a[w], sign * a[theta]);
-            let centre = deflection + moment / mass * rotation;
-            motions[w] = mass * centre * centre;
-            motions[theta] = (inertia[theta][theta] - moment * moment / mass) * rotation * rotation;
+            let about_centre = inertia[theta][theta] - moment * moment / mass;
+            motions[w] = mass.sqrt() * (deflection + moment / mass * rotation);
+            motions[theta] = about_centre.sqrt() * rotation;
         }
-        motions[2] = inertia[2][2] * a[2] * a[2];
-        motions[5] = inertia[5][5] * a[5] * a[5];
+        motions[2] = inertia[2][2].sqrt() * a[2];
+        motions[5] = inertia[5][5].sqrt() * a[5];
         motions
     }
 }

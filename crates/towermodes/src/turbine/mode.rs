@@ -31,8 +31,8 @@ pub struct TurbineMode {
     pub(super) vector: Vec<Complex>,
     /// Coordinates of the vector whose squares are elastic energies, in two ranges.
     pub(super) strains: [Range<usize>; 2],
-    /// Square roots of the elastic energies of yaw drive and shaft.
-    pub(super) springs: [Complex; 2],
+    /// Square roots of the energies of yaw drive and shaft, and of the motions of a platform.
+    pub(super) springs: Vec<Complex>,
 }
 
 /// The modes of a turbine below a limit, at a speed of its rotor.
@@ -56,8 +56,8 @@ pub struct TurbineModes {
 
 impl TurbineMode {
     /// The modal assurance criterion |⟨a, b⟩|² of this mode and another of the same model, at the
-    /// same or another speed, in the inner product of the elastic energy: 1 for the same shape, 0
-    /// for shapes that share no energy.
+    /// same or another speed, in the inner product of the elastic energy (of a floating platform:
+    /// the kinetic one): 1 for the same shape, 0 for shapes that share no energy.
     ///
     /// Source: Allemang & Brown, *A correlation coefficient for modal vector analysis* (1982).
     pub fn mac(&self, other: &Self) -> f64 {

@@ -65,7 +65,7 @@ impl TurbineModel {
         let kinetic = self.kinetic_energy(part, &found.vector);
         let unnumbered = |part| TurbineModeName { part, order: 0 };
         let name = |energy: &super::TurbineEnergy| unnumbered(of_part(energy.largest().0, part));
-        let (shape, strains, springs) = self.shape(part, &found.vector);
+        let (shape, strains, springs) = self.shape(part, found.w, &found.vector);
         TurbineMode {
             frequency: found.as_hz(),
             discretization_error_hz: None,

@@ -7,6 +7,7 @@ use super::frequencies::Part;
 use super::machine_vectors::JOINTS;
 use super::model::TurbineModel;
 use super::shape::{BladeDeflection, TowerMotion, TurbineShape};
+use super::votes::rigid_motions;
 use crate::rotor::Reactionless;
 use crate::scalar::{Complex, Scalar};
 
@@ -15,20 +16,20 @@ const POINTS: usize = 20;
 /// Azimuths at which the largest deflection of a blade is sought.
 const AZIMUTHS: u32 = 72;
 
-/// A shape, the places of the strains in the vector, and the motions of the springs.
-type Shaped = (TurbineShape, [Range<usize>; 2], [Complex; 2]);
+/// A shape, the places of the strains in the vector, and square roots of other energies.
+type Shaped = (TurbineShape, [Range<usize>; 2], Vec<Complex>);
 
 impl TurbineModel {
-    pub(super) fn shape(&self, part: Part, vector: &[Complex]) -> Shaped {
+    pub(super) fn shape(&self, part: Part, w: f64, vector: &[Complex]) -> Shaped {
         let mut shaped = match part {
-            None => self.coupled_shape(vector),
+            None => self.coupled_shape(w, vector),
             Some(wave) => self.shape_on_still_hub(wave, vector),
         };
         normalize(&mut shaped.0);
         shaped
     }
 
-    fn coupled_shape(&self, vector: &[Complex]) -> Shaped {
+    fn coupled_shape(&self, w: f64, vector: &[Complex]) -> Shaped {
         let [of_tower, joints, blades] = self.split(vector);
         let beam = &self.tower.members()[0];
         let top = self.top(of_tower);
@@ -61,12 +62,13 @@ impl TurbineModel {
             blades: (0..along[0].len()).map(deflection).collect(),
         };
         let first = of_tower.len() + JOINTS;
-        let tower = vector.len().min(self.base_coordinates())..of_tower.len();
-        (
-            shape,
-            [tower, first..vector.len()],
-            self.machine.springs(joints),
-        )
+        let tower = self.base_coordinates()..of_tower.len();
+        let mut springs = self.machine.springs(joints).to_vec();
+        if let Some(rigid) = &self.platform {
+            let motions = rigid_motions(rigid, &beam.base_motion(of_tower));
+            springs.extend(motions.map(|x| x.times(w)));
+        }
+        (shape, [tower, first..vector.len()], springs)
     }
 
     fn shape_on_still_hub(&self, wave: Reactionless, vector: &[Complex]) -> Shaped {
@@ -90,7 +92,7 @@ impl TurbineModel {
             apex: still,
             blades: blades.collect(),
         };
-        (shape, [0..0, 0..vector.len()], [Complex::default(); 2])
+        (shape, [0..0, 0..vector.len()], Vec::new())
     }
 
     fn elements(&self) -> usize {

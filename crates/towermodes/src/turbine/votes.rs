@@ -5,6 +5,7 @@ use super::frequencies::Part;
 use super::machine_vectors::Phasors;
 use super::model::TurbineModel;
 use crate::beam::TurningBlade;
+use crate::modes::RigidTower;
 use crate::scalar::{Complex, Scalar};
 
 /// Which of the two sums of forward and backward wave tilts the nacelle, for flap, edge, torsion
@@ -57,9 +58,8 @@ impl TurbineModel {
                 .for_each(|(sum, base)| *sum += base),
             Some(rigid) => {
                 let total = energies.base.iter().sum::<f64>().max(0.0);
-                let base = beam.base_motion(x);
-                let [re, im] = [base.map(|x| x.re), base.map(|x| x.im)].map(|a| rigid.energies(&a));
-                platform = std::array::from_fn(|i| re[i] + im[i]);
+                let motions = rigid_motions(rigid, &beam.base_motion(x));
+                platform = motions.map(|x| x.re * x.re + x.im * x.im);
                 let scale = total / platform.iter().sum::<f64>().max(f64::MIN_POSITIVE);
                 platform.iter_mut().for_each(|energy| *energy *= scale);
             }
@@ -116,6 +116,13 @@ impl TurbineModel {
         let along = self.tower.members()[0].motions_along(tower, 1);
         along.last().map_or_else(Phasors::default, |(_, top)| *top)
     }
+}
+
+/// Surge to yaw in a motion of the base: square roots of twice the kinetic energies over the square
+/// of the frequency.
+pub(super) fn rigid_motions(rigid: &RigidTower, base: &Phasors) -> [Complex; 6] {
+    let [re, im] = [base.map(|x| x.re), base.map(|x| x.im)].map(|a| rigid.coordinates(&a));
+    std::array::from_fn(|i| Complex::new(re[i], im[i]))
 }
 
 /// Energies of the blades by motion and harmonic, from those of coordinates of a blade.

@@ -44,6 +44,27 @@ fn a_platform_has_its_six_motions() {
     }
 }
 
+/// Surge and pitch bend the tower alike; by their energies they are told apart.
+#[test]
+fn motions_of_a_platform_are_followed_from_speed_to_speed() {
+    let mut model = on(floater()).expect("a model");
+    let [a, b] = [8.0, 9.0].map(|rpm| model.modes(0.3, rad_per_s(rpm)).expect("modes"));
+    for mode in &a.modes {
+        let same = b.modes.iter().find(|other| other.name == mode.name);
+        assert!(
+            mode.mac(same.expect("a mode of the name")) > 0.9,
+            "{}",
+            mode.name
+        );
+        let others = a.modes.iter().filter(|other| other.name != mode.name);
+        assert!(
+            others.into_iter().all(|other| mode.mac(other) < 0.1),
+            "{}",
+            mode.name
+        );
+    }
+}
+
 /// Without a spring against yaw the stiffness is singular: a motion without frequency, which is no
 /// mode, and nothing else changes.
 #[test]
