@@ -30,6 +30,7 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     let format = arguments.destination.format().map_err(Failure::Ending)?;
     arguments.check(format).map_err(Failure::Usage)?;
     let mut input = tower_input(&arguments.input)?;
+    arguments.turbine.hold_generator(&mut input);
     check_not_inputs(input.files(), output)?;
     let tower = input.tower().map_err(Failure::Input)?;
     // Reported before a long solve.

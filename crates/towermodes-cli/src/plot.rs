@@ -33,6 +33,7 @@ pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
     check_terminal(arguments.asked_output(), what, example)?;
     check_not_input(&arguments.input.file, output)?;
     let mut input = tower_input(&arguments.input)?;
+    arguments.turbine.hold_generator(&mut input);
     check_not_inputs(input.files(), output)?;
     let tower = input.tower().map_err(Failure::Input)?;
     let drawn = drawn(&mut input, &tower, arguments)?;

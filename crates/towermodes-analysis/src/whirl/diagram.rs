@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use towermodes::modes::Family;
 use towermodes::tower::Rotor;
 use towermodes::turbine::{
-    Turbine, TurbineError, TurbineMesh, TurbineModel, TurbineModes, TurbinePart,
+    Turbine, TurbineError, TurbineMesh, TurbineModeName, TurbineModel, TurbineModes, TurbinePart,
 };
 
 use crate::resonance::{
@@ -215,7 +215,7 @@ fn curves<S: Solved>(
     let ordered = order.iter().map(|index| all[*index].clone());
     all = ordered.collect();
     let (mut curves, tracks): (Vec<CoupledCurve>, Vec<Track>) = all.into_iter().unzip();
-    for (curve, name) in curves.iter_mut().zip(named::names(&parts)) {
+    for (curve, name) in curves.iter_mut().zip(TurbineModeName::numbered(parts)) {
         curve.name = name;
     }
     named::pair(&mut curves);

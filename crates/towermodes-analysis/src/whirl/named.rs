@@ -63,15 +63,6 @@ pub(super) fn in_order(curves: &[(TurbinePart, f64)]) -> Vec<usize> {
     order
 }
 
-/// The names of curves in their order.
-pub(super) fn names(parts: &[TurbinePart]) -> Vec<TurbineModeName> {
-    let name = |(index, part): (usize, &TurbinePart)| TurbineModeName {
-        part: *part,
-        order: parts[..=index].iter().filter(|own| *own == part).count(),
-    };
-    parts.iter().enumerate().map(name).collect()
-}
-
 /// Pairs the curves of backward and forward whirl of one motion and order.
 pub(super) fn pair(curves: &mut [CoupledCurve]) {
     let names: Vec<TurbineModeName> = curves.iter().map(|curve| curve.name).collect();

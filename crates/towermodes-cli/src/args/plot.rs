@@ -155,7 +155,9 @@ impl PlotArguments {
         }
         let of_turbine = self.turbine.is_given() || self.turbine.uncoupled;
         if self.what != What::Campbell && of_turbine {
-            return Err("--limit, --speeds and --uncoupled apply only to --what campbell");
+            return Err(
+                "--generator, --limit, --speeds and --uncoupled apply only to --what campbell",
+            );
         }
         if self.what != What::Convergence && self.segments.len() > 1 {
             return Err(

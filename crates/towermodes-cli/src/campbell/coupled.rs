@@ -49,11 +49,11 @@ pub(crate) fn answer_of(
     let turbine = input.whole_turbine().map_err(Failure::Input)?;
     match (turbine, arguments.is_given()) {
         (None, true) => Err(Failure::Usage(
-            "--limit and --speeds apply only to a turbine with flexible blades; the input has none",
+            "--generator, --limit and --speeds apply only to a turbine with flexible blades; the input has none",
         )),
         (None, false) => Ok(Answer::Tower(input.turbine_missing.clone())),
         (Some(_), true) if alone => Err(Failure::Usage(
-            "--limit and --speeds apply to the turbine with flexible blades, --method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits and --soil-factor to the tower with a rigid rotor; omit one or the other",
+            "--generator, --limit and --speeds apply to the turbine with flexible blades, --method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits and --soil-factor to the tower with a rigid rotor; omit one or the other",
         )),
         (Some(_), false) if alone => Ok(Answer::Tower(Some(Note::new(
             "the rotor is rigid in this diagram, because of options that apply to the tower alone (--method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits, --soil-factor); without them the diagram is that of the turbine with flexible blades".to_owned(),

@@ -1,6 +1,5 @@
 //! The modes of a turbine below a limit: frequencies with their names, energies and shapes.
 
-use std::collections::HashMap;
 use std::f64::consts::TAU;
 
 use super::energy::{Harmonic, TurbinePart};
@@ -104,30 +103,10 @@ impl TurbineModel {
 }
 
 /// Numbers modes with the same part by frequency.
-///
-/// Tilt and yaw are mixtures of the two whirls, so that a pair of the one counts as a pair of the
-/// other: after the first whirls in flap the next tilt in flap is the 2nd.
 fn number(modes: &mut [TurbineMode], name: impl Fn(&mut TurbineMode) -> &mut TurbineModeName) {
-    let mut below: HashMap<TurbinePart, usize> = HashMap::new();
-    for mode in modes {
-        let name = name(mode);
-        let count = |part| below.get(&part).copied().unwrap_or_default();
-        let before = match name.part {
-            TurbinePart::Blades(motion, harmonic) => {
-                let of = |harmonic| count(TurbinePart::Blades(motion, harmonic));
-                let mixed = of(Harmonic::Tilt) + of(Harmonic::Yaw);
-                match harmonic {
-                    Harmonic::Forward | Harmonic::Backward => of(harmonic) + mixed / 2,
-                    Harmonic::Tilt | Harmonic::Yaw => {
-                        (of(Harmonic::Forward) + of(Harmonic::Backward) + mixed) / 2
-                    }
-                    _ => of(harmonic),
-                }
-            }
-            part => count(part),
-        };
-        name.order = before + 1;
-        *below.entry(name.part).or_default() += 1;
+    let parts: Vec<_> = modes.iter_mut().map(|mode| name(mode).part).collect();
+    for (mode, numbered) in modes.iter_mut().zip(TurbineModeName::numbered(parts)) {
+        *name(mode) = numbered;
     }
 }
 

@@ -1,5 +1,6 @@
 //! Names of modes: the part with most of the energy, and the order among the modes with that.
 
+use std::collections::HashMap;
 use std::fmt;
 
 use super::energy::{BladeMotion, Harmonic, TurbinePart};
@@ -31,6 +32,49 @@ impl TurbineModeName {
     pub fn column(&self) -> String {
         let part = self.part.to_string().replace([' ', '-'], "_");
         format!("{part}_{}", self.order)
+    }
+}
+
+impl TurbineModeName {
+    /// The names of modes with these parts by rising frequency.
+    ///
+    /// Tilt and yaw are mixtures of the two whirls, so that a pair of the one counts as a pair of
+    /// the other: after the first whirls in flap the next tilt in flap is the 2nd.
+    ///
+    /// # Example
+    /// ```
+    /// use towermodes::turbine::{BladeMotion, Harmonic, TurbineModeName, TurbinePart};
+    ///
+    /// let flap = |harmonic| TurbinePart::Blades(BladeMotion::Flap, harmonic);
+    /// let parts = [Harmonic::Backward, Harmonic::Forward, Harmonic::Tilt, Harmonic::Forward];
+    /// let names = TurbineModeName::numbered(parts.map(flap));
+    /// assert_eq!(names[2].to_string(), "2nd flapwise tilt");
+    /// assert_eq!(names[3].to_string(), "2nd flapwise forward whirl");
+    /// ```
+    pub fn numbered(parts: impl IntoIterator<Item = TurbinePart>) -> Vec<Self> {
+        let mut below: HashMap<TurbinePart, usize> = HashMap::new();
+        let name = |part| {
+            let order = 1 + before(part, |part| below.get(&part).copied().unwrap_or_default());
+            *below.entry(part).or_default() += 1;
+            Self { part, order }
+        };
+        parts.into_iter().map(name).collect()
+    }
+}
+
+/// How many modes of the same kind as a part are below, by the number of modes of each part there.
+fn before(part: TurbinePart, count: impl Fn(TurbinePart) -> usize) -> usize {
+    let TurbinePart::Blades(motion, harmonic) = part else {
+        return count(part);
+    };
+    let of = |harmonic| count(TurbinePart::Blades(motion, harmonic));
+    let mixed = of(Harmonic::Tilt) + of(Harmonic::Yaw);
+    match harmonic {
+        Harmonic::Forward | Harmonic::Backward => of(harmonic) + mixed / 2,
+        Harmonic::Tilt | Harmonic::Yaw => {
+            (of(Harmonic::Forward) + of(Harmonic::Backward) + mixed) / 2
+        }
+        _ => of(harmonic),
     }
 }
 
