@@ -1,7 +1,7 @@
 //! The computation of a report: modes, resonance, methods compared.
 
 use thiserror::Error;
-use towermodes::turbine::{Turbine, TurbineError, TurbineMesh, TurbineModel};
+use towermodes::turbine::Turbine;
 use towermodes::{
     BladeDescription, Options, Rotor, SensitivityError, Solution, SolveError, Tower,
     TowerDescription, Workspace, solve_certain,
@@ -12,6 +12,9 @@ use towermodes_analysis::resonance::{
 };
 use towermodes_analysis::soil_band::{SoilBand, SoilBandError, soil_band};
 use towermodes_analysis::study::{Comparison, compare_all_methods};
+use towermodes_analysis::whirl::{
+    CoupledError, CoupledOptions, RotorSpeeds, coupled_campbell, coupled_limit_hz,
+};
 
 use super::content::{Circumstances, ElastoDynShapes, ReportContent, TurbineResults};
 
@@ -109,12 +112,16 @@ impl ReportContent {
     ) -> Result<Self, ContentError> {
         let solution = solved(&mut request, computation)?;
         let (campbell, remarks) = assessed(&request, &solution)?.unzip();
-        let turbine = turbine_of(&mut request);
+        let turbine = turbine_of(&mut request, &solution);
         let soil_band = soil_band_of(&request, &solution, computation).transpose()?;
         let mut circumstances = request.circumstances;
         let remarks = remarks.into_iter().flatten();
         let remarks = remarks.chain(request.notes_on_shapes);
         circumstances.notes.extend(remarks);
+        if let Some(Ok(results)) = &turbine {
+            let remarks = remarks_on(results, &circumstances.notes);
+            circumstances.notes.extend(remarks);
+        }
         let (tower, options) = (request.tower, request.options);
         let description = &request.description;
         let influences = request
@@ -137,19 +144,33 @@ impl ReportContent {
     }
 }
 
-/// The whole turbine at its highest operating speed.
-fn turbine_of(request: &mut ReportRequest) -> Option<Result<TurbineResults, TurbineError>> {
+/// The whole turbine at its rotor speeds, up to the limit of `campbell`.
+fn turbine_of(
+    request: &mut ReportRequest,
+    solution: &Solution,
+) -> Option<Result<TurbineResults, CoupledError>> {
     let rotor = request.rotor?;
     let turbine = request.turbine.take()?;
-    let speed = rotor.highest_rpm * std::f64::consts::PI / 30.0;
-    let limit_hz = reach_hz(&rotor, &request.campbell);
-    let solved = |turbine: Turbine| {
-        let mesh = TurbineMesh::default();
-        let mut modes = TurbineModel::new(&turbine, &mesh)?.modes(limit_hz, speed)?;
-        TurbineModel::new(&turbine, &mesh.finer())?.estimate_errors(&mut modes);
-        Ok(TurbineResults { turbine, modes })
+    let given = &request.campbell;
+    let options = CoupledOptions {
+        margin: given.margin,
+        multiples: given.multiples.clone(),
+        speeds: RotorSpeeds::Equal(given.speeds),
+        ..CoupledOptions::up_to(coupled_limit_hz(&rotor, given, solution))
     };
-    Some(solved(turbine))
+    let coupled = coupled_campbell(&turbine, &rotor, &options, |_| ());
+    Some(coupled.map(|coupled| TurbineResults {
+        against: coupled.against(solution),
+        turbine,
+        coupled,
+    }))
+}
+
+/// The remarks on a turbine that others do not say already.
+fn remarks_on(results: &TurbineResults, said: &[String]) -> Vec<String> {
+    let remarks = results.coupled.remarks(&results.turbine).into_iter();
+    let remarks = remarks.map(|remark| remark.to_string());
+    remarks.filter(|remark| !said.contains(remark)).collect()
 }
 
 /// The modes for softer and stiffer soil, if they are asked for.

@@ -1,7 +1,7 @@
 //! The content of a report.
 
 use sha2::{Digest, Sha256};
-use towermodes::turbine::{Turbine, TurbineError, TurbineModes};
+use towermodes::turbine::{Turbine, TurbineModes};
 use towermodes::{
     Options, Planes, SensitivityError, Solution, SolveError, Tower, TowerDescription,
 };
@@ -10,6 +10,7 @@ use towermodes_analysis::influence::Influences;
 use towermodes_analysis::resonance::{Campbell, CampbellError};
 use towermodes_analysis::soil_band::SoilBand;
 use towermodes_analysis::study::Comparison;
+use towermodes_analysis::whirl::{AgainstRigid, CoupledCampbell, CoupledError};
 
 /// Everything that a report contains.
 #[derive(Debug, Clone)]
@@ -28,7 +29,7 @@ pub struct ReportContent {
     pub campbell: Option<Result<Campbell, CampbellError>>,
     /// The whole turbine with its turning rotor, or why it could not be solved; none if the input
     /// has no turbine or no rotor speed.
-    pub turbine: Option<Result<TurbineResults, TurbineError>>,
+    pub turbine: Option<Result<TurbineResults, CoupledError>>,
     /// The modes for softer and stiffer soil; none without soil, and if not asked for.
     pub soil_band: Option<SoilBand>,
     /// The influence of the numbers on the frequencies, or why there is none; only if requested.
@@ -46,8 +47,21 @@ pub struct ReportContent {
 pub struct TurbineResults {
     /// The turbine.
     pub turbine: Turbine,
-    /// Its modes at the highest operating speed.
-    pub modes: TurbineModes,
+    /// Its frequencies against the rotor speed.
+    pub coupled: CoupledCampbell,
+    /// What the flexible rotor makes of the modes of the tower.
+    pub against: Vec<AgainstRigid>,
+}
+
+impl TurbineResults {
+    /// The modes at the highest operating speed; none if the turbine was not solved there.
+    pub(super) fn at_highest(&self) -> Option<&TurbineModes> {
+        let highest_rpm = self.coupled.campbell.rotor.highest_rpm;
+        let distance = |rpm: f64| (rpm - highest_rpm).abs();
+        let mut speeds = self.coupled.speeds.iter();
+        let there = speeds.find(|speed| distance(speed.rotor_speed_rpm) <= 1e-9 * highest_rpm);
+        there.map(|speed| &speed.modes)
+    }
 }
 
 /// The data of a report that are not results.

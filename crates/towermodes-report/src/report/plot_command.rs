@@ -8,6 +8,9 @@ use towermodes_analysis::resonance::{Campbell, DEFAULT_MARGIN};
 use super::content::ReportContent;
 use super::shell::quoted;
 
+/// The Campbell diagram of a whole turbine.
+pub(super) const COUPLED: &str = "coupled-campbell";
+
 /// The command that draws the picture `what`.
 pub(super) fn plot_command(content: &ReportContent, what: &str) -> String {
     let mut words = vec![format!("--what {what}")];
@@ -15,8 +18,18 @@ pub(super) fn plot_command(content: &ReportContent, what: &str) -> String {
         "shapes" => words.push(solved(&content.options)),
         "campbell" => {
             words.push(solved(&content.options));
+            if content.turbine.is_some() {
+                words.push("--uncoupled".to_owned());
+            }
             if let Some(Ok(campbell)) = &content.campbell {
                 words.push(rotor(campbell));
+            }
+        }
+        COUPLED => {
+            words[0] = "--what campbell".to_owned();
+            if let Some(Ok(results)) = &content.turbine {
+                words.push(format!("--limit {}", results.coupled.limit_hz));
+                words.push(rotor(&results.coupled.campbell));
             }
         }
         "error" => words.push(asked(&content.options)),

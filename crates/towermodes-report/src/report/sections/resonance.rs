@@ -32,7 +32,8 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     if !campbell.classes.is_empty() {
         blocks.push(paragraph(classes(campbell)));
     }
-    blocks.push(table(margins(campbell)));
+    let caption = "Distance of every excitation from every natural frequency";
+    blocks.push(table(margins(campbell, caption)));
     blocks.push(Block::List(verdicts(campbell)));
     if !has_blade(campbell) {
         blocks.push(paragraph("Blade modes were not checked."));
@@ -91,9 +92,10 @@ fn classes(campbell: &Campbell) -> String {
     )
 }
 
-fn margins(campbell: &Campbell) -> Table {
+/// Every pair of an excitation and a line of a diagram.
+pub(super) fn margins(campbell: &Campbell, caption: &str) -> Table {
     let mut table = Table::new(
-        "Distance of every excitation from every natural frequency",
+        caption,
         [
             "natural frequency",
             "#excitation",
@@ -132,7 +134,7 @@ fn distance(campbell: &Campbell, margin: &Margin) -> String {
 
 /// The meaning of each verdict, with the number of pairs. Blade modes are named only if they were
 /// checked.
-fn verdicts(campbell: &Campbell) -> Vec<String> {
+pub(super) fn verdicts(campbell: &Campbell) -> Vec<String> {
     let [pass, warn, fail] = verdict_counts(campbell);
     let strong = match campbell.rotor.blades {
         1 => "1P".to_owned(),

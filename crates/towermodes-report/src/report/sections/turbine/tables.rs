@@ -1,0 +1,167 @@
+//! The tables of the whole turbine.
+
+use std::f64::consts::PI;
+
+use towermodes::Rotor;
+use towermodes::number::with_error;
+use towermodes::tower::Rpm;
+use towermodes::turbine::{TurbineEnergy, TurbineMode, TurbineModes};
+use towermodes_analysis::whirl::{AgainstRigid, Change, CoupledCampbell, CoupledCurve};
+
+use super::super::super::table::Table;
+use crate::number::{NOTHING, digits, four_digits, frequency, percent, signed_percent, typeset};
+
+/// Shares of the elastic energy below this are left out.
+const NOTABLE: f64 = 0.02;
+
+/// Each curve with its frequencies at the lowest speed of the diagram and at both ends of
+/// operation, and the other curve of its whirl pair.
+pub(super) fn curves(coupled: &CoupledCampbell) -> Table {
+    let rotor = &coupled.campbell.rotor;
+    let first_rpm = coupled.speeds.first().map_or(0.0, |of| of.rotor_speed_rpm);
+    let mut speeds = vec![first_rpm, rotor.lowest_rpm, rotor.highest_rpm];
+    speeds.dedup();
+    let heads = speeds.iter().map(|rpm| format!("#Hz at {} rpm", Rpm(*rpm)));
+    let heads: Vec<String> = heads.collect();
+    let names = ["#no.", "coupled mode"].into_iter();
+    let names = names.chain(heads.iter().map(String::as_str));
+    let mut table = Table::new("Curves of the coupled modes", names.chain(["whirls with"]));
+    for (index, curve) in coupled.curves.iter().enumerate() {
+        let sign = match curve.has_negative_energy() {
+            true => " (negative energy)",
+            false => "",
+        };
+        let partner = curve.partner.map(|of| format!("no. {}", of + 1));
+        let mut row = vec![(index + 1).to_string(), format!("{}{sign}", curve.name)];
+        row.extend(speeds.iter().map(|rpm| at(curve, *rpm)));
+        row.push(partner.unwrap_or_else(|| NOTHING.to_owned()));
+        table.push(row);
+    }
+    table
+}
+
+/// The frequency of a curve at a speed.
+fn at(curve: &CoupledCurve, rpm: f64) -> String {
+    let hz = curve.at_rpm(rpm).map(|point| point.frequency.frequency_hz);
+    hz.map_or_else(
+        || NOTHING.to_owned(),
+        |hz| typeset(&with_error(hz, hz, curve.error_hz())),
+    )
+}
+
+/// Where curves cross or veer.
+pub(super) fn meetings(coupled: &CoupledCampbell) -> Table {
+    let mut table = Table::new(
+        "Crossings and veerings of the curves",
+        [
+            "curves",
+            "meet by",
+            "#rotor speed (rpm)",
+            "#f (Hz)",
+            "#least distance (Hz)",
+        ],
+    );
+    for meeting in &coupled.meetings {
+        let names = meeting.curves.map(|curve| coupled.curves[curve].name);
+        let distance_hz = meeting.least_distance_hz;
+        table.push([
+            format!("{} and {}", names[0], names[1]),
+            meeting.kind.name().to_owned(),
+            four_digits(meeting.rotor_speed_rpm),
+            four_digits(meeting.frequency_hz),
+            match distance_hz > 0.0 {
+                true => digits(distance_hz, 3),
+                false => "0".to_owned(),
+            },
+        ]);
+    }
+    let rotor = &coupled.campbell.rotor;
+    let operation = rotor.lowest_rpm..=rotor.highest_rpm;
+    table.with_only("those in operation", |row| {
+        operation.contains(&coupled.meetings[row].rotor_speed_rpm)
+    })
+}
+
+/// The modes at a speed.
+pub(super) fn modes(modes: &TurbineModes) -> Table {
+    let speed = Rpm(modes.speed_rad_per_s * 30.0 / PI);
+    let mut table = Table::new(
+        format!("Modes of the turbine at {speed} rpm, the highest operating speed"),
+        [
+            "#no.",
+            "mode",
+            "#f (Hz)",
+            "#proved within (Hz)",
+            "#error of the mesh (Hz)",
+            "elastic energy",
+            "by kinetic energy",
+        ],
+    );
+    for (index, mode) in modes.modes.iter().enumerate() {
+        let of = &mode.frequency;
+        let mesh_hz = mode.discretization_error_hz;
+        let half_hz = 0.5 * (of.upper_hz - of.lower_hz);
+        table.push([
+            (index + 1).to_string(),
+            mode.name.to_string(),
+            frequency(of.frequency_hz, mesh_hz.unwrap_or_default() + half_hz),
+            digits(half_hz, 1),
+            mesh_hz.map_or_else(|| NOTHING.to_owned(), |hz| digits(hz, 2)),
+            shares(&mode.energy),
+            second(mode),
+        ]);
+    }
+    table
+}
+
+/// The parts with most of the energy: "flapwise backward whirl 97 %, drivetrain torsion 2 %".
+fn shares(energy: &TurbineEnergy) -> String {
+    let mut parts = energy.parts();
+    parts.retain(|(_, share)| *share >= NOTABLE);
+    parts.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let texts = parts
+        .iter()
+        .map(|(part, share)| format!("{part} {} %", percent(*share)));
+    texts.collect::<Vec<String>>().join(", ")
+}
+
+/// The second name, where it is another part's.
+fn second(mode: &TurbineMode) -> String {
+    match mode.second_name.part == mode.name.part {
+        true => "the same".to_owned(),
+        false => mode.second_name.to_string(),
+    }
+}
+
+/// The modes of the tower with a rigid rotor and with the flexible one.
+pub(super) fn against_rigid(rows: &[AgainstRigid], rotor: &Rotor) -> Table {
+    let highest = format!("#at {} rpm (Hz)", Rpm(rotor.highest_rpm));
+    let mut table = Table::new(
+        "Modes of the tower with the rotor as a rigid body and with the flexible rotor",
+        [
+            "tower mode",
+            "#rigid rotor (Hz)",
+            "#flexible, at rest (Hz)",
+            "#difference (%)",
+            &highest,
+            "#difference (%)",
+        ],
+    );
+    let hz = |change: Option<Change>| {
+        change.map_or_else(|| NOTHING.to_owned(), |of| four_digits(of.coupled_hz))
+    };
+    let difference = |change: Option<Change>| {
+        change.map_or_else(|| NOTHING.to_owned(), |of| signed_percent(of.difference))
+    };
+    for row in rows {
+        table.push([
+            row.name.to_string(),
+            four_digits(row.rigid_hz),
+            hz(row.at_rest),
+            difference(row.at_rest),
+            hz(row.at_highest),
+            difference(row.at_highest),
+        ]);
+    }
+    table
+}
