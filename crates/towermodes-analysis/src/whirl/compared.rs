@@ -15,9 +15,9 @@ pub struct AgainstRigid {
     pub name: TurbineModeName,
     /// The frequency of the tower with its rotor-nacelle assembly as a rigid body, Hz.
     pub rigid_hz: f64,
-    /// At standstill; none if the turbine was not solved there.
+    /// The mode of this name at standstill; none if there is none.
     pub at_rest: Option<Change>,
-    /// At the highest operating speed; none if the curve does not reach it.
+    /// The mode of this name at the highest operating speed; none if there is none.
     pub at_highest: Option<Change>,
 }
 
@@ -51,7 +51,9 @@ impl CoupledCampbell {
             return None;
         }
         let change = |rpm: f64| {
-            let point = self.curves[curve].at_rpm(rpm)?;
+            let mut points = self.curves.iter().filter_map(|curve| curve.at_rpm(rpm));
+            // Curves have the names that they have in operation; at rest another may have this one.
+            let point = points.find(|point| point.name == name)?;
             let coupled_hz = point.frequency.frequency_hz;
             Some(Change {
                 coupled_hz,
@@ -74,6 +76,12 @@ fn part(family: Family) -> Option<TurbinePart> {
         Family::SideSide => Some(TurbinePart::TowerSideSide),
         Family::Torsion => Some(TurbinePart::TowerTorsion),
         Family::Axial => Some(TurbinePart::TowerAxial),
+        Family::Surge
+        | Family::Sway
+        | Family::Heave
+        | Family::Roll
+        | Family::Pitch
+        | Family::Yaw => Some(TurbinePart::Platform(family)),
         _ => None,
     }
 }

@@ -128,7 +128,7 @@ fn compared(coupled: &CoupledCampbell, against: &[AgainstRigid]) -> String {
         change.map_or_else(|| "-".to_owned(), |own| format!("{:.4}", own.coupled_hz))
     };
     let percent = |change: Option<Change>| {
-        let percent = change.map(|own| format!("{:+.2} %", 100.0 * own.difference));
+        let percent = change.map(|own| format!("{:+.2} %", unsigned_zero(100.0 * own.difference)));
         percent.unwrap_or_else(|| "-".to_owned())
     };
     let rows = against.iter().map(|row| {
@@ -151,4 +151,9 @@ fn compared(coupled: &CoupledCampbell, against: &[AgainstRigid]) -> String {
         "difference",
     ];
     text_table(header, rows, 1..=5)
+}
+
+/// A number of two decimals without the sign of a zero.
+fn unsigned_zero(percent: f64) -> f64 {
+    (100.0 * percent).round() / 100.0 + 0.0
 }
