@@ -203,7 +203,7 @@ fn tower_modes_are_compared_with_a_rigid_machine() {
     // one in fore-aft, where the shaft does not turn freely.
     assert!(change.difference < 0.0);
     let options = CampbellOptions::default();
-    let limit_hz = coupled_limit_hz(&ROTOR, &options, &rigid);
+    let limit_hz = coupled_limit_hz(&ROTOR, &options, &rigid, &turbine);
     assert!(limit_hz >= reach_hz(&ROTOR, &options));
 }
 

@@ -39,7 +39,7 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
         Answer::Turbine(turbine) => {
             return run_coupled(arguments, format, input, (&tower, &turbine));
         }
-        Answer::Tower(reason) => reason.into_iter().collect(),
+        Answer::Tower(reason) => reason,
     };
     let factors = arguments.soil.factors(&input.description);
     let factors = factors.map_err(Failure::Usage)?;
@@ -100,8 +100,14 @@ fn run_coupled(
         diagram,
         against,
         notes,
+        warnings,
     } = solved;
-    let notes = [std::mem::take(&mut input.notes), notes].concat();
+    let notes = [
+        std::mem::take(&mut input.notes),
+        notes,
+        without_band(&input),
+    ]
+    .concat();
     let mut result = Vec::new();
     match format {
         Format::Table => {
@@ -115,8 +121,19 @@ fn run_coupled(
         Format::Csv => write_coupled_campbell_csv(&diagram, &mut result)?,
     }
     note(&notes);
+    warn(&warnings, &input);
     deliver(&result, arguments.destination.output())?;
     judged(&diagram.campbell)
+}
+
+/// That verdicts for softer and stiffer soil are those of the other diagram.
+fn without_band(input: &TowerInput) -> Vec<Note> {
+    let sentence = "the verdicts are for the soil and the foundation of the file; --uncoupled gives those for half and twice their stiffness, with a rigid rotor";
+    let has_soil = input.description.stands_in_soil();
+    has_soil
+        .then(|| Note::new(sentence.to_owned()))
+        .into_iter()
+        .collect()
 }
 
 /// Frequencies and verdicts for these factors of the stiffness of the soil.

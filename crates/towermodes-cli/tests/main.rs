@@ -1,6 +1,7 @@
 //! All tests of the program.
 
 mod book;
+mod coupled;
 mod explore;
 mod files;
 mod formats;

@@ -77,7 +77,10 @@ fn standing(campbell: &Campbell) -> Vec<String> {
 fn sentence(campbell: &Campbell, firsts: &[First]) -> String {
     let hz = |first: &First| {
         let line = campbell.lines.get(first.line);
-        let point = line.and_then(|line| line.points.first());
+        // In operation, where the class is judged; lines of a tower alone are the same everywhere.
+        let from_highest = |point: &&[f64; 2]| (point[0] - campbell.rotor.highest_rpm).abs();
+        let points = line.into_iter().flat_map(|line| &line.points);
+        let point = points.min_by(|a, b| from_highest(a).total_cmp(&from_highest(b)));
         point.map_or(f64::NAN, |[_, hz]| *hz)
     };
     let mut firsts = firsts.to_vec();

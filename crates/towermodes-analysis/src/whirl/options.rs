@@ -2,16 +2,20 @@
 
 use thiserror::Error;
 use towermodes::tower::{Rotor, Rpm};
-use towermodes::turbine::TurbineError;
+use towermodes::turbine::{Turbine, TurbineError, TurbineMesh, TurbineModel};
 use towermodes::{Family, Solution};
 
-use crate::resonance::{CampbellError, CampbellOptions, DEFAULT_MARGIN, reach_hz, speeds_rpm};
+use crate::resonance::{
+    CampbellError, CampbellOptions, DEFAULT_MARGIN, MOST_MODES, reach_hz, speeds_rpm,
+};
 
 /// The diagram reaches this multiple of the second bending frequency of the tower with a rigid
 /// rotor, which the flexible rotor may move up …
 const ABOVE_SECOND: f64 = 1.5;
 /// … but no more than this multiple of the frequency that the excitations reach.
 const WORTH: f64 = 2.0;
+/// Halvings of a limit until the number of modes is right.
+const HALVINGS: usize = 40;
 /// The largest number of rotor speeds that are given.
 const MOST_SPEEDS: usize = 1000;
 
@@ -97,18 +101,46 @@ impl CoupledOptions {
 
 /// A limit for the coupled diagram of a turbine, Hz: the frequency that its excitations reach, and
 /// the second bending modes of its tower where they are less than twice as high. The solution is
-/// that of the tower with a rigid rotor.
+/// that of the tower with a rigid rotor. A turbine with more than [`MOST_MODES`] modes below has a
+/// limit with so many at rest.
 #[must_use]
-pub fn coupled_limit_hz(rotor: &Rotor, options: &CampbellOptions, rigid: &Solution) -> f64 {
+pub fn coupled_limit_hz(
+    rotor: &Rotor,
+    options: &CampbellOptions,
+    rigid: &Solution,
+    turbine: &Turbine,
+) -> f64 {
     let reach_hz = reach_hz(rotor, options);
     let second = rigid.modes.iter().filter(|mode| {
         let bends = matches!(mode.family, Family::ForeAft | Family::SideSide);
         bends && mode.order == 2
     });
     let second_hz = second.map(|mode| mode.frequency_hz).fold(0.0, f64::max);
-    (ABOVE_SECOND * second_hz)
+    let limit_hz = (ABOVE_SECOND * second_hz)
         .min(WORTH * reach_hz)
-        .max(reach_hz)
+        .max(reach_hz);
+    // What cannot be solved is refused where it is solved.
+    match TurbineModel::new(turbine, &TurbineMesh::default()) {
+        Ok(mut model) => with_most_modes(&mut model, limit_hz),
+        Err(_) => limit_hz,
+    }
+}
+
+/// The limit, or that below which the turbine at rest has [`MOST_MODES`] modes.
+fn with_most_modes(model: &mut TurbineModel, limit_hz: f64) -> f64 {
+    let mut has_more = |hz: f64| model.count(hz, 0.0) > MOST_MODES;
+    if !has_more(limit_hz) {
+        return limit_hz;
+    }
+    let (mut low_hz, mut high_hz) = (0.0, limit_hz);
+    for _ in 0..HALVINGS {
+        let middle_hz = 0.5 * (low_hz + high_hz);
+        match has_more(middle_hz) {
+            true => high_hz = middle_hz,
+            false => low_hz = middle_hz,
+        }
+    }
+    low_hz
 }
 
 /// Why there is no coupled Campbell diagram.

@@ -91,6 +91,10 @@ fn division_rpm<S: Solved>(
         return None;
     }
     let (from, to) = (&low.modes, &high.modes);
+    // What is missing at a speed cannot be followed there.
+    if !(from.is_complete() && to.is_complete()) {
+        return None;
+    }
     let rows: Vec<(&S, usize)> = (0..from.count()).map(|mode| (from, mode)).collect();
     let assignment = Assignment::greedy(macs(&rows, to), |_| true);
     let is_shown = |modes: &S, mode: usize| modes.frequency_hz(mode) <= shown_hz;

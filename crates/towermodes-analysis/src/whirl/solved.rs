@@ -22,6 +22,9 @@ pub(super) trait Solved {
     /// How many modes there are.
     fn count(&self) -> usize;
 
+    /// Whether no mode is missing.
+    fn is_complete(&self) -> bool;
+
     /// A mode as a point of a curve.
     fn point(&self, mode: usize) -> CurvePoint;
 
@@ -37,6 +40,10 @@ pub(super) trait Solved {
 impl Solved for TurbineModes {
     fn count(&self) -> usize {
         self.modes.len()
+    }
+
+    fn is_complete(&self) -> bool {
+        self.is_complete
     }
 
     fn point(&self, mode: usize) -> CurvePoint {

@@ -27,6 +27,10 @@ struct Mixtures {
 }
 
 impl Solved for Mixtures {
+    fn is_complete(&self) -> bool {
+        true
+    }
+
     fn count(&self) -> usize {
         self.modes.len()
     }

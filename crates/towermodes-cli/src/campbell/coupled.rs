@@ -1,7 +1,7 @@
 //! `towermodes campbell` for a turbine with flexible blades.
 
 use towermodes::turbine::Turbine;
-use towermodes::{Options, Tower};
+use towermodes::{Options, Tower, Warning};
 use towermodes_analysis::resonance::ChosenRotor;
 use towermodes_analysis::whirl::{
     AgainstRigid, CoupledCampbell, CoupledOptions, RotorSpeeds, coupled_campbell, coupled_limit_hz,
@@ -22,6 +22,8 @@ pub(crate) struct Coupled {
     pub(crate) against: Vec<AgainstRigid>,
     /// The notes of the reader on the turbine and the rotor, and the limits of the diagram.
     pub(crate) notes: Vec<Note>,
+    /// Possible mistakes in the input of the tower.
+    pub(crate) warnings: Vec<Warning>,
 }
 
 /// Which diagram answers.
@@ -29,7 +31,7 @@ pub(crate) enum Answer {
     /// That of the whole turbine.
     Turbine(Box<Turbine>),
     /// That of the tower with a rigid rotor, with a note on why, if a user could expect the other.
-    Tower(Option<Note>),
+    Tower(Vec<Note>),
 }
 
 /// The diagram of the turbine if the input has one, unless options ask for that of the tower alone;
@@ -44,22 +46,31 @@ pub(crate) fn answer_of(
     alone: bool,
 ) -> Result<Answer, Failure> {
     if arguments.uncoupled {
-        return Ok(Answer::Tower(None));
+        return Ok(Answer::Tower(Vec::new()));
     }
     let turbine = input.whole_turbine().map_err(Failure::Input)?;
     match (turbine, arguments.is_given()) {
         (None, true) => Err(Failure::Usage(
             "--generator, --limit and --speeds apply only to a turbine with flexible blades; the input has none",
         )),
-        (None, false) => Ok(Answer::Tower(input.turbine_missing.clone())),
+        (None, false) => Ok(Answer::Tower(without_turbine(input))),
         (Some(_), true) if alone => Err(Failure::Usage(
             "--generator, --limit and --speeds apply to the turbine with flexible blades, --method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits and --soil-factor to the tower with a rigid rotor; omit one or the other",
         )),
-        (Some(_), false) if alone => Ok(Answer::Tower(Some(Note::new(
+        (Some(_), false) if alone => Ok(Answer::Tower(vec![Note::new(
             "the rotor is rigid in this diagram, because of options that apply to the tower alone (--method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits, --soil-factor); without them the diagram is that of the turbine with flexible blades".to_owned(),
-        )))),
+        )])),
         (Some(turbine), _) => Ok(Answer::Turbine(Box::new(turbine))),
     }
+}
+
+/// Why the rotor is rigid in the diagram, where the files describe one that could turn.
+fn without_turbine(input: &TowerInput) -> Vec<Note> {
+    let Some(reason) = &input.turbine_missing else {
+        return Vec::new();
+    };
+    let rigid = "so the diagram is that of the tower with a rigid rotor".to_owned();
+    vec![reason.clone(), Note::new(rigid)]
 }
 
 /// Solves a turbine at its rotor speeds, and its tower with the machine as a rigid body.
@@ -76,7 +87,7 @@ pub(crate) fn coupled_of(
     let mut options = Options::default();
     let rigid = solved_to_reach(input, tower, rotor, &mut options, false)?;
     let common = rotor.options();
-    let usual_hz = coupled_limit_hz(&chosen.rotor, &common, &rigid);
+    let usual_hz = coupled_limit_hz(&chosen.rotor, &common, &rigid, turbine);
     let speeds = arguments.speeds.unwrap_or(common.speeds);
     let options = CoupledOptions {
         margin: common.margin,
@@ -99,6 +110,7 @@ pub(crate) fn coupled_of(
         against: diagram.against(&rigid),
         notes: notes(input, &chosen).into_iter().chain(remarks).collect(),
         diagram,
+        warnings: rigid.warnings,
     })
 }
 

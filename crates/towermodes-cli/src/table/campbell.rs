@@ -103,20 +103,25 @@ fn unresisted(campbell: &Campbell) -> Option<String> {
 }
 
 /// The rotor, the margin and how many verdicts of each kind.
-pub(super) fn summary(campbell: &Campbell, has_blade: bool) -> String {
+fn summary(campbell: &Campbell, has_blade: bool) -> String {
+    match has_blade {
+        true => summary_or(campbell, "the blade could not be solved"),
+        false => summary_or(campbell, "no blade data in the input"),
+    }
+}
+
+/// The same, with why there are no blade modes, if there are none.
+pub(super) fn summary_or(campbell: &Campbell, without_blades: &str) -> String {
     let [pass, warn, fail] = verdict_counts(campbell);
+    let mut lines = campbell.lines.iter();
+    let blades = match lines.any(FrequencyLine::is_of_blade) {
+        true => String::new(),
+        false => format!(" | blade modes not checked ({without_blades})"),
+    };
     format!(
-        "{} | margin {} % | {pass} pass, {warn} warn, {fail} fail{}",
+        "{} | margin {} % | {pass} pass, {warn} warn, {fail} fail{blades}",
         operation(&campbell.rotor),
         percent(campbell.margin),
-        match (
-            has_blade,
-            campbell.lines.iter().any(FrequencyLine::is_of_blade)
-        ) {
-            (_, true) => "",
-            (true, false) => " | blade modes not checked (the blade could not be solved)",
-            (false, false) => " | blade modes not checked (no blade data in the input)",
-        },
     )
 }
 

@@ -8,7 +8,7 @@ use towermodes_analysis::resonance::Margin;
 use towermodes_analysis::whirl::{AgainstRigid, Change, CoupledCampbell, CoupledCurve, Meeting};
 use towermodes_report::wording::{STRUCTURE_ONLY, counted, proved};
 
-use super::campbell::{hidden, pairs, summary};
+use super::campbell::{hidden, pairs, summary_or};
 use super::text::{text_table, title, wrapped};
 
 /// The diagram as text; `all` shows every pair of mode and excitation, and the meetings of curves
@@ -43,7 +43,7 @@ pub fn coupled_campbell(
     for sentence in [proved(coupled), STRUCTURE_ONLY.to_owned()] {
         text += &(wrapped(&sentence) + "\n");
     }
-    text + &summary(campbell, true) + "\n"
+    text + &summary_or(campbell, "none is below the limit") + "\n"
 }
 
 /// Each curve with its frequencies at rest and at both ends of operation, and its whirl partner.

@@ -127,6 +127,9 @@ struct PointJson {
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct EnergyJson {
+    /// A floating platform in surge, sway, heave, roll, pitch and yaw, with mooring, water and
+    /// gravity; 0 for other foundations.
+    platform: [f64; 6],
     /// Bending of the tower downwind, with the soil and the foundation.
     tower_fore_aft: f64,
     /// Bending of the tower sideways, with the soil and the foundation.
@@ -285,6 +288,7 @@ fn shares(energy: &TurbineEnergy) -> EnergyJson {
     let [flapwise, edgewise, blade_torsion, blade_axial] =
         energy.blades.map(|energy| harmonics(&energy));
     EnergyJson {
+        platform: energy.platform,
         tower_fore_aft: energy.tower_fore_aft,
         tower_side_side: energy.tower_side_side,
         tower_torsion: energy.tower_torsion,

@@ -27,7 +27,13 @@ const HEADER: [&str; 15] = [
 ];
 
 /// The parts that are no blades, in the order of their columns.
-const STATIONARY: [&str; 6] = [
+const STATIONARY: [&str; 12] = [
+    "platform_surge",
+    "platform_sway",
+    "platform_heave",
+    "platform_roll",
+    "platform_pitch",
+    "platform_yaw",
     "tower_fore_aft",
     "tower_side_side",
     "tower_torsion",
@@ -109,7 +115,8 @@ fn numbers(point: &CurvePoint, is_complete: String) -> Vec<String> {
         .blades
         .iter()
         .flat_map(|own| [own.collective, own.forward, own.backward, own.tilt, own.yaw]);
-    let shares = stationary.into_iter().chain(blades);
+    let stationary = energy.platform.into_iter().chain(stationary);
+    let shares = stationary.chain(blades);
     row.extend(shares.map(|share| share.to_string()));
     row
 }

@@ -156,7 +156,7 @@ fn turbine_of(
         margin: given.margin,
         multiples: given.multiples.clone(),
         speeds: RotorSpeeds::Equal(given.speeds),
-        ..CoupledOptions::up_to(coupled_limit_hz(&rotor, given, solution))
+        ..CoupledOptions::up_to(coupled_limit_hz(&rotor, given, solution, &turbine))
     };
     let coupled = coupled_campbell(&turbine, &rotor, &options, |_| ());
     Some(coupled.map(|coupled| TurbineResults {

@@ -35,14 +35,16 @@ impl Bordered {
     }
 
     /// Adds a coordinate that moves what is above it in one component, as the component itself
-    /// does.
-    pub(super) fn border(&mut self, component: usize) {
-        for i in 0..6 {
-            self.entries[i][6] = self.entries[i][component];
-            self.entries[6][i] = self.entries[component][i];
+    /// does; returns its place.
+    pub(super) fn border(&mut self, component: usize) -> usize {
+        let place = self.rows;
+        for i in 0..place {
+            self.entries[i][place] = self.entries[i][component];
+            self.entries[place][i] = self.entries[component][i];
         }
-        self.entries[6][6] = self.entries[component][component];
-        self.rows = 7;
+        self.entries[place][place] = self.entries[component][component];
+        self.rows += 1;
+        place
     }
 
     pub(super) fn add(&mut self, i: usize, j: usize, value: f64) {

@@ -55,15 +55,16 @@ impl Gyroscopic for Coupled<'_> {
         let TurbineModel {
             tower,
             machine,
+            is_locked,
             workspace,
             factors,
             ..
         } = &mut *self.model;
         let tower = &tower.members()[0];
         let (of_tower, of_machine) = x.split_at_mut(tower.degrees_of_freedom());
-        let at_top = machine.reduce(factors, of_machine);
+        let at_top = machine.reduce(*is_locked, factors, of_machine);
         let top = tower.solve_under(workspace, at_top, of_tower);
-        machine.substitute(factors, &top, of_machine);
+        machine.substitute(*is_locked, factors, &top, of_machine);
     }
 
     fn derivative(&mut self, w: f64, x: &[Complex], out: &mut [Complex]) -> f64 {

@@ -11,7 +11,7 @@ use crate::beam::BladeFactors;
 use crate::rotor::{Reactionless, reactionless};
 
 /// The coarsest and the finest grid on which modes of negative energy are sought.
-const GRIDS: std::ops::RangeInclusive<u32> = 6..=12;
+const GRIDS: std::ops::RangeInclusive<u32> = 6..=9;
 
 /// A natural frequency of a turbine at a speed, or several that cannot be told apart.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -9,10 +9,8 @@ use crate::scalar::Complex;
 use crate::space::SpatialMatrix;
 use crate::tower::{Inertia, RigidBody, Rna, spatial_inertia};
 
-/// Places of the coordinates beside the motion of the nacelle: relative rotation of the rotor, and
-/// rotation of the generator.
-pub(super) const ROTOR: usize = 6;
-pub(super) const GENERATOR: usize = 7;
+/// The place of the first joint's coordinate beside the motion of the nacelle.
+const FIRST_JOINT: usize = 6;
 /// Rotation about the shaft, and about the tower.
 pub(super) const ABOUT_SHAFT: usize = 3;
 pub(super) const ABOUT_TOWER: usize = 5;
@@ -113,45 +111,33 @@ impl Machine {
         speed * (self.polar_inertia + self.gear_ratio * self.generator_inertia)
     }
 
-    /// The coordinate that turns with the generator, if it is free.
-    pub(super) fn of_generator(&self, is_locked: bool) -> Option<usize> {
-        match (is_locked, self.shaft.is_infinite()) {
-            (true, _) => None,
-            (false, true) => Some(ROTOR),
-            (false, false) => Some(GENERATOR),
-        }
-    }
-
-    /// Whether the rotor turns against the nacelle.
-    pub(super) fn turns(&self, is_locked: bool) -> bool {
-        !(is_locked && self.shaft.is_infinite())
+    /// Whether the shaft twists.
+    pub(super) fn twists(&self) -> bool {
+        !self.shaft.is_infinite()
     }
 
     /// Adds shaft and generator: the rotor turns by θ + g + d about the shaft, with the rotation θ
     /// of the nacelle, g of the generator at the slow end and the twist d.
     ///
-    /// Twice the energies are k d² and J (q g′ + θ′)².
+    /// Twice the energies are k d² and J (q g′ + θ′)². With the twist as coordinate a stiffness of
+    /// any size costs no digits.
     fn turn_shaft(&self, w: f64, is_locked: bool, own: &mut Condensed) -> Bordered {
         let inertia = -w * w * self.generator_inertia;
         let mut all = Bordered::of(&own.matrix);
-        let is_rigid = self.shaft.is_infinite();
-        if self.turns(is_locked) {
-            // The coordinate is g + d.
-            all.border(ABOUT_SHAFT);
-        }
-        all.add(ABOUT_SHAFT, ABOUT_SHAFT, inertia);
-        if !is_rigid {
-            all.add(ROTOR, ROTOR, self.shaft);
-        }
-        if let Some(generator) = self.of_generator(is_locked) {
-            all.rows = generator + 1;
+        if !is_locked {
+            let generator = all.border(ABOUT_SHAFT);
             all.add(generator, generator, self.gear_ratio.powi(2) * inertia);
             all.add_both(ABOUT_SHAFT, generator, self.gear_ratio * inertia);
-            if !is_rigid {
-                all.add(GENERATOR, GENERATOR, self.shaft);
-                all.add_both(ROTOR, GENERATOR, -self.shaft);
-            }
         }
+        if self.twists() {
+            let twist = all.border(ABOUT_SHAFT);
+            if !is_locked {
+                // The inertia of the generator does not turn with the twist.
+                all.add_both(FIRST_JOINT, twist, -self.gear_ratio * inertia);
+            }
+            all.add(twist, twist, self.shaft);
+        }
+        all.add(ABOUT_SHAFT, ABOUT_SHAFT, inertia);
         all.condense(own);
         all
     }
@@ -160,8 +146,8 @@ impl Machine {
     fn turn_yaw(&self, own: &mut Condensed) -> Bordered {
         let mut all = Bordered::of(&own.matrix);
         if self.yaws() {
-            all.border(ABOUT_TOWER);
-            all.add(ROTOR, ROTOR, self.yaw);
+            let yaw = all.border(ABOUT_TOWER);
+            all.add(yaw, yaw, self.yaw);
         }
         all.condense(own);
         all

@@ -1,7 +1,7 @@
 //! Motions of nacelle, drivetrain and rotor: solutions and products at a frequency.
 
 use super::bordered::Bordered;
-use super::machine::{ABOUT_SHAFT, ABOUT_TOWER, GENERATOR, Machine, ROTOR};
+use super::machine::{ABOUT_SHAFT, ABOUT_TOWER, Machine};
 use crate::rotor::RotorFactors;
 use crate::scalar::{Complex, Scalar};
 use crate::space::SpatialMatrix;
@@ -17,12 +17,14 @@ pub(super) struct MachineFactors {
 /// A motion or a force in phasors.
 pub(super) type Phasors = [Complex; 6];
 
-/// Coordinates of the joints: yaw of the nacelle, rotation of the rotor against it, and of the
-/// generator against it at the slow end of the shaft; zero where there is none.
+/// Coordinates of the joints: yaw of the nacelle, rotation of the generator against it at the slow
+/// end of the shaft, and twist of the shaft; zero where there is none.
 pub(super) const JOINTS: usize = 3;
 const YAW: usize = 0;
-const OF_ROTOR: usize = 1;
-const OF_GENERATOR: usize = 2;
+const GENERATOR: usize = 1;
+const TWIST: usize = 2;
+/// The place of the first coordinate of a joint in its matrix.
+const FIRST: usize = 6;
 
 impl Machine {
     /// Number of its coordinates: those of the joints, then those of the blades.
@@ -30,52 +32,63 @@ impl Machine {
         JOINTS + self.rotor.degrees_of_freedom()
     }
 
+    /// The joints of the shaft in the order of their places.
+    fn of_shaft(&self, is_locked: bool) -> impl Iterator<Item = usize> {
+        let joints = [(GENERATOR, !is_locked), (TWIST, self.twists())].into_iter();
+        joints
+            .filter(|(_, is_there)| *is_there)
+            .map(|(joint, _)| joint)
+    }
+
     /// Eliminates the coordinates from a right side; returns the force on the tower top.
-    pub(super) fn reduce(&self, factors: &mut MachineFactors, right: &mut [Complex]) -> Phasors {
+    pub(super) fn reduce(
+        &self,
+        is_locked: bool,
+        factors: &mut MachineFactors,
+        right: &mut [Complex],
+    ) -> Phasors {
         let (joints, blades) = right.split_at_mut(JOINTS);
         let at_apex = self.rotor.reduce(&mut factors.rotor, blades);
         let mut of_shaft = bordered(&at_apex);
-        of_shaft[ROTOR] = joints[OF_ROTOR] + at_apex[ABOUT_SHAFT];
-        of_shaft[GENERATOR] = joints[OF_GENERATOR];
+        for (place, joint) in (FIRST..).zip(self.of_shaft(is_locked)) {
+            of_shaft[place] = joints[joint] + at_apex[ABOUT_SHAFT];
+        }
         factors.joints[0].reduce(&mut of_shaft);
-        joints[OF_ROTOR] = of_shaft[ROTOR];
-        joints[OF_GENERATOR] = of_shaft[GENERATOR];
+        for (place, joint) in (FIRST..).zip(self.of_shaft(is_locked)) {
+            joints[joint] = of_shaft[place];
+        }
         let at_nacelle = transposed_times(&self.to_apex, &of_shaft);
         let mut of_yaw = bordered(&at_nacelle);
-        of_yaw[ROTOR] = joints[YAW] + at_nacelle[ABOUT_TOWER];
+        of_yaw[FIRST] = joints[YAW] + at_nacelle[ABOUT_TOWER];
         factors.joints[1].reduce(&mut of_yaw);
-        joints[YAW] = of_yaw[ROTOR];
+        joints[YAW] = of_yaw[FIRST];
         std::array::from_fn(|i| of_yaw[i])
     }
 
     /// Finds the coordinates from the motion of the tower top, in place of a reduced right side.
     pub(super) fn substitute(
         &self,
+        is_locked: bool,
         factors: &mut MachineFactors,
         top: &Phasors,
         own: &mut [Complex],
     ) {
         let (joints, blades) = own.split_at_mut(JOINTS);
-        let mut of_yaw = bordered(top);
-        of_yaw[ROTOR] = joints[YAW];
-        factors.joints[1].substitute(&mut of_yaw);
-        let has_yaw = factors.joints[1].rows > ROTOR;
-        joints[YAW] = if has_yaw {
-            of_yaw[ROTOR]
-        } else {
-            Complex::default()
-        };
+        let reduced = [joints[YAW], joints[GENERATOR], joints[TWIST]];
+        joints.fill(Complex::default());
+        if self.yaws() {
+            let mut of_yaw = bordered(top);
+            of_yaw[FIRST] = reduced[YAW];
+            factors.joints[1].substitute(&mut of_yaw);
+            joints[YAW] = of_yaw[FIRST];
+        }
         let mut of_shaft = bordered(&self.shaft_motion(top, joints[YAW]));
-        of_shaft[ROTOR] = joints[OF_ROTOR];
-        of_shaft[GENERATOR] = joints[OF_GENERATOR];
+        for (place, joint) in (FIRST..).zip(self.of_shaft(is_locked)) {
+            of_shaft[place] = reduced[joint];
+        }
         factors.joints[0].substitute(&mut of_shaft);
-        for (place, of) in [(OF_ROTOR, ROTOR), (OF_GENERATOR, GENERATOR)] {
-            let is_there = factors.joints[0].rows > of;
-            joints[place] = if is_there {
-                of_shaft[of]
-            } else {
-                Complex::default()
-            };
+        for (place, joint) in (FIRST..).zip(self.of_shaft(is_locked)) {
+            joints[joint] = of_shaft[place];
         }
         let apex = self.apex_motion(top, joints);
         self.rotor.substitute(&mut factors.rotor, &apex, blades);
@@ -108,22 +121,19 @@ impl Machine {
         let spin = self.spin(speed);
         force[4] += Complex::new(-spin * apex[5].im, spin * apex[5].re);
         force[5] -= Complex::new(-spin * apex[4].im, spin * apex[4].re);
-        let generator = self.of_generator(is_locked);
-        let mut at_shaft = force;
-        if self.turns(is_locked) {
-            out[OF_ROTOR] = force[ABOUT_SHAFT];
+        for joint in self.of_shaft(is_locked) {
+            out[joint] = force[ABOUT_SHAFT];
         }
         // The generator turns by θ + q g.
+        let mut at_shaft = force;
         let nacelle = self.nacelle_motion(top, joints[YAW]);
         let about_shaft = self.shaft_motion(top, joints[YAW])[ABOUT_SHAFT];
-        let place = generator.map(|of| if of == ROTOR { OF_ROTOR } else { OF_GENERATOR });
-        let own = place.map_or(Complex::default(), |place| joints[place]);
-        let turned = about_shaft + own.times(self.gear_ratio);
+        let turned = about_shaft + joints[GENERATOR].times(self.gear_ratio);
         let momentum = turned.times(self.generator_inertia);
         let of_generator = (turned.conj() * momentum).re;
         at_shaft[ABOUT_SHAFT] += momentum.times(-2.0 * w);
-        if let Some(place) = place {
-            out[place] += momentum.times(-2.0 * w * self.gear_ratio);
+        if !is_locked {
+            out[GENERATOR] += momentum.times(-2.0 * w * self.gear_ratio);
         }
         let mut force = transposed_times(&self.to_apex, &at_shaft);
         add(&self.nacelle, &nacelle, &mut force);
@@ -149,7 +159,7 @@ impl Machine {
     /// The motion of the apex of the rotor, in the axes of the shaft.
     pub(super) fn apex_motion(&self, top: &Phasors, joints: &[Complex]) -> Phasors {
         let mut apex = self.shaft_motion(top, joints[YAW]);
-        apex[ABOUT_SHAFT] += joints[OF_ROTOR];
+        apex[ABOUT_SHAFT] += joints[GENERATOR] + joints[TWIST];
         apex
     }
 
@@ -175,7 +185,8 @@ impl Machine {
     pub(super) fn shaft_energy(&self, joints: &[Complex]) -> f64 {
         let square = |x: Complex| x.re * x.re + x.im * x.im;
         let generator = self.generator_inertia * self.gear_ratio * self.gear_ratio;
-        self.rotor_inertia * square(joints[OF_ROTOR]) + generator * square(joints[OF_GENERATOR])
+        let of_rotor = joints[GENERATOR] + joints[TWIST];
+        self.rotor_inertia * square(of_rotor) + generator * square(joints[GENERATOR])
     }
 
     /// Square roots of twice the elastic energies of yaw drive and shaft.
@@ -184,8 +195,10 @@ impl Machine {
             true => Complex::default(),
             false => x.times(stiffness.sqrt()),
         };
-        let twist = joints[OF_ROTOR] - joints[OF_GENERATOR];
-        [scaled(self.yaw, joints[YAW]), scaled(self.shaft, twist)]
+        [
+            scaled(self.yaw, joints[YAW]),
+            scaled(self.shaft, joints[TWIST]),
+        ]
     }
 }
 

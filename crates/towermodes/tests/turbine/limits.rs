@@ -152,3 +152,20 @@ fn four_lighter_blades_have_the_modes_of_three_and_those_that_do_not_move_the_hu
     // The blade alone has no cone, which changes the speed's effect by 1 − cos² 3° = 3e-3 of it.
     assert_near(&others, &of_blade, 1e-3);
 }
+
+/// A shaft however stiff is a rigid one, with its generator locked or free: no digits are lost.
+#[test]
+fn stiff_shafts_tend_to_a_rigid_one() {
+    for is_locked in [true, false] {
+        let with = |shaft_n_m_per_rad: f64| {
+            let mut machine = tilted();
+            machine.generator.is_locked = is_locked;
+            machine.shaft_n_m_per_rad = shaft_n_m_per_rad;
+            frequencies(&mut model(machine), 3.0, 10.0)
+        };
+        let rigid = with(f64::INFINITY);
+        for stiffness in [1e18, 1e22, 1e30] {
+            assert_near(&with(stiffness), &rigid, 1e-8);
+        }
+    }
+}

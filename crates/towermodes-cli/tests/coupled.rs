@@ -1,0 +1,97 @@
+//! Turbines whose rotor turns, by the program: fast rotors, generators, what is refused.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const EXAMPLE: &str = "examples/nrel-5mw-turbine.toml";
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// Standard output and standard error.
+fn said(arguments: &[&str]) -> [String; 2] {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_towermodes"));
+    let output: Output = command
+        .current_dir(root())
+        .args(arguments)
+        .output()
+        .expect("the program runs");
+    [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("text"))
+}
+
+fn json(arguments: &[&str]) -> serde_json::Value {
+    let [out, err] = said(&[arguments, &["--format", "json"]].concat());
+    serde_json::from_str(&out).unwrap_or_else(|error| panic!("{error}: {err}"))
+}
+
+/// The NREL 5 MW turbine reaches the frequencies of its blades at 81.6 rpm, and is not stable at
+/// every speed above.
+#[test]
+fn fast_rotors_are_said_to_be_unstable_or_not_certified() {
+    let fast = [
+        "campbell", EXAMPLE, "--rpm", "100,115", "--speeds", "5", "--limit", "0.5",
+    ];
+    let [out, err] = said(&fast);
+    assert!(out.contains("Unstable or not certified at"), "{out}");
+    assert!(
+        err.contains("warning: unstable or not certified at"),
+        "{err}"
+    );
+    assert!(err.contains("has negative energy from 8"), "{err}");
+    let slow = [
+        "campbell", EXAMPLE, "--rpm", "6.9,60", "--speeds", "5", "--limit", "0.5",
+    ];
+    let [out, err] = said(&slow);
+    assert!(
+        out.contains("counts prove that no mode below 0.5000 Hz is missing"),
+        "{out}"
+    );
+    assert!(!err.contains("negative energy"), "{err}");
+}
+
+/// A locked generator holds the rotor against rolling with the nacelle: side-side is slower, and
+/// the drivetrain is a mode of 0.6 Hz instead of 1.7 Hz.
+#[test]
+fn the_generator_is_locked_or_free_as_asked() {
+    let first = |state: &str, label: &str| {
+        let result = json(&[
+            "campbell",
+            EXAMPLE,
+            "--generator",
+            state,
+            "--speeds",
+            "2",
+            "--limit",
+            "2",
+        ]);
+        let curves = result["curves"].as_array().expect("curves").clone();
+        let curve = curves.into_iter().find(|curve| curve["label"] == label);
+        let curve = curve.unwrap_or_else(|| panic!("{label}"));
+        curve["points"][0]["frequency_hz"]
+            .as_f64()
+            .expect("a number")
+    };
+    let (locked, free) = ("locked", "free");
+    assert!((first(locked, "1st tower side-side") - 0.3116).abs() < 1e-4);
+    assert!((first(free, "1st tower side-side") - 0.3184).abs() < 1e-4);
+    assert!((first(locked, "1st drivetrain torsion") - 0.6314).abs() < 1e-4);
+    assert!((first(free, "1st drivetrain torsion") - 1.6851).abs() < 1e-4);
+}
+
+#[test]
+fn two_blades_are_refused_at_their_line() {
+    let text = fs::read_to_string(root().join(EXAMPLE)).expect("the example");
+    let text = text.replace("blades = 3", "blades = 2");
+    let text = text.replace("[turbine]\n", "[turbine]\nblades = 2\n");
+    let path = std::env::temp_dir().join(format!("two-blades-{}.toml", std::process::id()));
+    fs::write(&path, text).expect("written");
+    let [_, err] = said(&["campbell", path.to_str().expect("text")]);
+    fs::remove_file(&path).expect("removed");
+    assert!(
+        err.contains("error: a rotor of 2 blades is not solved"),
+        "{err}"
+    );
+    assert!(err.contains("blades = 2"), "{err}");
+}
