@@ -8,6 +8,7 @@ import pickle
 import numpy as np
 import pytest
 from conftest import ROOT
+from test_solution import program
 
 import towermodes as tm
 
@@ -64,6 +65,49 @@ def test_copies_and_pickles_compute_the_same(turbine: tm.Turbine) -> None:
     assert np.array_equal(restored.frequency_hz, modes.frequency_hz)
     assert restored.turbine == turbine
     assert again.tower.turbine == turbine
+
+
+def test_curves_are_the_modes_at_each_speed(turbine: tm.Turbine) -> None:
+    campbell = turbine.campbell(np.linspace(0.0, 12.1, 5), limit_hz=1.0)
+    assert campbell.certified and campbell.certified_at.all()
+    assert campbell.frequency_hz.shape == (len(campbell.names), len(campbell.rpm))
+    assert set(np.linspace(0.0, 12.1, 5)) <= set(campbell.rpm)
+    assert 6.9 in campbell.rpm
+    for rpm in (0.0, 6.9, 12.1):
+        column = campbell.frequency_hz[:, list(campbell.rpm).index(rpm)]
+        below = np.sort(column[column <= 1.0])
+        assert below == pytest.approx(turbine.modes(rpm, 1.0).frequency_hz, rel=1e-8)
+    is_there = np.isfinite(campbell.frequency_hz)
+    assert np.all((campbell.lower_hz <= campbell.upper_hz)[is_there])
+    total = sum(campbell.energy.values())[is_there]  # type: ignore[index]
+    assert total == pytest.approx(np.ones(is_there.sum()), abs=1e-12)
+    for index, partner in enumerate(campbell.partners):
+        assert partner is None or campbell.partners[partner] == index
+
+
+def test_a_diagram_is_that_of_the_program(turbine: tm.Turbine) -> None:
+    campbell = turbine.campbell(limit_hz=1.0)
+    given = ["campbell", "examples/nrel-5mw-turbine.toml", "--limit", "1"]
+    assert campbell.to_csv() == program(*given, "--format", "csv")
+    assert campbell.verdict == campbell.data["verdict"]
+    assert campbell.margins[0]["multiple"] == 1
+    assert campbell.conclusion in " ".join(repr(campbell).split())
+    assert campbell.plot().startswith("<svg")
+    table = campbell.to_dict()
+    count = int(np.isfinite(campbell.frequency_hz).sum())
+    assert all(len(column) == count for column in table.values())  # type: ignore[arg-type]
+    again = pickle.loads(pickle.dumps(campbell))
+    assert again.to_csv() == campbell.to_csv()
+    assert again.turbine == turbine
+
+
+def test_impossible_diagrams_are_refused(turbine: tm.Turbine) -> None:
+    with pytest.raises(ValueError, match="a rotor speed is -1 rpm"):
+        turbine.campbell([-1.0, 12.1])
+    with pytest.raises(ValueError, match=r"operating_rpm is \(7.0,\)"):
+        turbine.campbell(operating_rpm=(7.0,))
+    with pytest.raises(TypeError, match="rpm"):
+        turbine.campbell(["fast"])
 
 
 def test_a_table_has_a_row_for_each_mode(turbine: tm.Turbine) -> None:

@@ -32,7 +32,7 @@ from towermodes._study import Agreement, Comparison, Examination
 from towermodes._sweep import SweepResult
 from towermodes._tower import Tower
 from towermodes._towermodes import VERSION as __version__
-from towermodes._turbine import Turbine, TurbineModes
+from towermodes._turbine import Turbine, TurbineCampbell, TurbineModes
 
 __all__ = [
     "Agreement",
@@ -55,6 +55,7 @@ __all__ = [
     "Tower",
     "TowerError",
     "Turbine",
+    "TurbineCampbell",
     "TurbineModes",
     "__version__",
     "read",

@@ -6,7 +6,7 @@ The classes and functions of the package.
 from _typeshed import Incomplete, SupportsGetItem
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Damping", "Examination", "FirstOrder", "Found", "Solution", "SweepFolder", "Tower", "TurbineModes", "calibrate", "close", "columns_of_stream", "design", "mode_named", "read", "read_text", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep"]
+__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Damping", "Examination", "FirstOrder", "Found", "Solution", "SweepFolder", "Tower", "TurbineCampbell", "TurbineModes", "calibrate", "close", "columns_of_stream", "design", "mode_named", "read", "read_text", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep"]
 
 VERSION: Final[str]
 """
@@ -539,6 +539,112 @@ class Tower:
     def warnings(self, /) -> list[str]:
         """
         Input that is possible but probably a mistake.
+        """
+
+@final
+class TurbineCampbell:
+    """
+    A coupled Campbell diagram.
+    """
+    def __new__(cls, /, tower: Tower, rpm: SupportsGetItem[int, SupportsFloat | SupportsIndex], limit_hz: SupportsFloat | SupportsIndex | None, rotor: "dict[str, object]") -> TurbineCampbell:
+        """
+        The diagram of the turbine on a tower; no speeds are the usual ones.
+        """
+    @property
+    def certified(self, /) -> bool:
+        """
+        Whether all lists are complete and the turbine is stable.
+        """
+    @property
+    def certified_at(self, /) -> list[bool]:
+        """
+        The same for each speed.
+        """
+    @property
+    def conclusion(self, /) -> list[str]:
+        """
+        The conclusion in sentences.
+        """
+    def csv(self, /) -> str:
+        """
+        The CSV of the program.
+        """
+    @property
+    def energy(self, /) -> Incomplete:
+        """
+        Fractions of the elastic energy: (curves, speeds, parts).
+        """
+    @property
+    def energy_parts(self, /) -> list[str]:
+        """
+        The names of the parts of `energy`.
+        """
+    @property
+    def error_hz(self, /) -> Incomplete:
+        """
+        Errors of the mesh, Hz, where they are known.
+        """
+    @property
+    def frequency_hz(self, /) -> Incomplete:
+        """
+        Frequencies, Hz: (curves, speeds).
+        """
+    def json(self, /) -> str:
+        """
+        The JSON of the program.
+        """
+    @property
+    def limit_hz(self, /) -> float:
+        """
+        Up to which frequency, Hz.
+        """
+    @property
+    def lower_hz(self, /) -> Incomplete:
+        """
+        Their lower bounds, Hz.
+        """
+    @property
+    def names(self, /) -> list[str]:
+        """
+        The names of the curves.
+        """
+    @property
+    def notes(self, /) -> list[str]:
+        """
+        The notes of the reader.
+        """
+    @property
+    def partners(self, /) -> list[int | None]:
+        """
+        The index of the other curve of each whirl pair.
+        """
+    @property
+    def rpm(self, /) -> Incomplete:
+        """
+        The rotor speeds, rpm.
+        """
+    def svg(self, /) -> str:
+        """
+        The diagram as SVG.
+        """
+    def table(self, /) -> str:
+        """
+        The table of the program.
+        """
+    @property
+    def upper_hz(self, /) -> Incomplete:
+        """
+        Their upper bounds, Hz.
+        """
+    @property
+    def verdict(self, /) -> str:
+        """
+        The worst verdict: `pass`, `warn` or `fail`.
+        """
+    @property
+    def warnings(self, /) -> list[str]:
+        """
+        Limits of the diagram.
         """
 
 @final

@@ -5,13 +5,17 @@ from __future__ import annotations
 from math import isfinite
 
 from towermodes import _towermodes as _rust
-from towermodes._checks import number
-from towermodes._computed import Computed
+from towermodes._checks import number, number_or_none, whole
+from towermodes._computed import Computed, Tabular
+from towermodes._picture import Picture
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any, SupportsIndex
+
     import numpy as np
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     from towermodes._tower import Tower
 
@@ -83,6 +87,58 @@ class Turbine:
             message = f"rpm is {speed}; it must be a finite number"
             raise ValueError(message)
         return TurbineModes._of((self._tower,), speed, limit)
+
+    def campbell(
+        self,
+        rpm: ArrayLike = (),
+        *,
+        limit_hz: float | None = None,
+        operating_rpm: Sequence[float] | None = None,
+        multiples: Sequence[SupportsIndex] = (),
+        margin: float = 0.05,
+    ) -> TurbineCampbell:
+        """The coupled Campbell diagram: all modes below a frequency, followed over the rotor speed.
+
+        Args:
+            rpm: Rotor speeds, rpm, at which the turbine is solved besides the operating speeds; by
+                default 25 from standstill to 1.2 times the highest operating speed. Where curves
+                come close to each other, speeds are added.
+            limit_hz: The frequency, Hz; by default what the excitations reach, and the second
+                bending modes of the tower.
+            operating_rpm: Lowest and highest operating speed; by default those of the file,
+                otherwise the lowest and the highest of `rpm`.
+            multiples: Multiples of the rotor speed; by default 1, B, 2B, 3B with B blades.
+            margin: Required distance as a fraction of the natural frequency.
+
+        Raises:
+            ValueError: The rotor speed is not known, or a value is impossible.
+
+        >>> import towermodes as tm
+        >>> turbine = tm.read("examples/nrel-5mw-turbine.toml").turbine
+        >>> campbell = turbine.campbell([0.0, 6.0, 12.1], limit_hz=1.0)
+        >>> campbell.certified
+        True
+        >>> campbell.names[0]
+        '1st tower fore-aft'
+        """
+        import numpy as np
+
+        speeds = [number("rpm", one) for one in np.ravel(np.asarray(rpm, dtype=object))]
+        operating = None
+        if operating_rpm is not None:
+            if len(operating_rpm) != 2:
+                message = f"operating_rpm is {operating_rpm!r}; it must be (lowest, highest)"
+                raise ValueError(message)
+            lowest, highest = operating_rpm
+            operating = (number("operating_rpm", lowest), number("operating_rpm", highest))
+        rotor: dict[str, object] = {
+            "rpm": operating,
+            "blades": None,
+            "multiples": [whole("a multiple", multiple, 1) for multiple in multiples],
+            "margin": number("margin", margin),
+        }
+        limit = number_or_none("limit_hz", limit_hz)
+        return TurbineCampbell._of((self._tower,), speeds, limit, rotor)
 
     def __eq__(self, other: object) -> bool:
         """Whether both are on equal towers and have the same numbers."""
@@ -179,9 +235,10 @@ class TurbineModes(Computed):
     def energy(self) -> dict[str, Array]:
         """Fractions of the elastic energy by part: each (modes,). For each mode they sum to 1.
 
-        The parts are `tower_fore_aft`, `tower_side_side`, `tower_torsion`, `tower_axial`,
-        `yaw_drive`, `shaft`, and `flapwise`, `edgewise`, `blade_torsion`, `blade_axial`, each with
-        `_collective`, `_forward` and `_backward`.
+        The parts are the motions of a floating platform (`platform_surge` to `platform_yaw`),
+        `tower_fore_aft`, `tower_side_side`, `tower_torsion`, `tower_axial`, `yaw_drive`, `shaft`,
+        and `flapwise`, `edgewise`, `blade_torsion`, `blade_axial`, each with `_collective`,
+        `_forward` and `_backward`.
         """
         shares: Array = self._core.energy
         return {part: shares[:, k] for k, part in enumerate(self._core.energy_parts)}
@@ -215,3 +272,158 @@ class TurbineModes(Computed):
         ]
         proof = "complete and stable" if self.certified else "unstable or not certified"
         return "\n".join([head, *rows, proof])
+
+
+class TurbineCampbell(Tabular):
+    """Modes of a turbine followed over the rotor speed, and their distances from the excitations.
+
+    Frequencies are those in axes that do not turn. Arrays of numbers are (curves, speeds), NaN
+    where a curve has left the diagram.
+
+    >>> import towermodes as tm
+    >>> turbine = tm.read("examples/nrel-5mw-turbine.toml").turbine
+    >>> campbell = turbine.campbell([0.0, 12.1], limit_hz=1.0)
+    >>> campbell.frequency_hz.shape == (len(campbell.names), len(campbell.rpm))
+    True
+    """
+
+    __slots__ = ()
+
+    _compute = _rust.TurbineCampbell
+    _maker = "Turbine.campbell"
+    _core: _rust.TurbineCampbell
+
+    @property
+    def turbine(self) -> Turbine:
+        """The turbine."""
+        return Turbine._of(self._towers[0])
+
+    @property
+    def verdict(self) -> str:
+        """The worst verdict: "pass", "warn" or "fail".
+
+        At best "warn" where modes do not cover all excitations or are not certified in operation.
+        """
+        return self._core.verdict
+
+    @property
+    def conclusion(self) -> str:
+        """The conclusion in sentences."""
+        return " ".join(self._core.conclusion)
+
+    @property
+    def certified(self) -> bool:
+        """Whether counts prove at every speed that no mode is missing and that none is unstable."""
+        return self._core.certified
+
+    @property
+    def certified_at(self) -> NDArray[np.bool_]:
+        """The same for each rotor speed: (speeds,)."""
+        import numpy as np
+
+        return np.array(self._core.certified_at, dtype=np.bool_)
+
+    @property
+    def limit_hz(self) -> float:
+        """The frequency up to which all modes are followed, Hz."""
+        return self._core.limit_hz
+
+    @property
+    def rpm(self) -> Array:
+        """The rotor speeds at which the turbine was solved, rpm: (speeds,)."""
+        array: Array = self._core.rpm
+        return array
+
+    @property
+    def names(self) -> list[str]:
+        """The names of the curves: those of their modes over most of the operating speeds."""
+        return self._core.names
+
+    @property
+    def partners(self) -> list[int | None]:
+        """For each backward whirl the index of the forward whirl of the same motion, and reverse."""
+        return self._core.partners
+
+    @property
+    def frequency_hz(self) -> Array:
+        """Natural frequencies, Hz: (curves, speeds)."""
+        array: Array = self._core.frequency_hz
+        return array
+
+    @property
+    def lower_hz(self) -> Array:
+        """Lower bounds of the frequencies of the model, proved by counts, Hz: (curves, speeds)."""
+        array: Array = self._core.lower_hz
+        return array
+
+    @property
+    def upper_hz(self) -> Array:
+        """Upper bounds, Hz: (curves, speeds)."""
+        array: Array = self._core.upper_hz
+        return array
+
+    @property
+    def error_hz(self) -> Array:
+        """Errors of the mesh, Hz: (curves, speeds).
+
+        They are estimated at the ends of the diagram and of operation, and NaN between.
+        """
+        array: Array = self._core.error_hz
+        return array
+
+    @property
+    def energy(self) -> dict[str, Array]:
+        """Fractions of the elastic energy by part, as in `TurbineModes`: each (curves, speeds)."""
+        shares: Array = self._core.energy
+        return {part: shares[:, :, k] for k, part in enumerate(self._core.energy_parts)}
+
+    @property
+    def margins(self) -> list[dict[str, Any]]:
+        """The distance of every curve from every excitation, with the keys of the program's JSON."""
+        margins: list[dict[str, Any]] = self.data["margins"]
+        return margins
+
+    @property
+    def notes(self) -> list[str]:
+        """Assumptions and omissions when the file was read."""
+        return self._core.notes
+
+    @property
+    def warnings(self) -> list[str]:
+        """Limits of the diagram."""
+        return self._core.warnings
+
+    def to_dict(self) -> dict[str, object]:
+        """A table with a row for each curve and speed: `pandas.DataFrame(campbell.to_dict())`."""
+        import numpy as np
+
+        is_there = np.isfinite(self.frequency_hz)
+        curve, speed = np.nonzero(is_there)
+        names = self.names
+        numbers = {
+            "frequency_hz": self.frequency_hz,
+            "lower_hz": self.lower_hz,
+            "upper_hz": self.upper_hz,
+            "error_hz": self.error_hz,
+            **self.energy,
+        }
+        return {
+            "curve": curve,
+            "name": [names[k] for k in curve],
+            "rpm": self.rpm[speed],
+            **{name: values[is_there] for name, values in numbers.items()},
+        }
+
+    def to_csv(self) -> str:
+        """One line per curve and rotor speed as CSV, as the program writes it."""
+        return self._core.csv()
+
+    def plot(self) -> Picture:
+        """The coupled Campbell diagram."""
+        return Picture(self._core.svg())
+
+    def _said(self) -> list[str]:
+        return [*self.notes, *self.warnings]
+
+    def _picture(self) -> str:
+        return self._core.svg()

@@ -32,14 +32,20 @@ pub struct Campbell {
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct RotorOptions {
-    rpm: Option<(f64, f64)>,
-    blades: Option<usize>,
+    /// Lowest and highest operating speed.
+    pub rpm: Option<(f64, f64)>,
+    /// Number of blades.
+    pub blades: Option<usize>,
     multiples: Vec<usize>,
     margin: f64,
 }
 
 impl RotorOptions {
-    fn rotor(&self, input: &TowerInput) -> PyResult<ChosenRotor> {
+    /// The rotor, with the data of the file where none are given.
+    ///
+    /// # Errors
+    /// `ValueError` without a rotor speed.
+    pub fn rotor(&self, input: &TowerInput) -> PyResult<ChosenRotor> {
         let given = GivenRotor {
             speeds_rpm: self.rpm,
             blades: self.blades,
@@ -50,7 +56,8 @@ impl RotorOptions {
         })
     }
 
-    fn of_library(&self) -> CampbellOptions {
+    /// The options of the library.
+    pub fn of_library(&self) -> CampbellOptions {
         CampbellOptions {
             margin: self.margin,
             multiples: self.multiples.clone(),

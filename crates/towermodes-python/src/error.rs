@@ -9,6 +9,7 @@ use towermodes::{EigenError, Family, Parameter, SolveError, TowerDescription, To
 use towermodes_analysis::agreement::AgreementError;
 use towermodes_analysis::elastodyn::{MakeError, ShapesError};
 use towermodes_analysis::resonance::CampbellError;
+use towermodes_analysis::whirl::CoupledError;
 use towermodes_files::{ConvertError, Diagnostic, FileError, ReadError, ResultError, Source};
 use towermodes_sweep::number_at;
 
@@ -156,6 +157,16 @@ pub fn of_turbine(error: &TurbineError) -> PyErr {
         TurbineError::Limit { .. } | TurbineError::Speed { .. } => usage(error.to_string()),
         TurbineError::Tower(inner) => of_tower(inner),
         error => refused(error),
+    }
+}
+
+/// A coupled diagram that cannot be.
+pub fn of_coupled(error: &CoupledError) -> PyErr {
+    match error {
+        CoupledError::Options(inner) => of_campbell(inner),
+        CoupledError::Turbine(inner) => of_turbine(inner),
+        CoupledError::At { .. } => refused(error),
+        error => usage(error.to_string()),
     }
 }
 

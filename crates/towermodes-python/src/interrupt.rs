@@ -25,9 +25,19 @@ pub fn interruptible<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&mut Workspace) -> T + Send,
 ) -> PyResult<T> {
+    looking(py, |mut look| {
+        let mut workspace = Workspace::watched(move |_| look());
+        work(&mut workspace)
+    })
+}
+
+/// The same for a computation that is given the function that looks for signals.
+///
+/// # Errors
+/// The exception of a signal handler: `KeyboardInterrupt`.
+pub fn looking<T: Send>(py: Python<'_>, work: impl FnOnce(Look) -> T + Send) -> PyResult<T> {
     released(py, || {
-        let mut workspace = Workspace::watched(watch());
-        let work = AssertUnwindSafe(|| work(&mut workspace));
+        let work = AssertUnwindSafe(|| work(watch()));
         catch_unwind(work).map_err(|thrown| match thrown.downcast::<Interrupted>() {
             Ok(interrupted) => interrupted.0,
             Err(panic) => resume_unwind(panic),
@@ -35,9 +45,12 @@ pub fn interruptible<T: Send>(
     })
 }
 
-fn watch() -> impl FnMut(towermodes::Progress) + Send + Sync + 'static {
+/// Looks for signals, if it has not just done so.
+pub type Look = Box<dyn FnMut() + Send + Sync>;
+
+fn watch() -> Look {
     let mut looked = Instant::now();
-    move |_| {
+    Box::new(move || {
         if looked.elapsed() < BETWEEN_LOOKS {
             return;
         }
@@ -45,5 +58,5 @@ fn watch() -> impl FnMut(towermodes::Progress) + Send + Sync + 'static {
         if let Err(exception) = attached(|py| py.check_signals()) {
             resume_unwind(Box::new(Interrupted(exception)));
         }
-    }
+    })
 }

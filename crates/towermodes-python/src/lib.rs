@@ -25,6 +25,7 @@ mod solution;
 mod sweep;
 mod tower;
 mod turbine;
+mod turbine_campbell;
 
 /// The classes and functions of the package.
 #[pyo3::pymodule(gil_used = false)]
@@ -63,6 +64,8 @@ mod _towermodes {
     use crate::tower::Tower;
     #[pymodule_export]
     use crate::turbine::TurbineModes;
+    #[pymodule_export]
+    use crate::turbine_campbell::TurbineCampbell;
 
     /// The version of the package.
     #[pymodule_export]

@@ -17,7 +17,7 @@ use crate::lock::released;
 use crate::tower::{Model, Tower};
 
 /// Number of parts that energies are given for.
-pub const PARTS: usize = 18;
+pub const PARTS: usize = 24;
 
 /// The modes of a turbine at a speed.
 #[pyclass(frozen, module = "towermodes._towermodes")]
@@ -44,6 +44,12 @@ pub fn missing(model: &Model) -> String {
 /// Fractions of the elastic energy by the names of their parts.
 pub fn energy_parts() -> Vec<String> {
     let stationary = [
+        "platform_surge",
+        "platform_sway",
+        "platform_heave",
+        "platform_roll",
+        "platform_pitch",
+        "platform_yaw",
         "tower_fore_aft",
         "tower_side_side",
         "tower_torsion",
@@ -74,7 +80,8 @@ pub fn fractions(energy: &TurbineEnergy) -> [f64; PARTS] {
     ];
     let blades = energy.blades.iter();
     let blades = blades.flat_map(|own| [own.collective, own.forward, own.backward]);
-    let mut all = stationary.into_iter().chain(blades);
+    let platform = energy.platform.into_iter();
+    let mut all = platform.chain(stationary).chain(blades);
     std::array::from_fn(|_| all.next().unwrap_or_default())
 }
 

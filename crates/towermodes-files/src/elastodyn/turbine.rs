@@ -169,6 +169,8 @@ fn turns_freely(parts: &Parts<'_>) -> bool {
 /// A blade with twist and pitch positive towards feather, as ElastoDyn has them.
 fn blade(main: &MainFile, file: &BladeFile) -> BladeDescription {
     let mut blade = rotor::blade(main, file);
+    // A tower file, which a turbine is written to, has no names of blades.
+    blade.name.clear();
     for section in &mut blade.sections {
         section.twist_rad = 0.0 - section.twist_rad;
     }
@@ -244,6 +246,7 @@ fn yaw_note(parts: &Parts<'_>) -> Option<Note> {
 fn parameter_of(error: &TurbineError) -> &'static str {
     let quantity = match error {
         TurbineError::Blade(_) => return BLADES[0],
+        TurbineError::Generator { .. } => "the inertia of the generator",
         TurbineError::Angle { quantity, .. }
         | TurbineError::NotFinite { quantity, .. }
         | TurbineError::Negative { quantity, .. }

@@ -1,7 +1,7 @@
 //! A turbine that can exist.
 
 use super::description::TurbineDescription;
-use super::error::TurbineError;
+use super::error::{MOST_GENERATOR, TurbineError};
 use super::machine::Machine;
 use super::validate::check;
 use crate::beam::TurningBlade;
@@ -137,7 +137,15 @@ fn checked(machine: &TurbineDescription) -> Result<(Blade, Rna), TurbineError> {
     check(machine)?;
     let blade = Blade::new(machine.blade.clone())?;
     let rotor = rotor(&blade, machine, 2)?;
-    Ok((blade, Machine::new(machine, rotor).at_rest(machine)))
+    let whole = Machine::new(machine, rotor);
+    let (generator_kg_m2, rotor_kg_m2) = (whole.generator_at_shaft(), whole.rotor_inertia);
+    if generator_kg_m2 > MOST_GENERATOR * rotor_kg_m2 {
+        return Err(TurbineError::Generator {
+            generator_kg_m2,
+            rotor_kg_m2,
+        });
+    }
+    Ok((blade, whole.at_rest(machine)))
 }
 
 /// The rotor of a turbine, with blade elements of a degree.

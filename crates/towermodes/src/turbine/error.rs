@@ -7,6 +7,10 @@ use crate::number::Plain;
 use crate::rotor::RotorError;
 use crate::tower::TowerError;
 
+/// The largest inertia of a generator as a multiple of that of the rotor. It is a tenth of it in
+/// wind turbines; far beyond, nothing else is left of the rotation in the digits of a number.
+pub(super) const MOST_GENERATOR: f64 = 1e9;
+
 /// An impossible value in the description of a turbine.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
@@ -94,6 +98,17 @@ pub enum TurbineError {
     Unstable {
         /// Number of such motions.
         negative: usize,
+    },
+    /// A generator that no shaft could turn.
+    #[error(
+        "the inertia of the generator at the slow end of the shaft (generator inertia times the gear ratio squared) is {} kg m2, more than {MOST_GENERATOR:e} times that of the rotor, {} kg m2; the unit of both is kg m2",
+        Plain(*.generator_kg_m2), Plain(*.rotor_kg_m2)
+    )]
+    Generator {
+        /// That of the generator, kg m².
+        generator_kg_m2: f64,
+        /// That of hub and blades about the shaft, kg m².
+        rotor_kg_m2: f64,
     },
     /// Numbers so large that products of them are infinite.
     #[error("the numbers of the turbine are too large: their products are infinite")]

@@ -111,6 +111,11 @@ impl Machine {
         speed * (self.polar_inertia + self.gear_ratio * self.generator_inertia)
     }
 
+    /// Inertia of the generator at the slow end of the shaft, kg m².
+    pub(super) fn generator_at_shaft(&self) -> f64 {
+        self.gear_ratio * self.gear_ratio * self.generator_inertia
+    }
+
     /// Whether the shaft twists.
     pub(super) fn twists(&self) -> bool {
         !self.shaft.is_infinite()

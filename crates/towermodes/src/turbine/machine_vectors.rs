@@ -184,7 +184,7 @@ impl Machine {
     /// The same for the rotation of rotor and generator against the nacelle.
     pub(super) fn shaft_energy(&self, joints: &[Complex]) -> f64 {
         let square = |x: Complex| x.re * x.re + x.im * x.im;
-        let generator = self.generator_inertia * self.gear_ratio * self.gear_ratio;
+        let generator = self.generator_at_shaft();
         let of_rotor = joints[GENERATOR] + joints[TWIST];
         self.rotor_inertia * square(of_rotor) + generator * square(joints[GENERATOR])
     }

@@ -27,6 +27,17 @@ fn two_blades_are_refused_with_the_reason() {
 }
 
 #[test]
+fn a_generator_that_nothing_could_turn_is_refused() {
+    let error = error(|machine| machine.generator.inertia_kg_m2 = 1e20);
+    assert!(matches!(error, TurbineError::Generator { .. }), "{error}");
+    assert!(
+        error
+            .to_string()
+            .contains("more than 1e9 times that of the rotor")
+    );
+}
+
+#[test]
 fn impossible_numbers_are_refused_by_name() {
     let infinite = f64::INFINITY;
     assert!(matches!(error(|m| m.blades = 11), TurbineError::Rotor(_)));

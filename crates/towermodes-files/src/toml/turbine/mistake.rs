@@ -61,6 +61,7 @@ pub(super) fn mistake(
 fn place(error: &TurbineError, turbine: &TurbineDescription) -> (&'static str, Option<usize>) {
     match error {
         TurbineError::Rotor(_) => ("blades", None),
+        TurbineError::Generator { .. } => ("generator_inertia", None),
         TurbineError::Blade(error) => in_blade(error, turbine),
         TurbineError::NotFinite { quantity, .. }
         | TurbineError::Negative { quantity, .. }
