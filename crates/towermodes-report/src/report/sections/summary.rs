@@ -6,7 +6,7 @@ use towermodes_analysis::resonance::{Campbell, FrequencyLine};
 use super::super::content::ReportContent;
 use super::super::document::{Block, Statement};
 use super::super::mark::Mark;
-use super::own_picture;
+use super::{own_picture, turbine};
 use crate::figures;
 use crate::number::{digits, four_digits, margin_percent};
 use crate::wording::{completeness, counted, verdict_counts};
@@ -22,11 +22,16 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     if !missing.is_empty() {
         blocks.push(Block::Statements(missing));
     }
-    blocks.push(Block::Statements(vec![
-        resonance(content),
-        frequencies(content),
-        verification(content),
-    ]));
+    let turbine = content.turbine.as_ref().and_then(|of| of.as_ref().ok());
+    let mut statements: Vec<Statement> = turbine.map(turbine::resonance).into_iter().collect();
+    let lead = match turbine {
+        Some(_) => "Resonance with a rigid rotor",
+        None => "Resonance",
+    };
+    statements.push(resonance(content, lead));
+    statements.push(frequencies(content));
+    statements.push(verification(content));
+    blocks.push(Block::Statements(statements));
     let diagram = content.campbell.as_ref().and_then(|of| of.as_ref().ok());
     let bar = diagram.and_then(figures::first_frequencies);
     blocks.extend(bar.map(own_picture));
@@ -51,8 +56,7 @@ fn has_rna(content: &ReportContent) -> bool {
 }
 
 /// The conclusion of the resonance check, and the number of verdicts.
-fn resonance(content: &ReportContent) -> Statement {
-    let lead = "Resonance";
+fn resonance(content: &ReportContent, lead: &'static str) -> Statement {
     let not_checked = |why: &str| Statement {
         lead,
         text: format!("Not checked: {why}."),

@@ -77,14 +77,20 @@ fn what(results: &TurbineResults) -> String {
     )
 }
 
+/// The conclusion of the coupled diagram.
+pub(super) fn resonance(results: &TurbineResults) -> Statement {
+    let coupled = &results.coupled;
+    Statement {
+        lead: "Resonance of the turbine",
+        text: coupled.campbell.conclusion().join(" "),
+        verdict: Some(Mark::of(coupled.verdict())),
+    }
+}
+
 fn conclusion(results: &TurbineResults) -> Vec<Statement> {
     let coupled = &results.coupled;
     vec![
-        Statement {
-            lead: "Resonance of the turbine",
-            text: coupled.campbell.conclusion().join(" "),
-            verdict: Some(Mark::of(coupled.verdict())),
-        },
+        resonance(results),
         Statement {
             lead: "Certificate",
             text: proved(coupled),
