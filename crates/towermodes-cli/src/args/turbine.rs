@@ -32,8 +32,8 @@ pub(crate) struct TurbineArguments {
     generator: Option<GeneratorState>,
 
     /// Highest frequency of the modes, Hz [default: what the excitations reach, and the second
-    /// bending modes of the tower where they are less than twice as high, but not more than 40 modes
-    /// at rest]
+    /// bending modes of the tower where they are less than twice as high, but not more than 40
+    /// modes at rest]
     #[arg(help_heading = TURBINE, long, value_name = "HZ", conflicts_with = "uncoupled", value_parser = frequency_parser)]
     pub(crate) limit: Option<f64>,
 
