@@ -1,16 +1,14 @@
 //! The coupled Campbell diagram of a uniform rotor on a uniform tower: frequencies of an
 //! independent dense program, curves with names, whirl pairs, excitations, what is refused.
 
-use towermodes::turbine::{Generator, Hub, Turbine, TurbineDescription};
-use towermodes::{
-    BladeDescription, BladeSection, Inertia, Options, Planes, Properties, PropertyStation,
-    RigidBody, Rotor, TowerDescription, solve,
-};
+use towermodes::turbine::{Turbine, TurbineDescription};
+use towermodes::{Options, Rotor, solve};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{CampbellOptions, Remark, reach_hz};
 use towermodes_analysis::whirl::{
     CoupledCampbell, CoupledError, CoupledOptions, RotorSpeeds, coupled_campbell, coupled_limit_hz,
 };
+use towermodes_verify::towers::{uniform_tower, uniform_turbine};
 
 const SPEEDS: [f64; 4] = [0.0, 6.0, 12.0, 18.0];
 
@@ -20,72 +18,18 @@ const ROTOR: Rotor = Rotor {
     highest_rpm: 12.0,
 };
 
-fn tower() -> TowerDescription {
-    let station = |height_m| PropertyStation {
-        height_m,
-        properties: Properties {
-            mass_kg_per_m: 4000.0,
-            rotary_inertia_kg_m: Planes::both(0.0),
-            polar_inertia_kg_m: 20_000.0,
-            bending_n_m2: Planes::both(2e11),
-            torsion_n_m2: 1.5e11,
-            axial_n: f64::INFINITY,
-            shear_n: None,
-        },
-    };
-    TowerDescription {
-        properties: vec![station(0.0), station(80.0)],
-        ..TowerDescription::default()
-    }
-}
-
+/// The uniform turbine of the manual without tilt, cone and pitch, on finer elements.
 fn machine(is_locked: bool) -> TurbineDescription {
-    let root = BladeSection {
-        mass_kg_per_m: 200.0,
-        flap_n_m2: 2e9,
-        edge_n_m2: 5e9,
-        torsion_n_m2: f64::INFINITY,
-        axial_n: f64::INFINITY,
-        ..BladeSection::default()
-    };
-    TurbineDescription {
-        nacelle: RigidBody {
-            mass_kg: 1e5,
-            center_m: [1.0, 0.0, 1.5],
-            inertia_kg_m2: Inertia::from([2e5, 8e5, 9e5, 0.0, 0.0, 0.0]),
-        },
-        yaw_bearing_mass_kg: 0.0,
-        yaw_n_m_per_rad: f64::INFINITY,
-        overhang_m: -4.0,
-        tower_to_shaft_m: 2.0,
-        tilt_rad: 0.0,
-        hub: Hub {
-            mass_kg: 2e4,
-            center_m: 0.0,
-            polar_inertia_kg_m2: 5e4,
-            transverse_inertia_kg_m2: 3e4,
-        },
-        shaft_n_m_per_rad: 5e8,
-        generator: Generator {
-            inertia_kg_m2: 4e6,
-            gear_ratio: 1.0,
-            is_locked,
-        },
-        blades: 3,
-        cone_rad: 0.0,
-        blade: BladeDescription {
-            hub_radius_m: 2.0,
-            tip_radius_m: 52.0,
-            sections: vec![root, BladeSection { span: 1.0, ..root }],
-            borders: (0..=16).map(|k| f64::from(k) / 16.0).collect(),
-            tip_is_pulled: true,
-            ..BladeDescription::default()
-        },
-    }
+    let mut machine = uniform_turbine(is_locked);
+    machine.tilt_rad = 0.0;
+    machine.cone_rad = 0.0;
+    machine.blade.pitch_rad = 0.0;
+    machine.blade.borders = (0..=16).map(|k| f64::from(k) / 16.0).collect();
+    machine
 }
 
 fn turbine(is_locked: bool) -> Turbine {
-    Turbine::new(tower(), machine(is_locked)).expect("a turbine")
+    Turbine::new(uniform_tower(), machine(is_locked)).expect("a turbine")
 }
 
 fn solved(is_locked: bool, speeds: RotorSpeeds) -> CoupledCampbell {

@@ -26,6 +26,12 @@ impl Complex {
     pub const fn new(re: f64, im: f64) -> Self {
         Self { re, im }
     }
+
+    /// |x|² = re² + im².
+    #[inline]
+    pub const fn norm_squared(self) -> f64 {
+        self.re * self.re + self.im * self.im
+    }
 }
 
 /// An entry of a Hermitian matrix: real, or complex.

@@ -143,7 +143,7 @@ impl BeamSubsystem<6> {
             let mut own = own.iter();
             for deformation in beam.deformations() {
                 let strains = own.by_ref().take(deformation.count);
-                let energy: f64 = strains.map(|y| y.re * y.re + y.im * y.im).sum();
+                let energy: f64 = strains.map(|y| y.norm_squared()).sum();
                 sum[group(deformation.strain)] += energy;
             }
         }

@@ -157,7 +157,7 @@ impl TurningBlade {
                 let flap = w.times(cos) - v.times(sin);
                 let all = [flap, edge, twist, stretch];
                 for ((sum, strain), stiffness) in sum.iter_mut().zip(all).zip(gauge.stiffness) {
-                    let square = strain.re * strain.re + strain.im * strain.im;
+                    let square = strain.norm_squared();
                     // A strain that the blade does not have has an infinite stiffness.
                     *sum += if square == 0.0 {
                         0.0
@@ -202,9 +202,8 @@ impl TurningBlade {
         for (element, gauges) in self.gauges.chunks_exact(points).enumerate() {
             let motion = self.out_of_axes(&along[element * steps + 1].1);
             let mass_kg: f64 = gauges.iter().map(|gauge| gauge.mass_kg).sum();
-            let square = |x: Complex| x.re * x.re + x.im * x.im;
-            sum[0] += mass_kg * square(motion[0]);
-            sum[1] += mass_kg * (square(motion[1]) + square(motion[2]));
+            sum[0] += mass_kg * motion[0].norm_squared();
+            sum[1] += mass_kg * (motion[1].norm_squared() + motion[2].norm_squared());
         }
         sum
     }

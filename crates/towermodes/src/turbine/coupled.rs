@@ -7,7 +7,7 @@ use super::model::TurbineModel;
 use crate::beam::{BladeFactors, TurningBlade};
 use crate::rotor::Reactionless;
 use crate::scalar::Complex;
-use crate::subsystem::{Coefficients, Subsystem};
+use crate::subsystem::Subsystem;
 
 /// Tower, drivetrain and the harmonics of the blades that move the hub, at a speed (rad/s).
 ///
@@ -47,7 +47,7 @@ impl Gyroscopic for Coupled<'_> {
             ..
         } = &mut *self.model;
         let machine = machine.factorize((w, self.speed), *is_locked, factors);
-        let a = Coefficients::STIFFNESS.minus(w * w, Coefficients::MASS);
+        let a = TurbineModel::of_tower(w);
         machine.negative + tower.members()[0].factorize_under(&a, machine.matrix, workspace)
     }
 

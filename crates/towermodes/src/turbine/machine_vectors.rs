@@ -183,10 +183,9 @@ impl Machine {
 
     /// The same for the rotation of rotor and generator against the nacelle.
     pub(super) fn shaft_energy(&self, joints: &[Complex]) -> f64 {
-        let square = |x: Complex| x.re * x.re + x.im * x.im;
         let generator = self.generator_at_shaft();
         let of_rotor = joints[GENERATOR] + joints[TWIST];
-        self.rotor_inertia * square(of_rotor) + generator * square(joints[GENERATOR])
+        self.rotor_inertia * of_rotor.norm_squared() + generator * joints[GENERATOR].norm_squared()
     }
 
     /// Square roots of twice the elastic energies of yaw drive and shaft.

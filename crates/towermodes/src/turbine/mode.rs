@@ -64,9 +64,8 @@ impl TurbineMode {
         if self.part != other.part || self.vector.len() != other.vector.len() {
             return 0.0;
         }
-        let square = |x: Complex| x.re * x.re + x.im * x.im;
         let sizes = self.product(self).re * other.product(other).re;
-        square(self.product(other)) / sizes
+        self.product(other).norm_squared() / sizes
     }
 
     /// The inner product of the elastic energy.

@@ -115,7 +115,8 @@ impl TurbineModel {
         self.unresisted
     }
 
-    fn of_tower(w: f64) -> Coefficients {
+    /// K − w² M of the tower.
+    pub(super) fn of_tower(w: f64) -> Coefficients {
         Coefficients::STIFFNESS.minus(w * w, Coefficients::MASS)
     }
 

@@ -110,24 +110,25 @@ fn per_element(elements: usize) -> usize {
 
 /// Scales so that the largest translation is 1 and real.
 fn normalize(shape: &mut TurbineShape) {
-    let square = |x: &Complex| x.re * x.re + x.im * x.im;
     let mut largest = Complex::real(1.0);
     let mut size = 0.0;
     for point in translations(shape) {
-        let of_point: f64 = point.iter().map(square).sum();
+        let of_point: f64 = point.iter().map(|x| x.norm_squared()).sum();
         if of_point > size {
             size = of_point;
-            let first = point
-                .iter()
-                .fold(point[0], |a, b| if square(b) > square(&a) { *b } else { a });
+            let larger = |a: Complex, b: Complex| match b.norm_squared() > a.norm_squared() {
+                true => b,
+                false => a,
+            };
+            let first = point.into_iter().fold(point[0], larger);
             // The phase of the largest component, the size of the whole.
-            largest = first.times((of_point / square(&first)).sqrt());
+            largest = first.times((of_point / first.norm_squared()).sqrt());
         }
     }
     if size == 0.0 {
         return;
     }
-    let inverse = largest.conj().over(square(&largest));
+    let inverse = largest.conj().over(largest.norm_squared());
     let tower = shape.tower.iter_mut().flat_map(|point| &mut point.motion);
     let blades = shape
         .blades

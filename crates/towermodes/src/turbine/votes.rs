@@ -27,8 +27,7 @@ impl TurbineModel {
             };
         }
         let [tower, joints, blades] = self.split(vector);
-        let square = |x: Complex| x.re * x.re + x.im * x.im;
-        let [yaw_drive, shaft] = self.machine.springs(joints).map(square);
+        let [yaw_drive, shaft] = self.machine.springs(joints).map(Complex::norm_squared);
         let ([fore_aft, side_side, torsion, axial], platform) = self.tower_energy(tower);
         TurbineEnergy {
             platform,
@@ -59,7 +58,7 @@ impl TurbineModel {
             Some(rigid) => {
                 let total = energies.base.iter().sum::<f64>().max(0.0);
                 let motions = rigid_motions(rigid, &beam.base_motion(x));
-                platform = motions.map(|x| x.re * x.re + x.im * x.im);
+                platform = motions.map(Complex::norm_squared);
                 let scale = total / platform.iter().sum::<f64>().max(f64::MIN_POSITIVE);
                 platform.iter_mut().for_each(|energy| *energy *= scale);
             }

@@ -12,11 +12,9 @@ mod uniform;
 use crate::rotor::assert_near;
 use std::f64::consts::PI;
 
-use towermodes::turbine::{Generator, Hub, Turbine, TurbineDescription, TurbineMesh, TurbineModel};
-use towermodes::{
-    BladeDescription, BladeSection, Inertia, Planes, Properties, PropertyStation, RigidBody,
-    TowerDescription,
-};
+use towermodes::turbine::{Turbine, TurbineDescription, TurbineMesh, TurbineModel};
+use towermodes::{BladeDescription, BladeSection, Properties, PropertyStation, TowerDescription};
+use towermodes_verify::towers;
 
 /// Elements that make the discretization error of uniform turbines vanish in ten digits.
 const FINE: TurbineMesh = TurbineMesh {
@@ -31,16 +29,7 @@ fn rad_per_s(rpm: f64) -> f64 {
 
 /// A uniform tower of 80 m that shears and stretches nowhere.
 fn tower() -> TowerDescription {
-    let properties = Properties {
-        mass_kg_per_m: 4000.0,
-        rotary_inertia_kg_m: Planes::both(0.0),
-        polar_inertia_kg_m: 20_000.0,
-        bending_n_m2: Planes::both(2e11),
-        torsion_n_m2: 1.5e11,
-        axial_n: f64::INFINITY,
-        shear_n: None,
-    };
-    uniform_tower(properties)
+    towers::uniform_tower()
 }
 
 fn uniform_tower(properties: Properties) -> TowerDescription {
@@ -88,42 +77,16 @@ fn blade(section: BladeSection) -> BladeDescription {
 
 /// An upwind turbine without tilt, cone and pitch.
 fn straight() -> TurbineDescription {
-    TurbineDescription {
-        nacelle: RigidBody {
-            mass_kg: 1e5,
-            center_m: [1.0, 0.0, 1.5],
-            inertia_kg_m2: Inertia::from([2e5, 8e5, 9e5, 0.0, 0.0, 0.0]),
-        },
-        yaw_bearing_mass_kg: 0.0,
-        yaw_n_m_per_rad: f64::INFINITY,
-        overhang_m: -4.0,
-        tower_to_shaft_m: 2.0,
-        tilt_rad: 0.0,
-        hub: Hub {
-            mass_kg: 2e4,
-            center_m: 0.0,
-            polar_inertia_kg_m2: 5e4,
-            transverse_inertia_kg_m2: 3e4,
-        },
-        shaft_n_m_per_rad: 5e8,
-        generator: Generator {
-            inertia_kg_m2: 4e6,
-            gear_ratio: 1.0,
-            is_locked: true,
-        },
-        blades: 3,
-        cone_rad: 0.0,
-        blade: blade(SECTION),
-    }
+    let mut turbine = tilted();
+    turbine.tilt_rad = 0.0;
+    turbine.cone_rad = 0.0;
+    turbine.blade.pitch_rad = 0.0;
+    turbine
 }
 
 /// The same with tilt, cone and pitch.
 pub(crate) fn tilted() -> TurbineDescription {
-    let mut turbine = straight();
-    turbine.tilt_rad = (-5_f64).to_radians();
-    turbine.cone_rad = (-3_f64).to_radians();
-    turbine.blade.pitch_rad = 10_f64.to_radians();
-    turbine
+    towers::uniform_turbine(true)
 }
 
 fn model_on(tower: TowerDescription, machine: TurbineDescription) -> TurbineModel {
