@@ -365,12 +365,38 @@ class Mode:
 
     @property
     def family(self) -> Family:
-        """The type of motion: "fore-aft", "side-side", "torsion", "axial" or "coupled".
+        """The type of motion: "fore-aft", "side-side", "torsion" or "axial".
 
         For rigid-body motions of a floating tower "surge", "sway", "heave", "roll", "pitch" or
-        "yaw".
+        "yaw". Where motions are coupled, `share` says how much of the energy is in this one.
         """
         return self._solution.names[self._index][0]
+
+    @property
+    def share(self) -> float:
+        """The share of its own family in its energy.
+
+        >>> import towermodes as tm
+        >>> tower = tm.read("examples/nrel-5mw.toml")
+        >>> tower = tower.with_(changes={"scale(rna.inertia.zz)": 0.63})
+        >>> [(mode.label, round(mode.share, 2)) for mode in tower.solve(modes=4)[2:]]
+        [('1st torsion', 0.69), ('2nd side-side bending', 0.69)]
+        """
+        return self._solution._core.share[self._index]
+
+    @property
+    def second(self) -> tuple[Family, float] | None:
+        """The family with the largest share beside its own, and this share; None without one.
+
+        >>> import towermodes as tm
+        >>> tower = tm.read("examples/nrel-5mw.toml")
+        >>> tower = tower.with_(changes={"scale(rna.inertia.zz)": 0.63})
+        >>> family, share = tower.solve(modes=4)[2].second
+        >>> family, round(share, 2)
+        ('side-side', 0.31)
+        """
+        second: tuple[Family, float] | None = self._solution._core.second[self._index]  # type: ignore[assignment]
+        return second
 
     @property
     def order(self) -> int:

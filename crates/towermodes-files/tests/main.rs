@@ -21,6 +21,7 @@ mod hawc2;
 mod large_files;
 mod measured_files;
 mod mutations;
+mod names;
 mod plausible_files;
 mod refusals;
 mod refused;

@@ -177,6 +177,19 @@ impl Solution {
         self.modes().map(name).collect()
     }
 
+    /// The share of each mode's own family in its energy.
+    #[getter]
+    fn share(&self) -> Vec<f64> {
+        self.modes().map(Mode::share).collect()
+    }
+
+    /// The family with the largest share of each mode's energy beside its own, and this share.
+    #[getter]
+    fn second(&self) -> Vec<Option<(&'static str, f64)>> {
+        let second = |mode: &Mode| mode.second().map(|it| (it.family.name(), it.share));
+        self.modes().map(second).collect()
+    }
+
     /// The names of the modes in words.
     #[getter]
     fn labels(&self) -> Vec<String> {

@@ -5,8 +5,8 @@ use std::f64::consts::{PI, TAU};
 use std::sync::OnceLock;
 
 use towermodes::{
-    Family, FloatingPlatform, Foundation, Inertia, Material, Mode, Options, ReferredMatrix, Rna,
-    Solution, Station, Tower, TowerDescription, solve,
+    FloatingPlatform, Foundation, Inertia, Material, Mode, Options, ReferredMatrix, Rna, Solution,
+    Station, Tower, TowerDescription, solve,
 };
 use towermodes_report::terminal::shapes;
 
@@ -192,7 +192,7 @@ fn a_coupled_mode_shows_the_motions_it_has() {
         ..pole()
     };
     let (tower, solution) = solved(beside, 6);
-    let coupled = |mode: &Mode| mode.family == Family::Coupled;
+    let coupled = |mode: &Mode| mode.is_coupled();
     assert!(solution.modes.iter().any(coupled), "nothing is coupled");
     let text = shapes(&tower, &solution, 100);
     assert!(text.contains("x line, rotation"), "{text}");

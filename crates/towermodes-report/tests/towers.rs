@@ -152,7 +152,7 @@ fn coupled_modes_have_the_panels_in_which_they_move() {
         };
         let tower = Tower::new(description.clone()).expect("a tower");
         let solution = solved(&tower, 10);
-        let coupled = |mode: &Mode| mode.family == Family::Coupled;
+        let coupled = |mode: &Mode| mode.is_coupled();
         assert!(
             solution.modes.iter().any(coupled),
             "{center_m:?} couples nothing"

@@ -75,8 +75,8 @@ pub use blade::{Blade, BladeDescription, BladeError, BladeSection};
 pub use eigen::{EigenError, Statistics};
 pub use method::Method;
 pub use modes::{
-    ByMotion, Energy, EnergyParts, Family, KineticParts, ModeName, ModeNameError, ShapePoint,
-    StrainParts,
+    ByMotion, Energy, EnergyParts, Family, KineticParts, ModeName, ModeNameError, SecondFamily,
+    ShapePoint, Shares, StrainParts,
 };
 pub use number::Plain;
 pub use parameter::{Change, Operation, Parameter, ParameterError};

@@ -69,9 +69,9 @@ pub enum SelectionError {
 
 /// Selects the first and second bending mode of each plane.
 ///
-/// A bending mode of a plane is a mode of its family, or a coupled mode with more of its energy in
-/// the plane than in any other motion. Modes with a larger fraction of their energy in torsion than
-/// `torsion_limit` are left out. Rigid-body modes of a floating platform do not count.
+/// A bending mode of a plane is a mode of its family. Modes with a larger fraction of their energy
+/// in torsion than `torsion_limit` are left out. Rigid-body modes of a floating platform do not
+/// count.
 ///
 /// # Errors
 /// [`SelectionError`]: too few bending modes, or a limit that is not 0 to 1.
@@ -151,17 +151,6 @@ fn plane_of(mode: &Mode) -> Option<Plane> {
     match mode.family {
         Family::ForeAft => Some(Plane::ForeAft),
         Family::SideSide => Some(Plane::SideSide),
-        Family::Coupled => {
-            let parts = mode.energy.mean();
-            let others = parts.torsion.max(parts.axial);
-            if parts.fore_aft.max(parts.side_side) < others {
-                None
-            } else if parts.fore_aft >= parts.side_side {
-                Some(Plane::ForeAft)
-            } else {
-                Some(Plane::SideSide)
-            }
-        }
         _ => None,
     }
 }

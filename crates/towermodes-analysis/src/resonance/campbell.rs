@@ -193,7 +193,7 @@ pub struct Campbell {
     /// The distance of every line from every multiple, by line, then by multiple.
     pub margins: Vec<Margin>,
     /// The stiffness class of the lowest fore-aft and of the lowest side-side bending mode, if they
-    /// are in the list. One coupled mode may be both.
+    /// are in the list.
     pub classes: Vec<(Family, StiffnessClass)>,
     /// The indices of the lines of these modes, from 0, in the order of `classes`.
     pub first_bending: Vec<usize>,

@@ -13,9 +13,6 @@ use towermodes::tower::Rotor;
 use towermodes::tower::Tower;
 use towermodes::{Mode, Solution};
 
-/// A coupled mode with at least this fraction of its energy in a plane counts as bending there.
-const GOOD_PART: f64 = 0.2;
-
 /// The largest number of speeds at which a blade is solved.
 const MOST_SPEEDS: usize = 1000;
 
@@ -163,23 +160,8 @@ fn tower_line(mode: &Mode, last_rpm: f64) -> FrequencyLine {
 /// 0.
 fn first_bending_modes(solution: &Solution) -> Vec<(Family, usize)> {
     let planes = [Family::ForeAft, Family::SideSide].into_iter();
-    let first = planes.filter_map(|plane| Some((plane, first_bending(solution, plane)?)));
+    let first_of = |plane| solution.modes.iter().position(|mode| mode.family == plane);
+    let first = planes.filter_map(|plane| Some((plane, first_of(plane)?)));
     let resisted = first.filter(|(_, index)| solution.modes[*index].frequency_hz > 0.0);
     resisted.collect()
-}
-
-/// The lowest mode with a sufficient fraction of its energy in a plane. A rotor-nacelle assembly
-/// whose principal axes are not parallel to the wind couples both planes: such a mode is the first
-/// of both.
-fn first_bending(solution: &Solution, plane: Family) -> Option<usize> {
-    let bends = |mode: &Mode| {
-        let mean = mode.energy.mean();
-        let part = if plane == Family::ForeAft {
-            mean.fore_aft
-        } else {
-            mean.side_side
-        };
-        mode.family == plane || (mode.family == Family::Coupled && part >= GOOD_PART)
-    };
-    solution.modes.iter().position(bends)
 }

@@ -212,10 +212,7 @@ impl SoilBand {
     /// band.
     pub fn of_interest(&self) -> impl Iterator<Item = &BandMode> {
         self.modes.iter().filter(|mode| {
-            let bends = matches!(
-                mode.family,
-                Family::ForeAft | Family::SideSide | Family::Coupled
-            );
+            let bends = matches!(mode.family, Family::ForeAft | Family::SideSide);
             (bends && mode.order == 1) || mode.changes_verdict()
         })
     }

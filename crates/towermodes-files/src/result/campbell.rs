@@ -35,8 +35,7 @@ pub(super) struct CampbellDocument<'a> {
     lines: Vec<LineJson<'a>>,
     /// The distance of every line from every multiple, except rigid-body modes without stiffness.
     margins: Vec<MarginJson<'a>>,
-    /// The stiffness class of the lowest fore-aft and of the lowest side-side bending mode; one
-    /// coupled mode may be both.
+    /// The stiffness class of the lowest fore-aft and of the lowest side-side bending mode.
     classes: Vec<ClassJson>,
     /// Frequencies and verdicts for softer and stiffer soil; null without soil.
     soil_band: Option<&'a SoilBand>,

@@ -7,10 +7,13 @@ use towermodes::{Mode, Solution};
 use super::ResultError;
 
 /// The keys of a mode in the JSON; a dot precedes the keys of an object.
-pub(super) const HEADER: [&str; 25] = [
+pub(super) const HEADER: [&str; 28] = [
     "number",
     "family",
     "order",
+    "share",
+    "second.family",
+    "second.share",
     "label",
     "frequency_hz",
     "period_s",
@@ -52,10 +55,14 @@ pub fn write_csv(solution: &Solution, writer: impl Write) -> Result<(), ResultEr
 /// The values of a mode, in the order of [`HEADER`].
 pub(super) fn record(mode: &Mode) -> Vec<String> {
     let or_empty = |value: Option<f64>| value.map_or_else(String::new, |v| v.to_string());
+    let second = mode.second();
     let mut record = vec![
         mode.number.to_string(),
         mode.family.name().to_owned(),
         mode.order.to_string(),
+        mode.share().to_string(),
+        second.map_or_else(String::new, |it| it.family.name().to_owned()),
+        or_empty(second.map(|it| it.share)),
         mode.label(),
         mode.frequency_hz.to_string(),
         or_empty(Some(mode.period_s()).filter(|period| period.is_finite())),

@@ -60,7 +60,7 @@ pub fn scour(curve: &ScourCurve, rotor: Option<&Rotor>) -> Figure {
 
 fn first_bending(modes: &[BandMode]) -> Vec<&BandMode> {
     let bends = |mode: &&BandMode| {
-        let families = [Family::ForeAft, Family::SideSide, Family::Coupled];
+        let families = [Family::ForeAft, Family::SideSide];
         mode.order == 1 && families.contains(&mode.family)
     };
     modes.iter().filter(bends).collect()

@@ -1,7 +1,8 @@
 //! Mode shapes side by side, in braille dots.
 
 use towermodes::{
-    Blade, BladeFamily, BladeMode, BladeSolution, Family, Mode, ShapePoint, Solution, Tower,
+    Blade, BladeFamily, BladeMode, BladeSolution, Family, Mode, Plane, ShapePoint, Solution, Tower,
+    tower::Motion,
 };
 
 use super::panel::{Curve, Line, Panel, side_by_side};
@@ -92,20 +93,20 @@ fn tower_panel(mode: &Mode, twin: Option<&Mode>) -> Panel {
     };
     let whole = |component: Component| vec![curve(component, Line::Whole)];
     let [first, second] = coupled_components(mode);
-    let curves = match mode.family {
-        Family::SideSide | Family::Sway | Family::Roll => whole(Component::Along(1)),
-        Family::Torsion | Family::Yaw => whole(Component::AboutZ),
-        Family::Axial | Family::Heave => whole(Component::Along(2)),
-        Family::Coupled => vec![
+    let curves = match mode.family.motion() {
+        _ if mode.is_coupled() => vec![
             curve(first.0, Line::Whole).with_scale_of(first.0),
             curve(second.0, Line::Dots).with_scale_of(second.0),
         ],
-        _ => whole(Component::Along(0)),
+        Motion::Bending(Plane::ForeAft) => whole(Component::Along(0)),
+        Motion::Bending(Plane::SideSide) => whole(Component::Along(1)),
+        Motion::Torsion => whole(Component::AboutZ),
+        Motion::Axial => whole(Component::Along(2)),
     };
     let mut captions = vec![label(mode, twin), four_digits(mode.frequency_hz) + " Hz"];
-    captions.extend(match mode.family {
-        Family::Coupled => Some(format!("{} line, {} dots", first.1, second.1)),
-        family => to_the_right(family).map(str::to_owned),
+    captions.extend(match mode.is_coupled() {
+        true => Some(format!("{} line, {} dots", first.1, second.1)),
+        false => to_the_right(mode.family).map(str::to_owned),
     });
     Panel { curves, captions }
 }
@@ -131,10 +132,10 @@ fn coupled_components(mode: &Mode) -> [(Component, &'static str); 2] {
 
 /// The drawn quantity, if the name of the mode does not give it.
 fn to_the_right(family: Family) -> Option<&'static str> {
-    match family {
-        Family::Torsion | Family::Yaw => Some("rotation about z"),
-        Family::Axial | Family::Heave => Some("axial motion"),
-        _ => None,
+    match family.motion() {
+        Motion::Torsion => Some("rotation about z"),
+        Motion::Axial => Some("axial motion"),
+        Motion::Bending(_) => None,
     }
 }
 

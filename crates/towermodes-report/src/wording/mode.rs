@@ -2,15 +2,37 @@
 
 use towermodes::{BladeFamily, BladeMode, Mode};
 
-/// Smaller fractions of the energy are left out.
+/// Smaller fractions of the energy of a blade mode are left out.
 const LEAST: f64 = 0.01;
+/// A mode with a smaller share in its own family has a remark.
+const PURE: f64 = 0.9;
+/// Families with a smaller share are not in the remark.
+const NOTABLE: f64 = 0.05;
 
-/// The label of a tower mode with the other motions that have 1 % of its energy or more: "1st
-/// fore-aft bending (8 % torsion)".
+/// The label of a tower mode; where less than 90 % of its energy is in its own family, with this
+/// share and those of other families that have 5 % or more: "2nd side-side bending (88 %; 12 %
+/// torsion)". With less than 60 % in its motion it is called coupled: "2nd side-side bending,
+/// coupled (58 %; 41 % fore-aft)".
 pub fn mode_shape(mode: &Mode) -> String {
-    let others = mode.other_parts();
-    let others = others.iter().map(|(family, share)| (family.name(), *share));
-    with_others(mode.label(), others)
+    if mode.share() >= PURE {
+        return mode.label();
+    }
+    let others = mode.shares.beside(mode.family).into_iter();
+    let others = others.filter(|(_, share)| *share >= NOTABLE);
+    let others: Vec<String> = others
+        .map(|(family, share)| format!("{} {}", percent(share), family.name()))
+        .collect();
+    let coupled = if mode.is_coupled() { ", coupled" } else { "" };
+    let label = mode.label();
+    format!(
+        "{label}{coupled} ({}; {})",
+        percent(mode.share()),
+        others.join(", ")
+    )
+}
+
+fn percent(share: f64) -> String {
+    format!("{:.0} %", 100.0 * share)
 }
 
 /// The label of a blade mode with the other motions that have 1 % of its kinetic energy or more:

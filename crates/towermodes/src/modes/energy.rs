@@ -1,10 +1,5 @@
 //! The distribution of the energy of a mode over the motions.
 
-use crate::tower::Motion;
-
-/// A mode belongs to a motion with at least this fraction of the energy.
-const MAJORITY: f64 = 0.6;
-
 /// A value for each motion of a bare tower.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -32,7 +27,7 @@ impl ByMotion {
         }
     }
 
-    /// In the order of [`Motion::ALL`].
+    /// In the order of [`Motion::ALL`](crate::tower::Motion::ALL).
     pub fn values(&self) -> [f64; 4] {
         [self.fore_aft, self.side_side, self.torsion, self.axial]
     }
@@ -84,14 +79,6 @@ impl Energy {
             torsion: 0.5 * (k.torsion + s.torsion),
             axial: 0.5 * (k.axial + s.axial),
         }
-    }
-
-    /// The motion with a clear majority of the energy, if there is one.
-    pub(crate) fn main_motion(&self) -> Option<Motion> {
-        let mean = self.mean().values();
-        let shares = Motion::ALL.into_iter().zip(mean);
-        let (motion, share) = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
-        (share >= MAJORITY).then_some(motion)
     }
 
     /// The same energy in the side-side plane, if it is in the fore-aft plane.

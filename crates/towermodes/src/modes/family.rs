@@ -19,8 +19,6 @@ pub enum Family {
     Torsion,
     /// Axial motion.
     Axial,
-    /// None of the motions has a clear majority of the energy.
-    Coupled,
     /// Rigid-body motion of a floating tower along x.
     Surge,
     /// Rigid-body motion of a floating tower along y.
@@ -36,13 +34,12 @@ pub enum Family {
 }
 
 impl Family {
-    /// All families.
-    pub const ALL: [Self; 11] = [
+    /// All families, in the order in which equal shares of the energy name a mode.
+    pub const ALL: [Self; 10] = [
         Self::ForeAft,
         Self::SideSide,
         Self::Torsion,
         Self::Axial,
-        Self::Coupled,
         Self::Surge,
         Self::Sway,
         Self::Heave,
@@ -71,7 +68,7 @@ impl Family {
         }
     }
 
-    /// Its name in results: `fore-aft`, `side-side`, `torsion`, `axial`, `coupled`, `surge`,
+    /// Its name in results: `fore-aft`, `side-side`, `torsion`, `axial`, `surge`,
     /// `sway`, `heave`, `roll`, `pitch`, `yaw`.
     pub fn name(self) -> &'static str {
         match self {
@@ -79,7 +76,6 @@ impl Family {
             Self::SideSide => "side-side",
             Self::Torsion => "torsion",
             Self::Axial => "axial",
-            Self::Coupled => "coupled",
             Self::Surge => "surge",
             Self::Sway => "sway",
             Self::Heave => "heave",
@@ -94,12 +90,11 @@ impl Family {
         Self::RIGID.contains(&self)
     }
 
-    /// The name of one of its modes without the order: "fore-aft bending", "coupled mode".
+    /// The name of one of its modes without the order: "fore-aft bending", "torsion".
     pub fn noun(self) -> &'static str {
         match self {
             Self::ForeAft => "fore-aft bending",
             Self::SideSide => "side-side bending",
-            Self::Coupled => "coupled mode",
             _ => self.name(),
         }
     }
@@ -123,15 +118,13 @@ impl Family {
         }
     }
 
-    /// The components in (x, y, z, rotation about x, y, z) of which the largest is 1 in a shape: a
-    /// translation, or the rotation about z.
-    pub(crate) fn normalized_by(self) -> &'static [usize] {
+    /// The motion of a bare tower that it is made of.
+    pub fn motion(self) -> Motion {
         match self {
-            Self::ForeAft | Self::Surge | Self::Pitch => &[0],
-            Self::SideSide | Self::Sway | Self::Roll => &[1],
-            Self::Axial | Self::Heave => &[2],
-            Self::Torsion | Self::Yaw => &[5],
-            Self::Coupled => &[0, 1, 2],
+            Self::ForeAft | Self::Surge | Self::Pitch => Motion::Bending(Plane::ForeAft),
+            Self::SideSide | Self::Sway | Self::Roll => Motion::Bending(Plane::SideSide),
+            Self::Torsion | Self::Yaw => Motion::Torsion,
+            Self::Axial | Self::Heave => Motion::Axial,
         }
     }
 }

@@ -59,9 +59,18 @@ pub enum ModeNameError {
     /// It begins with no family.
     #[error(
         "`{text}` is not the name of a mode; a name is a family and an order, `fore-aft 1`, or one of surge, sway, \
-         heave, roll, pitch, yaw; the families are fore-aft, side-side, torsion, axial and coupled"
+         heave, roll, pitch, yaw; the families are fore-aft, side-side, torsion and axial"
     )]
     Family {
+        /// The text.
+        text: String,
+    },
+    /// It is `coupled`, which names no mode.
+    #[error(
+        "`{text}` names no mode: a coupled mode has the name of one of its motions, `fore-aft 1`; the families are \
+         fore-aft, side-side, torsion and axial, and afloat surge, sway, heave, roll, pitch, yaw"
+    )]
+    Coupled {
         /// The text.
         text: String,
     },
@@ -95,7 +104,11 @@ impl FromStr for ModeName {
             (rest.is_empty() || rest.starts_with('-')).then_some((family, rest))
         });
         let Some((family, rest)) = found else {
-            return Err(ModeNameError::Family { text: quoted() });
+            let text = quoted();
+            return Err(match plain.starts_with("coupled") {
+                true => ModeNameError::Coupled { text },
+                false => ModeNameError::Family { text },
+            });
         };
         let order = match rest.strip_prefix('-').unwrap_or(rest) {
             "" if family.is_rigid() => Some(1),
@@ -139,6 +152,7 @@ mod tests {
         assert!(matches!(error("fore"), ModeNameError::Family { .. }));
         assert!(matches!(error(""), ModeNameError::Family { .. }));
         assert!(matches!(error("yawing"), ModeNameError::Family { .. }));
+        assert!(error("coupled 1").to_string().contains("`fore-aft 1`"));
         for text in [
             "torsion",
             "torsion 0",

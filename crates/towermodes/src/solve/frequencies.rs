@@ -15,7 +15,7 @@ use super::warnings::is_uncertain_end;
 use super::workspace::Workspace;
 use crate::Method;
 use crate::eigen::EigenError;
-use crate::modes::Family;
+use crate::modes::{Family, ModeName, SecondFamily, Shares};
 use crate::tower::Tower;
 
 /// The name and the frequency of a natural mode of a tower, one of [`Frequencies::modes`]: the same
@@ -23,10 +23,13 @@ use crate::tower::Tower;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ModeFrequency {
-    /// The kind of motion: the one with most of the energy.
+    /// The kind of motion: the one whose energy in the modes so far exceeds its names by most
+    /// ([`Arrears`](crate::modes::Arrears)).
     pub family: Family,
     /// Order within the family, from 1.
     pub order: usize,
+    /// The share of each kind of motion in its energy.
+    pub shares: Shares,
     /// Natural frequency of the discretized tower, Hz; 0 for a rigid-body motion that nothing
     /// resists.
     pub frequency_hz: f64,
@@ -42,6 +45,24 @@ impl ModeFrequency {
     /// The total error, discretization and eigenvalue computation together, Hz.
     pub fn error_hz(&self) -> f64 {
         self.discretization_error_hz + self.algebraic_error_hz
+    }
+
+    /// Its name: family and order.
+    pub fn name(&self) -> ModeName {
+        ModeName {
+            family: self.family,
+            order: self.order,
+        }
+    }
+
+    /// The share of its own family in its energy.
+    pub fn share(&self) -> f64 {
+        self.shares.of(self.family)
+    }
+
+    /// The family with the largest share of its energy beside its own; none if there is none.
+    pub fn second(&self) -> Option<SecondFamily> {
+        self.shares.second_to(self.family)
     }
 
     /// Order and family in words: "1st fore-aft bending".
@@ -214,6 +235,7 @@ pub(super) fn list(
         frequencies.modes.push(ModeFrequency {
             family: identity.family,
             order: identity.order,
+            shares: identity.shares,
             frequency_hz,
             algebraic_error_hz: found.eigenvalue.frequency_error_hz(),
             discretization_error_hz: 0.0,

@@ -4,7 +4,7 @@ use serde::{Serialize, Serializer};
 
 use super::Mode;
 use crate::modes::serialized::{directions, shape};
-use crate::modes::{Energy, Family, ShapePoint};
+use crate::modes::{Energy, Family, SecondFamily, ShapePoint};
 
 /// A natural mode.
 #[derive(Serialize)]
@@ -23,6 +23,13 @@ struct ModeKeys {
     family: Family,
     /// Order within the family, from 1.
     order: usize,
+    /// The share of its own family in its energy. Afloat the shares are those of the kinetic
+    /// energy, first of the motions as one rigid body.
+    #[serde(getter = "Mode::share")]
+    share: f64,
+    /// The family with the largest share of its energy beside its own; null if there is none.
+    #[serde(getter = "Mode::second")]
+    second: Option<SecondFamily>,
     /// The name of the mode, as "1st fore-aft bending".
     #[serde(getter = "Mode::label")]
     label: String,

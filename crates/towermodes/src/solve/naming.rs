@@ -2,10 +2,13 @@
 
 use super::model::{ModalForces, Model};
 use super::options::Options;
-use super::spectrum::{Found, Spectrum};
-use crate::modes::{ByMotion, Energy, Family, RigidNames, RigidTower};
-use crate::space::SpatialMatrix;
-use crate::tower::Tower;
+use super::spectrum::{Found, ModeKey, Spectrum};
+use crate::modes::{Arrears, ByMotion, Energy, Family, RigidTower, Shares};
+use crate::tower::{Motion, Motions, Plane, Tower};
+
+/// Families whose sums in the rule of names differ by no more than this get modes in their order:
+/// more than the rounding of shares, which tells equal motions in two planes apart.
+const TIE: f64 = 1e-6;
 
 /// The identity of a mode.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,6 +16,7 @@ pub(super) struct Identity {
     pub(super) family: Family,
     /// Order within the family, from 1.
     pub(super) order: usize,
+    pub(super) shares: Shares,
     pub(super) energy: Energy,
     /// Effective modal masses, kg and kg m².
     pub(super) effective_mass: [f64; 6],
@@ -21,7 +25,7 @@ pub(super) struct Identity {
 /// What is wanted of identities.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Wanted {
-    /// Family and order.
+    /// Family, order and shares.
     Names,
     /// Energies and effective masses too.
     All,
@@ -32,8 +36,6 @@ pub(super) enum Wanted {
 pub(super) struct Naming {
     pub(super) identities: Vec<Identity>,
     forces: Vec<ModalForces>,
-    /// The names of modes in which a floating tower moves as one body.
-    rigid: Vec<Option<Family>>,
 }
 
 /// Identifies the modes found, in their order.
@@ -45,28 +47,17 @@ pub(super) fn identify(
     (found, wanted): (&[Found], Wanted),
     naming: &mut Naming,
 ) {
-    let Naming {
-        identities,
-        forces,
-        rigid,
-    } = naming;
+    let Naming { identities, forces } = naming;
     let floats = tower.base().floats;
     let all = floats || wanted == Wanted::All;
     set_modal_forces(model, spectrum, found, all, forces);
-    rigid.clear();
-    if floats {
-        let inertia = &tower.rigid_inertia(options.has_rotary_inertia());
-        name_afloat(found, forces, model.origin, inertia, rigid);
-    } else {
-        rigid.resize(found.len(), None);
-    }
-    let mut orders = [0; Family::ALL.len()];
+    let inertia = || tower.rigid_inertia(options.has_rotary_inertia());
+    let body = floats.then(|| RigidTower::new(&inertia()));
+    let mut arrears = Arrears::new(Family::ALL.map(Family::is_rigid), TIE);
     identities.clear();
-    for ((found, forces), rigid) in found.iter().zip(forces).zip(rigid) {
-        let mut identity = identity(model, found, forces, *rigid);
-        let order = &mut orders[identity.family as usize];
-        *order += 1;
-        identity.order = *order;
+    for (found, forces) in found.iter().zip(forces) {
+        let mut identity = identity(model, found, forces, body.as_ref());
+        identity.name(motions_of(model, found.key), floats, &mut arrears);
         identities.push(identity);
     }
 }
@@ -93,9 +84,21 @@ fn set_modal_forces(
     }
 }
 
-/// The identity of one mode, with the name of a rigid-body mode if it has one; its order is not
-/// known yet.
-fn identity(model: &Model, found: &Found, forces: &ModalForces, rigid: Option<Family>) -> Identity {
+/// The motions that the structure couples in a mode.
+fn motions_of(model: &Model, key: ModeKey) -> Motions {
+    match key.is_turned {
+        true => Motions::only(Motion::Bending(Plane::SideSide)),
+        false => model.motions(key.subsystem),
+    }
+}
+
+/// The identity of one mode; its name is not known yet.
+fn identity(
+    model: &Model,
+    found: &Found,
+    forces: &ModalForces,
+    body: Option<&RigidTower>,
+) -> Identity {
     let kinetic = forces.kinetic.shares();
     let strain = match forces.strain {
         // A motion that nothing resists has no strain energy but rounding errors.
@@ -106,59 +109,53 @@ fn identity(model: &Model, found: &Found, forces: &ModalForces, rigid: Option<Fa
     let energy = Energy { kinetic, strain };
     // The vector has uᵀ(K − σM)u = 1, and so uᵀMu = 1/(λ − σ).
     let from_origin = found.eigenvalue.lambda - model.origin;
+    let mut motions = model.motions(found.key.subsystem).iter();
+    let shares = match (body, motions.next(), motions.next()) {
+        (Some(body), ..) => {
+            let force = forces.force.map(|force| force * from_origin.sqrt());
+            Shares::afloat(&kinetic, &body.shares(&force))
+        }
+        (None, Some(only), None) => Shares::only(Family::of(only)),
+        _ => Shares::of_motions(&energy.mean()),
+    };
     let identity = Identity {
-        family: rigid.unwrap_or_else(|| family(model, found, &energy)),
+        family: shares.largest(),
         order: 0,
+        shares,
         energy,
         effective_mass: forces.force.map(|force| force * force * from_origin),
     };
-    if found.key.is_turned {
-        identity.turned_to_side_side()
-    } else {
-        identity
-    }
-}
-
-/// The family of a mode of an elastic tower: that of the only motion of its subsystem, or of the
-/// one with most of its energy.
-fn family(model: &Model, found: &Found, energy: &Energy) -> Family {
-    let mut motions = model.motions(found.key.subsystem).iter();
-    match (motions.next(), motions.next()) {
-        (Some(only), None) => Family::of(only),
-        _ => energy.main_motion().map_or(Family::Coupled, Family::of),
-    }
-}
-
-/// Names the modes in which a floating tower moves as one body; those of the second of two equal
-/// planes as in the first, which is listed before.
-fn name_afloat(
-    found: &[Found],
-    forces: &[ModalForces],
-    origin: f64,
-    inertia: &SpatialMatrix,
-    names: &mut Vec<Option<Family>>,
-) {
-    let body = RigidTower::new(inertia);
-    let mut rigid_names = RigidNames::default();
-    for (index, (mode, forces)) in found.iter().zip(forces).enumerate() {
-        let scale = (mode.eigenvalue.lambda - origin).sqrt();
-        let twin = found[..index].iter().position(|m| m.key.is_twin(mode.key));
-        names.push(match twin {
-            Some(twin) => names[twin],
-            None => rigid_names.name(&body.shares(&forces.force.map(|force| force * scale))),
-        });
+    match found.key.is_turned {
+        true => identity.turned_to_side_side(),
+        false => identity,
     }
 }
 
 impl Identity {
+    /// Names the next mode of a list, whose subsystem couples these motions: by its motions, and
+    /// afloat by those of the tower as one rigid body too.
+    fn name(
+        &mut self,
+        motions: Motions,
+        floats: bool,
+        arrears: &mut Arrears<{ Family::ALL.len() }>,
+    ) {
+        let may = |place: usize| {
+            let family = Family::ALL[place];
+            (floats || !family.is_rigid()) && motions.contains(family.motion())
+        };
+        let (place, order) = arrears.name(self.shares.values(), may);
+        (self.family, self.order) = (Family::ALL[place], order);
+    }
+
     /// The same in the side-side plane, of a mode in the fore-aft plane.
     fn turned_to_side_side(&self) -> Self {
         let [x, y, z, rx, ry, rz] = self.effective_mass;
         Self {
-            family: self.family.turned_to_side_side(),
-            order: self.order,
+            shares: self.shares.turned_to_side_side(),
             energy: self.energy.turned_to_side_side(),
             effective_mass: [y, x, z, ry, rx, rz],
+            ..*self
         }
     }
 }

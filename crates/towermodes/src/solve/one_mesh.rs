@@ -212,8 +212,9 @@ fn shapes(
                 let subsystem = model.subsystem(found.key.subsystem);
                 let vector = spectrum.vector(found.key);
                 let curves = subsystem.curves(mesh.borders_m(), &shear, vector);
-                let components = identity.family.normalized_by();
-                let curve = ModeCurve::new(mesh.borders_m(), &*curves, components);
+                let motion = identity.shares.scale(identity.family).motion();
+                let (component, _) = motion.components()[0];
+                let curve = ModeCurve::new(mesh.borders_m(), &*curves, &[component]);
                 Mode::new(number, found, identity, model.origin, &curve, heights_m)
             }
         };

@@ -4,9 +4,11 @@ use super::naming::Identity;
 use super::spectrum::{Found, ModeKey, Proof};
 use crate::Method;
 use crate::eigen::Statistics;
-use crate::modes::{ByMotion, Energy, EnergyParts, Family, ModeCurve, ShapePoint};
+use crate::modes::{
+    Energy, EnergyParts, Family, ModeCurve, ModeName, SecondFamily, ShapePoint, Shares,
+};
 use crate::space::SpatialMatrix;
-use crate::tower::Warning;
+use crate::tower::{Motion, Warning};
 
 /// A natural mode of a tower, one of [`Solution::modes`].
 ///
@@ -35,17 +37,22 @@ pub struct Mode {
     /// Natural frequency of the discretized tower, Hz; 0 for a rigid-body motion that nothing
     /// resists.
     pub frequency_hz: f64,
-    /// The kind of motion: the one with most of the energy.
+    /// The kind of motion: the one whose energy in the modes so far exceeds its names by most
+    /// ([`Arrears`](crate::modes::Arrears)).
     pub family: Family,
     /// Order within the family, from 1.
     pub order: usize,
+    /// The share of each kind of motion in its energy.
+    pub shares: Shares,
     /// Bound on the error of the eigenvalue computation, Hz.
     pub algebraic_error_hz: f64,
     /// Estimate of the discretization error: the difference from the frequency of the beam, Hz.
     pub discretization_error_hz: f64,
     /// The frequency of the beam, extrapolated from meshes with half or twice the segments, Hz.
     pub extrapolated_hz: f64,
-    /// Modal mass uᵀMu of the shape as normalized here: kg, or kg m² for torsion and yaw.
+    /// Modal mass uᵀMu of the shape as normalized here: kg, or kg m² for torsion and yaw. A family
+    /// with less than a tenth of the energy scales no shape; then the one with the largest share
+    /// does.
     pub modal_mass: f64,
     /// Distribution of its energy over the motions.
     pub energy: Energy,
@@ -83,6 +90,7 @@ impl Mode {
             frequency_hz,
             family: identity.family,
             order: identity.order,
+            shares: identity.shares,
             energy: identity.energy,
             energy_parts: None,
             effective_mass: identity.effective_mass,
@@ -107,6 +115,7 @@ impl Mode {
             number,
             family: identity.family,
             order: identity.order,
+            shares: identity.shares,
             energy: identity.energy,
             energy_parts: None,
             effective_mass: identity.effective_mass,
@@ -157,35 +166,33 @@ impl Mode {
         self.is_turning().then_some(self.modal_mass)
     }
 
+    /// Whether the rotation about z scales the shape.
     fn is_turning(&self) -> bool {
-        matches!(self.family, Family::Torsion | Family::Yaw)
+        self.shares.scale(self.family).motion() == Motion::Torsion
     }
 
-    /// The fractions of its energy that belong to other families than its own, largest first.
-    pub fn other_parts(&self) -> Vec<(Family, f64)> {
-        let mean = self.energy.mean();
-        let own = match self.family {
-            Family::Surge | Family::Pitch => Family::ForeAft,
-            Family::Sway | Family::Roll => Family::SideSide,
-            Family::Heave => Family::Axial,
-            Family::Yaw => Family::Torsion,
-            family => family,
-        };
-        let ByMotion {
-            fore_aft,
-            side_side,
-            torsion,
-            axial,
-        } = mean;
-        let mut parts = vec![
-            (Family::ForeAft, fore_aft),
-            (Family::SideSide, side_side),
-            (Family::Torsion, torsion),
-            (Family::Axial, axial),
-        ];
-        parts.retain(|(family, _)| *family != own);
-        parts.sort_by(|a, b| b.1.total_cmp(&a.1));
-        parts
+    /// Its name: family and order.
+    pub fn name(&self) -> ModeName {
+        ModeName {
+            family: self.family,
+            order: self.order,
+        }
+    }
+
+    /// The share of its own family in its energy.
+    pub fn share(&self) -> f64 {
+        self.shares.of(self.family)
+    }
+
+    /// The family with the largest share of its energy beside its own; none if there is none.
+    pub fn second(&self) -> Option<SecondFamily> {
+        self.shares.second_to(self.family)
+    }
+
+    /// Whether it has less than 60 % of its energy in the motion of its family; surge, pitch and
+    /// fore-aft bending are one motion.
+    pub fn is_coupled(&self) -> bool {
+        self.shares.is_coupled(self.family)
     }
 
     /// Order and family in words: "1st fore-aft bending".

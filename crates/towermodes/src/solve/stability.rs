@@ -4,7 +4,7 @@ use super::error::SolveError;
 use super::model::Model;
 use super::spectrum::{Spectrum, count_below};
 use crate::eigen::{EigenError, EigenWorkspace, Pencil, least, lowest};
-use crate::modes::{ByMotion, Energy, Family, RigidTower};
+use crate::modes::{RigidTower, Shares};
 use crate::subsystem::Eigenproblem;
 use crate::tower::{Motion, Tower};
 
@@ -69,15 +69,8 @@ fn unstable(tower: &Tower, model: &mut Model, scale: f64) -> Result<SolveError, 
     let (lambda, index, vector) = worst.ok_or(EigenError::NotFinite)?;
     let forces = model.modal_forces(index, &vector);
     let force = forces.force.map(|force| force * lambda.sqrt());
-    let shares = RigidTower::new(&tower.rigid_inertia(true)).shares(&force);
-    let of_the_tower = || {
-        let kinetic = forces.kinetic.shares();
-        let strain = ByMotion::default();
-        let motion = Energy { kinetic, strain }.main_motion();
-        motion.map_or(Family::Coupled, Family::of)
-    };
-    let rigid = shares.name(&[false; 6]);
-    let motion = rigid.map_or_else(of_the_tower, |motion| Family::RIGID[motion]);
+    let rigid = RigidTower::new(&tower.rigid_inertia(true)).shares(&force);
+    let motion = Shares::afloat(&forces.kinetic.shares(), &rigid).largest();
     Ok(SolveError::Unstable { motion })
 }
 

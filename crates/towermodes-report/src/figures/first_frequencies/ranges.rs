@@ -4,9 +4,6 @@ use towermodes::Family;
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, Margin};
 
-/// Modes on the bar.
-const MOST_LANES: usize = 2;
-
 /// The frequencies of a multiple of the rotor speed in operation.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Range {
@@ -69,24 +66,18 @@ pub(super) fn ranges(campbell: &Campbell) -> Vec<Range> {
     multiples.into_iter().map(range).collect()
 }
 
-/// The first fore-aft and side-side modes; in place of a missing one the lowest coupled mode.
+/// The first fore-aft and side-side modes.
 pub(super) fn lanes(campbell: &Campbell) -> Vec<Lane> {
     let lines = || campbell.lines.iter().enumerate();
     let is_first_of = |line: &FrequencyLine, wanted: Family| match line.of {
         Excited::Tower { family, order, .. } => family == wanted && order == 1,
         Excited::Blade { .. } | Excited::Turbine { .. } => false,
     };
-    let is_coupled = |line: &FrequencyLine| match line.of {
-        Excited::Tower { family, .. } => family == Family::Coupled,
-        Excited::Blade { .. } | Excited::Turbine { .. } => false,
-    };
     let bending = [Family::ForeAft, Family::SideSide];
     let first = bending
         .into_iter()
         .filter_map(|family| lines().find(|(_, line)| is_first_of(line, family)));
-    let coupled = lines().filter(|(_, line)| is_coupled(line));
-    let chosen = first.chain(coupled).take(MOST_LANES);
-    chosen
+    first
         .filter_map(|(index, line)| lane(campbell, index, line))
         .collect()
 }

@@ -1,6 +1,7 @@
 //! The component of a mode that is drawn, and which side-side modes equal fore-aft modes.
 
-use towermodes::{Family, Mode, ShapePoint};
+use towermodes::tower::Motion;
+use towermodes::{Family, Mode, Plane, ShapePoint};
 
 /// Shapes of an equal pair agree to this.
 const EQUAL_SHAPE: f64 = 1e-6;
@@ -23,11 +24,11 @@ pub(super) enum Part {
 impl Part {
     /// The component that a family is normalised by.
     pub fn main(family: Family) -> Self {
-        match family {
-            Family::SideSide | Family::Sway | Family::Roll => Self::Y,
-            Family::Axial | Family::Heave => Self::Z,
-            Family::Torsion | Family::Yaw => Self::RotationZ,
-            _ => Self::X,
+        match family.motion() {
+            Motion::Bending(Plane::ForeAft) => Self::X,
+            Motion::Bending(Plane::SideSide) => Self::Y,
+            Motion::Axial => Self::Z,
+            Motion::Torsion => Self::RotationZ,
         }
     }
 
@@ -79,6 +80,14 @@ pub(super) fn is_turned(fore_aft: &Mode, side_side: &Mode) -> bool {
     let points = fore_aft.shape.iter().zip(&side_side.shape);
     let mut differences = points.map(|(a, b)| (Part::X.of(a) - Part::Y.of(b)).abs());
     (a - b).abs() <= EQUAL_FREQUENCY * a.max(b) && differences.all(|it| it <= EQUAL_SHAPE)
+}
+
+/// Its name for panels with modes of several families: "1st fore-aft".
+pub(super) fn short_name(mode: &Mode) -> String {
+    match mode.family.is_rigid() {
+        true => order(mode),
+        false => format!("{} {}", order(mode), mode.family.name()),
+    }
 }
 
 /// Its order in its family, "1st"; for a rigid-body mode its name.

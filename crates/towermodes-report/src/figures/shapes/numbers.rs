@@ -1,6 +1,6 @@
 //! The figure of the mode shapes in words and as a table.
 
-use towermodes::{Family, Mode, Solution, Tower};
+use towermodes::{Mode, Solution, Tower};
 
 use super::curves::{Part, coupled_parts};
 use crate::number::{four_digits, length, short};
@@ -58,9 +58,9 @@ pub(super) fn table(solution: &Solution) -> DataTable {
 }
 
 fn rows(mode: &Mode, chosen: &[usize]) -> Vec<Vec<String>> {
-    let parts = match mode.family {
-        Family::Coupled => coupled_parts(mode),
-        family => vec![Part::main(family)],
+    let parts = match mode.is_coupled() {
+        true => coupled_parts(mode),
+        false => vec![Part::main(mode.family)],
     };
     let row =
         |part: &Part| {
@@ -71,7 +71,7 @@ fn rows(mode: &Mode, chosen: &[usize]) -> Vec<Vec<String>> {
             ];
             let points = chosen.iter().map(|index| mode.shape.get(*index));
             // Values far below the largest, 1, are zero; a rotation per metre has no such scale.
-            let is_share = mode.family != Family::Coupled || *part != Part::RotationZ;
+            let is_share = *part == Part::main(mode.family) || *part != Part::RotationZ;
             let value = |value: f64| {
                 if is_share && value.abs() < 5e-4 {
                     0.0

@@ -2,7 +2,7 @@
 
 use towermodes::{Family, Mode, ShapePoint, Solution};
 
-use super::curves::{Part, coupled_parts, is_turned, order};
+use super::curves::{Part, coupled_parts, is_turned, order, short_name};
 use crate::figures::enlargement::round_factor;
 use crate::number::four_digits;
 
@@ -49,11 +49,12 @@ const DEFLECTION: [&str; 2] = [
 ];
 const ROTATION: [&str; 2] = ["rotation / largest (\u{2212})", "rot. / largest (\u{2212})"];
 
-/// The panels of a solution's modes, by family.
+/// The panels of a solution's modes: by family, and those of coupled modes by component.
 pub(super) fn panels(solution: &Solution) -> Vec<Panel> {
     let of = |family: Family| -> Vec<&Mode> {
         let modes = solution.modes.iter();
-        modes.filter(|mode| mode.family == family).collect()
+        let clear = modes.filter(|mode| !mode.is_coupled());
+        clear.filter(|mode| mode.family == family).collect()
     };
     let (fore_aft, side_side) = (of(Family::ForeAft), of(Family::SideSide));
     let turned = are_turned(&fore_aft, &side_side);
@@ -65,7 +66,8 @@ pub(super) fn panels(solution: &Solution) -> Vec<Panel> {
         panel("torsion", ROTATION, &of(Family::Torsion), None),
         panel("axial", DEFLECTION, &of(Family::Axial), None),
     ];
-    panels.extend(coupled(&of(Family::Coupled)));
+    let is_coupled = |mode: &&Mode| mode.is_coupled() && !mode.family.is_rigid();
+    panels.extend(coupled(solution.modes.iter().filter(is_coupled)));
     panels.push(rigid(solution));
     panels.retain(|panel| !panel.curves.is_empty());
     panels
@@ -100,11 +102,14 @@ fn panel(
 }
 
 /// A panel for each component that takes part in a coupled mode.
-fn coupled(modes: &[&Mode]) -> Vec<Panel> {
-    let shown: Vec<&Mode> = modes.iter().take(MOST_CURVES).copied().collect();
+fn coupled<'a>(modes: impl Iterator<Item = &'a Mode> + Clone) -> Vec<Panel> {
+    let shown: Vec<&Mode> = modes.clone().take(MOST_CURVES).collect();
+    let more = modes.count().saturating_sub(MOST_CURVES);
     let parts: Vec<Part> = shown.iter().flat_map(|mode| coupled_parts(mode)).collect();
     let of = |part: Part, heading, axis: [&'static str; 2]| {
-        let curves = shown.iter().map(|mode| curve(mode, part, &order(mode)));
+        let curves = shown
+            .iter()
+            .map(|mode| curve(mode, part, &short_name(mode)));
         let curves: Vec<Curve> = curves.collect();
         let is_rotation = part == Part::RotationZ;
         let panel = Panel {
@@ -117,7 +122,7 @@ fn coupled(modes: &[&Mode]) -> Vec<Panel> {
             },
             ticks: if is_rotation { [2, 2] } else { SHARES },
             curves,
-            more: modes.len().saturating_sub(MOST_CURVES),
+            more,
         };
         parts.contains(&part).then_some(panel)
     };
