@@ -34,7 +34,7 @@ def test_page(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
 
 def test_the_pages_are_found() -> None:
     stems = {page.stem for page in HOW_TO}
-    assert {"dataframes", "optimize", "uncertainty", "openmdao", "cluster"} <= stems
+    assert {"dataframes", "optimize", "uncertainty", "openmdao", "jax", "cluster"} <= stems
 
 
 def test_a_wrong_digit_is_found() -> None:

@@ -36,6 +36,9 @@ def whole_or_none(name: str, value: SupportsIndex | None, least: int) -> int | N
 
 def number(name: str, value: SupportsFloat) -> float:
     """An argument as a number."""
+    if is_complex(value):
+        message = f"{name} is {value!r}; it must be a real number, without an imaginary part"
+        raise TypeError(message)
     if not isinstance(value, (str, bytes)):
         try:
             return float(value)
@@ -43,6 +46,12 @@ def number(name: str, value: SupportsFloat) -> float:
             pass
     message = f"{name} is {value!r}; it must be a number"
     raise TypeError(message)
+
+
+def is_complex(value: object) -> bool:
+    """Whether a value has an imaginary part, which `float` of NumPy would drop with a warning."""
+    kind = getattr(getattr(value, "dtype", None), "kind", None)
+    return kind == "c" or isinstance(value, complex)
 
 
 def number_or_none(name: str, value: SupportsFloat | None) -> float | None:
@@ -56,6 +65,12 @@ def word(name: str, value: str) -> str:
         return value
     message = f"{name} is {value!r}; it must be a text"
     raise TypeError(message)
+
+
+def words(name: str, values: Iterable[str]) -> list[str]:
+    """An argument as a list of texts; one text is a list of one."""
+    several = [values] if isinstance(values, str) else values
+    return [word(name, value) for value in several]
 
 
 def word_or_none(name: str, value: str | None) -> str | None:

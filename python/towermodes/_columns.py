@@ -6,7 +6,7 @@ from towermodes import _towermodes as _rust
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Callable, Iterable, Mapping
     from typing import Any, Protocol
 
     import numpy as np
@@ -34,32 +34,48 @@ KINDS = {
 }
 
 
-def columns_of(table: Any) -> list[tuple[str, Array]]:
+def columns_of(table: Any, ignore: Iterable[str] = ()) -> list[tuple[str, Array]]:
     """The columns of a table, as arrays of one length that nobody else has and nobody can write.
 
-    A missing value is NaN.
+    A missing value is NaN. Columns whose names begin with `#` and those to ignore are left out.
     """
-    columns = _read(table)
+    left_out = list(ignore)
+    columns = _read(table, lambda names: _chosen(names, left_out))
     for _, column in columns:
         column.flags.writeable = False
     return columns
 
 
-def _read(table: Any) -> list[tuple[str, Array]]:
+def _chosen(names: list[str], ignore: list[str]) -> list[int]:
+    """The places of the columns that are not left out."""
+    for name in ignore:
+        if name not in names:
+            message = f"the table has no column {name!r} to ignore; its columns are {names!r}"
+            raise ValueError(message)
+    left_out = [name in ignore or name.startswith("#") for name in names]
+    if names and all(left_out):
+        message = "all columns are left out; at least one must name a number to change"
+        raise ValueError(message)
+    return [place for place, is_out in enumerate(left_out) if not is_out]
+
+
+def _read(table: Any, choose: Callable[[list[str]], list[int]]) -> list[tuple[str, Array]]:
     kind = type(table).__name__
     if kind == "Series":
         message = "the table is a Series; make it a table with one column: series.to_frame()"
         raise TypeError(message)
     # A DataFrame of pandas would add its index to the stream, and needs pyarrow for it.
     if hasattr(table, "iloc") and hasattr(table, "columns"):
-        names = enumerate(table.columns)
-        return _numbers_of((str(name), table.iloc[:, n].to_numpy()) for n, name in names)
+        names = [str(name) for name in table.columns]
+        return _numbers_of((names[n], table.iloc[:, n].to_numpy()) for n in choose(names))
     if hasattr(table, "__arrow_c_stream__"):
-        return _rust.columns_of_stream(table.__arrow_c_stream__())
+        return _rust.columns_of_stream(table.__arrow_c_stream__(), choose)
     if hasattr(table, "items"):
-        pairs = table.items()
-        return _of_one_length(_numbers_of((str(name), values) for name, values in pairs))
-    message = f"the table is a {kind}; it must be a dict of arrays, a DataFrame or an Arrow table"
+        pairs = [(str(name), values) for name, values in table.items()]
+        chosen = choose([name for name, _ in pairs])
+        return _of_one_length(_numbers_of(pairs[n] for n in chosen))
+    message = f"the table is a {kind}; it must be a dict of arrays, a DataFrame, an Arrow table, \
+the path of a table, or a study"
     if hasattr(table, "collect"):
         message = f"the table is a {kind}; compute it first: .collect()"
     raise TypeError(message)

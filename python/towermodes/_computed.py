@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from towermodes._constant import constant
 from towermodes._html import text_html
 
 TYPE_CHECKING = False
@@ -17,8 +18,9 @@ if TYPE_CHECKING:
 class Computed:
     """A result of towers. It never changes.
 
-    A pickle has the towers and the arguments; reading it computes the result again, to the same
-    digits. So results go from process to process, and copies are the result itself.
+    A pickle has all numbers and texts of the result as data, so reading it computes nothing. Only
+    a picture is made again, from the towers and the arguments, if it is asked for. Copies are the
+    result itself.
     """
 
     __slots__ = ("_arguments", "_core", "_towers")
@@ -36,15 +38,22 @@ class Computed:
         raise TypeError(message)
 
     @classmethod
-    def _of(cls, towers: tuple[Tower, ...], *arguments: Any) -> Self:
+    def _of(cls, towers: tuple[Tower, ...], *arguments: Any, **watched: Any) -> Self:
+        cores = (tower._core for tower in towers)
+        return cls._with(cls._compute(*cores, *arguments, **watched), towers, arguments)
+
+    @classmethod
+    def _with(cls, core: Any, towers: tuple[Tower, ...], arguments: tuple[Any, ...]) -> Self:
         result = cls.__new__(cls)
-        result._core = cls._compute(*(tower._core for tower in towers), *arguments)
+        result._core = core
         result._towers = towers
         result._arguments = arguments
         return result
 
     def __reduce__(self) -> tuple[object, ...]:
-        return (_computed, (type(self), self._towers, self._arguments))
+        core = self._core
+        recorded = core if isinstance(core, Recorded) else Recorded(*_all_of(core))
+        return (_restored, (type(self), recorded, self._towers, self._arguments))
 
     def __copy__(self) -> Self:
         return self
@@ -53,8 +62,52 @@ class Computed:
         return self
 
 
-def _computed(cls: type[Computed], towers: tuple[Tower, ...], arguments: tuple[Any, ...]) -> object:
-    return cls._of(towers, *arguments)
+#: Methods of the classes in Rust whose results are not in pickles, because they take long to make.
+MADE_AGAIN = frozenset({"svg"})
+
+
+class Recorded:
+    """The numbers and texts of a result in place of the object in Rust, as a pickle has them."""
+
+    __slots__ = ("_again", "_texts", "_values")
+
+    def __init__(self, values: dict[str, Any], texts: dict[str, Any]) -> None:
+        self._values = {name: constant(value) for name, value in values.items()}
+        self._texts = texts
+        self._again: Callable[[], Any] | None = None
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (type(self), (self._values, self._texts))
+
+    def __getattr__(self, name: str) -> Any:
+        if name in self._values:
+            return self._values[name]
+        if name in self._texts:
+            return lambda: self._texts[name]
+        if name in MADE_AGAIN and self._again is not None:
+            return getattr(self._again(), name)
+        raise AttributeError(name)
+
+
+def _all_of(core: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+    """All that an object in Rust has: values by their names, and what its methods return."""
+    values, texts = {}, {}
+    for name in dir(type(core)):
+        if name.startswith("_") or name in MADE_AGAIN:
+            continue
+        value = getattr(core, name)
+        if callable(value):
+            texts[name] = value()
+        else:
+            values[name] = value
+    return values, texts
+
+
+def _restored(
+    cls: type[Computed], core: Recorded, towers: tuple[Tower, ...], arguments: tuple[Any, ...]
+) -> Computed:
+    core._again = lambda: cls._compute(*(tower._core for tower in towers), *arguments)
+    return cls._with(core, towers, arguments)
 
 
 class Tabular(Computed):

@@ -87,15 +87,12 @@ class FirstOrder(Tabular):
         return self.warnings
 
 
-def with_base(study: Mapping[str, Any]) -> Mapping[str, Any]:
-    """A study in a dict, with what it needs beside distributions if that is left out."""
+def with_rows(study: Mapping[str, Any]) -> Mapping[str, Any]:
+    """A study in a dict, with the rows that it needs beside distributions if they are left out."""
     sweep: Any = study.get("sweep")
-    if not hasattr(sweep, "items"):
+    if not hasattr(sweep, "items") or "table" in sweep:
         return study
-    needed: dict[str, object] = {"base": "this tower"}
-    if "table" not in sweep:
-        needed |= {"sampling": "random", "rows": 1}
-    return {**study, "sweep": {**needed, **sweep}}
+    return {**study, "sweep": {"sampling": "random", "rows": 1, **sweep}}
 
 
 def _number(value: float | None) -> float:

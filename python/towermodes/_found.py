@@ -32,6 +32,14 @@ def study_text(study: Study) -> tuple[str, str]:
     raise TypeError(message)
 
 
+def with_base(study: Mapping[str, Any]) -> Mapping[str, Any]:
+    """The study of a sweep in a dict, with the tower that it needs in a file."""
+    sweep: Any = study.get("sweep")
+    if not hasattr(sweep, "items"):
+        return study
+    return {**study, "sweep": {"base": "this tower", **sweep}}
+
+
 class Found(Tabular):
     """A tower whose numbers are found."""
 
@@ -132,6 +140,19 @@ class Calibration(Found):
         import numpy as np
 
         return np.array(self.data["correlations"], dtype=np.float64)
+
+    @property
+    def covariance(self) -> NDArray[np.float64]:
+        """The covariances of the numbers in their order: (numbers, numbers); NaN at a bound.
+
+        The entries are the product of two standard deviations and their correlation, in the units
+        of the two numbers.
+        """
+        import numpy as np
+
+        deviations = np.array(list(self.deviations.values()))
+        covariance: NDArray[np.float64] = self.correlation * np.outer(deviations, deviations)
+        return covariance
 
     @property
     def residuals(self) -> dict[str, float]:

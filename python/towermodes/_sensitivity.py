@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from towermodes import _towermodes as _rust
+from towermodes._constant import constant
 from towermodes._html import table_html
 from towermodes._names import place_of
 
@@ -72,6 +73,11 @@ class Sensitivities:
         self.missing = [(varied[row][0], names[mode], reason) for row, mode, reason in missing]
         for array in (self._values, frequency_hz, *derivatives, mass):
             array.flags.writeable = False
+
+    def __setstate__(self, state: tuple[None, dict[str, Any]]) -> None:
+        # A pickle has the arrays as arrays that can be written.
+        for name, value in state[1].items():
+            setattr(self, name, constant(value))
 
     @property
     def names(self) -> list[str]:

@@ -442,7 +442,7 @@ class Mode:
     @property
     def shape(self) -> Array:
         """The shape at `Solution.height_m`: (heights, 6), as `Solution.shape`."""
-        array: Array = self._solution._core.shape_of(self._index)
+        array: Array = self._solution.shape[self._index]
         return array
 
     def __repr__(self) -> str:

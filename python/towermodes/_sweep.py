@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from os import fsdecode
+
 from towermodes import _towermodes as _rust
 from towermodes._checks import whole_or_none, word_or_none
 from towermodes._columns import columns_of
+from towermodes._constant import Constant, constant
+from towermodes._found import study_text, with_base
 from towermodes._names import modes_chosen, place_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
     from typing import Any, SupportsIndex
 
     import numpy as np
@@ -17,6 +21,7 @@ if TYPE_CHECKING:
 
     from towermodes._columns import Table
     from towermodes._failures import Failures
+    from towermodes._found import Study
     from towermodes._names import Family, Modes
     from towermodes._tower import Tower
 
@@ -25,17 +30,44 @@ if TYPE_CHECKING:
 
 def swept(
     tower: Tower,
-    table: Table,
-    modes: Modes | None,
-    segments: SupportsIndex | None,
-    method: str | None,
-    rotary_inertia: bool,
-    threads: SupportsIndex | None,
+    table: Table | Study,
+    options: dict[str, object],
+    ignore: list[str],
+    progress: Callable[[int, int], object] | None,
 ) -> SweepResult:
     """The results of `Tower.sweep`, which documents the arguments."""
-    columns = columns_of(table)
-    options = sweep_options(modes, segments, method, rotary_inertia, threads)
-    return SweepResult(columns, _rust.sweep(tower._core, columns, options))
+    columns, options = _values(tower, table, options, ignore)
+    solved = _rust.sweep(tower._core, columns, options, progress=progress)
+    return SweepResult(columns, solved)
+
+
+def sampled(tower: Tower, study: Study) -> dict[str, Array]:
+    """The values of `Tower.sample`, which documents the arguments."""
+    options = sweep_options(None, None, None, True, None)
+    columns, _ = _of_study(tower, study, options, [])
+    return dict(columns)
+
+
+def _values(
+    tower: Tower, table: Any, options: dict[str, object], ignore: list[str]
+) -> tuple[list[tuple[str, Array]], dict[str, object]]:
+    """The columns of a sweep, and its options, which a study may decide."""
+    is_path = isinstance(table, (str, bytes)) or hasattr(table, "__fspath__")
+    if is_path and not fsdecode(table).lower().endswith(".toml"):
+        columns = _rust.values_of_table(tower._core, fsdecode(table), ignore)
+        return constant(columns), options
+    if is_path or hasattr(getattr(table, "get", dict().get)("sweep"), "items"):
+        return _of_study(tower, table, options, ignore)
+    return columns_of(table, ignore), options
+
+
+def _of_study(
+    tower: Tower, study: Any, options: dict[str, object], ignore: list[str]
+) -> tuple[list[tuple[str, Array]], dict[str, object]]:
+    given = with_base(study) if hasattr(study, "items") else study
+    text, name = study_text(given)
+    columns, options = _rust.values_of_study(tower._core, text, name, ignore, options)
+    return constant(columns), options
 
 
 def sweep_options(
@@ -107,6 +139,11 @@ class SweepResult:
         for array in (frequency_hz, error_hz, mass_kg, certified):
             array.flags.writeable = False
 
+    def __setstate__(self, state: tuple[None, dict[str, Any]]) -> None:
+        # A pickle has the arrays as arrays that can be written.
+        for name, value in state[1].items():
+            setattr(self, name, constant(value))
+
     @property
     def names(self) -> list[tuple[Family, int]]:
         """Family and order of each mode: the columns of `frequency_hz`."""
@@ -144,7 +181,8 @@ class SweepResult:
     @property
     def inputs(self) -> dict[str, Array]:
         """The columns of the table of the sweep; they are copies."""
-        return dict(self._inputs)
+        refusal = "the inputs of a sweep that is done do not change; dict(...) of them can be written"
+        return Constant(dict(self._inputs), refusal)
 
     def mode(self, family: Family | str, order: int | None = None) -> Array:
         """The frequencies of a mode by its name, extrapolated, Hz: (rows,).

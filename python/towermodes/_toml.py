@@ -9,7 +9,8 @@ if TYPE_CHECKING:
 
 def tower_file(tables: Mapping[str, object]) -> str:
     """The text of a tower file; tables without a value are left out."""
-    lines = [f"{key} = {_value(value)}" for key, value in tables.items() if value is not None]
+    given = ((str(key), value) for key, value in tables.items() if value is not None)
+    lines = [f"{_text(key)} = {_value(key, value)}" for key, value in given]
     return "\n".join(lines) + "\n"
 
 
@@ -19,7 +20,8 @@ def table(key: str, value: object) -> object:
     return {key: value} if is_number else value
 
 
-def _value(value: object) -> str:
+def _value(entry: str, value: object) -> str:
+    """The value of an entry, whose name a message has."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, (int, float)):
@@ -29,15 +31,39 @@ def _value(value: object) -> str:
         return _text(value)
     items = getattr(value, "items", None)
     if items is not None:
-        pairs = (f"{_text(str(key))} = {_value(item)}" for key, item in items())
-        return "{ " + ", ".join(pairs) + " }"
+        pairs = ((_key(key), item) for key, item in items())
+        written = (f"{_text(key)} = {_value(_of(entry, key), item)}" for key, item in pairs)
+        return "{ " + ", ".join(written) + " }"
+    if _is_name_of_mode(value):
+        return _text(_key(value))
     if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(_value(item) for item in value) + "]"
+        entries = (_value(f"{entry}[{place}]", item) for place, item in enumerate(value))
+        return "[" + ", ".join(entries) + "]"
     plain = getattr(value, "tolist", None)
-    if plain is not None:
-        return _value(plain())
-    message = f"{value!r} is neither a number, a text, a list, an array nor a dict"
+    if plain is not None and not isinstance(value, complex):
+        return _value(entry, plain())
+    message = f"{entry} is {value!r}; it must be a number, a text, a list, an array or a dict"
+    if value is None:
+        message += "; leave the entry out if it has no value"
     raise TypeError(message)
+
+
+def _is_name_of_mode(value: object) -> bool:
+    """Whether a value is the name of a mode in two parts: `("fore-aft", 1)`."""
+    is_pair = isinstance(value, tuple) and len(value) == 2
+    return is_pair and isinstance(value[0], str) and hasattr(value[1], "__index__")
+
+
+def _key(key: object) -> str:
+    if isinstance(key, tuple) and _is_name_of_mode(key):
+        return f"{key[0]} {int(key[1])}"
+    return str(key)
+
+
+def _of(entry: str, key: str) -> str:
+    """The name of an entry of a table, as messages of the module in Rust have it."""
+    is_word = key.replace("_", "").replace("-", "").isalnum() and key.isascii()
+    return f"{entry}.{key}" if is_word else f'{entry}["{key}"]'
 
 
 def _text(text: str) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copyreg
+
 from towermodes import _towermodes as _rust
 from towermodes._campbell import Campbell
 from towermodes._checks import (
@@ -12,24 +14,27 @@ from towermodes._checks import (
     whole_or_none,
     word,
     word_or_none,
+    words,
 )
+from towermodes._constant import Constant
 from towermodes._convert import Converted
 from towermodes._damping import Damping
 from towermodes._errors import TowerError
-from towermodes._first_order import FirstOrder, with_base
-from towermodes._found import Calibration, Design, study_text
+from towermodes._first_order import FirstOrder, with_rows
+from towermodes._found import Calibration, Design, study_text, with_base
+from towermodes._names import mode_name, modes_chosen
 from towermodes._picture import Picture
 from towermodes._sensitivity import Sensitivities
 from towermodes._solution import Solution
 from towermodes._study import Agreement, Comparison, Examination
-from towermodes._sweep import SweepResult, sweep_options, swept
+from towermodes._sweep import SweepResult, sampled, sweep_options, swept
 from towermodes._toml import table as first_of_table
 from towermodes._toml import tower_file
 from towermodes._turbine import Turbine
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence
     from typing import Any, Literal, SupportsFloat, SupportsIndex
 
     import numpy as np
@@ -46,6 +51,9 @@ if TYPE_CHECKING:
     Format = Literal["toml", "bmodes", "elastodyn", "windio"]
     Table = Mapping[str, Any]
 
+#: The answer to writing into the numbers of a tower.
+NO_WRITING = 'a tower does not change; tower.with_({"rna.mass": 360e3}) makes another one'
+
 
 class Tower:
     """A tower. It never changes; `with_` makes another one.
@@ -60,17 +68,20 @@ class Tower:
         material: `density`, `youngs_modulus`, and `shear_modulus` or `poissons_ratio`.
         materials: Several materials by their names.
         rna: The rotor-nacelle assembly: `mass`, and `center` and `inertia`; or a number, the mass.
+        turbine: In place of rna: nacelle, drivetrain and flexible blades.
         name: The name of the tower.
         outfitting_factor: Multiplies the density, for paint, bolts, flanges.
         shear: Shear deformation: True, or a shear coefficient.
         point_mass: Masses: dicts with `height`, `mass`, and `inertia`.
         foundation: `type` and its keys.
         soil: Soil springs over the height: dicts with `rows`.
+        ground: Soil in layers around the embedded pile: `surface`, `submerged`, `layer` and others.
         added_mass: Tables of added mass: dicts with `rows`.
         water: `level`, and `bed`, `density` and others.
         wires: Sets of guy wires: dicts.
         gravity: `acceleration`; or a number, the acceleration in m/s².
         rotor: `blades` and `rpm`.
+        drivetrain: `rotor_inertia` and others, for a rotor that turns freely.
         damping: Loss factors, and data of the blades: `tower_loss_factor` and others.
 
     Raises:
@@ -98,43 +109,30 @@ class Tower:
         material: Table | None = None,
         materials: Mapping[str, Table] | None = None,
         rna: Table | SupportsFloat | None = None,
+        turbine: Table | None = None,
         name: str | None = None,
         outfitting_factor: float | None = None,
         shear: bool | float | None = None,
         point_mass: Sequence[Table] | None = None,
         foundation: Table | None = None,
         soil: Sequence[Table] | None = None,
+        ground: Table | None = None,
         added_mass: Sequence[Table] | None = None,
         water: Table | None = None,
         wires: Sequence[Table] | None = None,
         gravity: Table | SupportsFloat | None = None,
         rotor: Table | None = None,
+        drivetrain: Table | None = None,
         damping: Table | None = None,
     ) -> None:
-        tower = {
-            "stations": stations,
-            "properties": properties,
-            "outfitting_factor": outfitting_factor,
-            "shear": shear,
-        }
-        text = tower_file(
-            {
-                "name": name,
-                "material": material,
-                "materials": materials,
-                "tower": {key: value for key, value in tower.items() if value is not None},
-                "rna": first_of_table("mass", rna),
-                "rotor": rotor,
-                "point_mass": point_mass,
-                "foundation": foundation,
-                "soil": soil,
-                "added_mass": added_mass,
-                "water": water,
-                "wires": wires,
-                "gravity": first_of_table("acceleration", gravity),
-                "damping": damping,
-            }
-        )
+        given: dict[str, object] = dict(locals())
+        del given["self"]
+        _, keys = _rust.tower_file_keys()
+        tower = {key: given.pop(key) for key in keys}
+        tower = {key: value for key, value in tower.items() if value is not None}
+        given["rna"] = first_of_table("mass", rna)
+        given["gravity"] = first_of_table("acceleration", gravity)
+        text = tower_file({**given, "tower": tower})
         self._core = _rust.read_text(text, "<description>")
 
     @classmethod
@@ -225,24 +223,28 @@ class Tower:
     def parameters(self) -> dict[str, float]:
         """The numbers of the tower by the names that they have in the tower file.
 
-        Indices count from 0. `with_` and `sweep` take these names.
+        Indices count from 0. `with_` and `sweep` take these names. The tower does not change, so
+        the dict refuses to be written; `dict(tower.parameters)` can be written.
 
         >>> import towermodes as tm
         >>> tower = tm.read("examples/nrel-5mw.toml")
         >>> tower.parameters["rna.mass"]
         350000.0
         """
-        return {name: value for name, value, _, _ in self._core.parameters()}
+        values = {name: value for name, value, _, _ in self._core.parameters()}
+        return Constant(values, NO_WRITING)
 
     @property
     def parameter_units(self) -> dict[str, str]:
         """The units of `parameters`; empty for a number without a unit."""
-        return {name: unit for name, _, unit, _ in self._core.parameters()}
+        units = {name: unit for name, _, unit, _ in self._core.parameters()}
+        return Constant(units, NO_WRITING)
 
     @property
     def parameter_meanings(self) -> dict[str, str]:
         """What each of `parameters` is, in a few words."""
-        return {name: meaning for name, _, _, meaning in self._core.parameters()}
+        meanings = {name: meaning for name, _, _, meaning in self._core.parameters()}
+        return Constant(meanings, NO_WRITING)
 
     def with_(self, changes: Mapping[str, SupportsFloat]) -> Self:
         """This tower with other numbers; each change is one of its `notes`.
@@ -273,7 +275,7 @@ class Tower:
 
     def solve(
         self,
-        modes: SupportsIndex | None = None,
+        modes: Modes | None = None,
         *,
         method: Method | None = None,
         segments: SupportsIndex | None = None,
@@ -289,7 +291,8 @@ class Tower:
         Other Python threads run meanwhile.
 
         Args:
-            modes: Number of modes; by default 8, or the number in a BModes deck.
+            modes: Number of modes; by default 8, or the number in a BModes deck. Or names of modes,
+                as in `sweep`: as many of the lowest modes are computed as contain them.
             method: The method; by default "rmje-exact", or "bmodes" for a BModes deck.
             segments: Number of segments or elements; by default about 100.
             degree: Polynomial degree of the elements of the method "spectral"; by default it is
@@ -307,26 +310,32 @@ class Tower:
             ValueError: An option is unknown or does not apply to the method.
 
         >>> import towermodes as tm
-        >>> tm.read("examples/nrel-5mw.toml").solve(modes=2).frequency_hz
+        >>> tower = tm.read("examples/nrel-5mw.toml")
+        >>> tower.solve(modes=2).frequency_hz
         array([0.319..., 0.321...])
+        >>> tower.solve(modes=["torsion 1"]).mode("torsion", 1).frequency_hz
+        1.5655...
         """
         heights = heights_inside(heights_m, self.base_m, self.top_m)
-        options = _solve_options(modes, method, segments, degree, points, heights, rotary_inertia)
+        count, names = modes_chosen(modes)
+        options = _solve_options(count, method, segments, degree, points, heights, rotary_inertia)
         options["hinge_position"] = number_or_none("hinge_position", hinge_position)
         options["limits"] = bool(limits)
-        return Solution._of((self,), options)
+        return _with_modes(names, lambda more: Solution._of((self,), {**options, **more}))
 
     def sweep(
         self,
-        table: Sweepable,
+        table: Sweepable | Study,
         *,
         modes: Modes | None = None,
         segments: SupportsIndex | None = None,
         method: Method | None = None,
         rotary_inertia: bool = True,
         threads: SupportsIndex | None = None,
+        ignore: Iterable[str] = (),
+        progress: Callable[[int, int], object] | None = None,
     ) -> SweepResult:
-        """Changes this tower by each row of a table and solves it.
+        """Changes this tower by each row of a table or a study and solves it.
 
         Other Python threads run meanwhile, and Ctrl-C ends it. A row that does not describe a valid
         tower or cannot be solved raises no exception: its numbers are NaN, and its message is in
@@ -335,7 +344,10 @@ class Tower:
         Args:
             table: A dict of arrays and numbers, a DataFrame of pandas or polars, or another table
                 with the Arrow interface. The names of the columns are those of `with_`:
-                `rna.mass` sets a number, `scale(stations[*].wall)` multiplies.
+                `rna.mass` sets a number, `scale(stations[*].wall)` multiplies. A column whose name
+                begins with `#`, such as a number of the row, is left out. Or the path of a table in
+                CSV or Parquet; or a study: the path of a TOML file with [sweep], whose `base` is
+                not read, or a dict with the same tables.
             modes: Number of modes of this tower whose names are columns, 4 by default, or their
                 names: `[("fore-aft", 1), "torsion 1"]`.
             segments: Number of segments; by default 20, except for the method "spectral", which
@@ -346,6 +358,9 @@ class Tower:
             rotary_inertia: As in `solve`.
             threads: Number of threads; by default all processors. The results do not depend on
                 it. With 1, the calling thread does the work.
+            ignore: Names of other columns that are left out.
+            progress: Called about once a second with the number of rows that are done and of all
+                rows; an exception in it ends the sweep.
 
         Raises:
             ValueError: A column is not a number of this tower, or columns have different lengths.
@@ -360,7 +375,30 @@ class Tower:
         >>> bool(result.mode("fore-aft", 1)[0] > result.mode("fore-aft", 1)[1])
         True
         """
-        return swept(self, table, modes, segments, method, rotary_inertia, threads)
+        options = sweep_options(modes, segments, method, rotary_inertia, threads)
+        return swept(self, table, options, words("a column to ignore", ignore), progress)
+
+    def sample(self, study: Study) -> dict[str, NDArray[np.float64]]:
+        """The values of the rows of a study, which `sweep` would solve.
+
+        Args:
+            study: As in `sweep`.
+
+        Raises:
+            TowerError: The study has mistakes; of a file the exception has their places.
+            ValueError: The tower has no such number.
+            OSError: The file cannot be read.
+
+        >>> import towermodes as tm
+        >>> tower = tm.read("examples/nrel-5mw.toml")
+        >>> vary = {"rna.mass": {"uniform": [3.3e5, 3.7e5]}}
+        >>> study = {"sweep": {"sampling": "sobol", "rows": 4, "seed": 1, "vary": vary}}
+        >>> {name: values.shape for name, values in tower.sample(study).items()}
+        {'rna.mass': (4,)}
+        >>> tower.sweep(study, modes=1).frequency_hz.shape
+        (4, 1)
+        """
+        return sampled(self, study)
 
     def sensitivities(
         self,
@@ -399,9 +437,7 @@ class Tower:
         stations[0].wall  0.0351  m        6.11327e+06               3.190...
         """
         options = sweep_options(modes, segments, method, rotary_inertia, None)
-        if isinstance(names, str):
-            names = [names]
-        chosen = None if names is None else [word("a name of a number", name) for name in names]
+        chosen = None if names is None else words("a name of a number", names)
         return Sensitivities(_rust.sensitivities(self._core, chosen, options))
 
     def first_order(
@@ -412,12 +448,13 @@ class Tower:
         segments: SupportsIndex | None = None,
         method: Method | None = None,
         rotary_inertia: bool = True,
+        progress: Callable[[int], object] | None = None,
     ) -> FirstOrder:
         """Mean and standard deviation of the frequencies, if numbers of this tower are uncertain.
 
         It is the `sweep --first-order` of the program: the frequencies are linear functions of the
         varied numbers, with the exact derivatives at their means, and no rows are solved. Other
-        Python threads run meanwhile.
+        Python threads run meanwhile, and Ctrl-C ends it.
 
         Args:
             study: The path of the study of a sweep with [sweep.vary], whose `base` is not read, or
@@ -426,6 +463,7 @@ class Tower:
             segments: As in `sweep`; by default those of the study.
             method: As in `sweep`; by default that of the study.
             rotary_inertia: Whether sections have rotary inertia in bending.
+            progress: As in `design`.
 
         Raises:
             TowerError: The study has mistakes; of a file the exception has their places.
@@ -440,10 +478,12 @@ class Tower:
         0.00533...
         """
         options = sweep_options(modes, segments, method, rotary_inertia, None)
-        given = with_base(study) if isinstance(study, dict) else study
-        return FirstOrder._of((self,), *study_text(given), options)
+        given = with_rows(with_base(study)) if isinstance(study, dict) else study
+        return FirstOrder._of((self,), *study_text(given), options, progress=progress)
 
-    def design(self, study: Study) -> Design:
+    def design(
+        self, study: Study, *, progress: Callable[[int], object] | None = None
+    ) -> Design:
         """Finds the lightest tower whose frequencies are in given bands.
 
         The minimum is found from exact derivatives and proved by its KKT residual. Other Python
@@ -451,6 +491,9 @@ class Tower:
 
         Args:
             study: The path of a study, a TOML file with [design], or a dict with the same tables.
+                The name of a mode may be a tuple: `{("fore-aft", 1): {"min": 0.3}}`.
+            progress: Called about once a second with the number of towers solved so far; an
+                exception in it ends the search.
 
         Raises:
             TowerError: The study has mistakes; of a file the exception has their places.
@@ -464,7 +507,7 @@ class Tower:
         >>> round(design.tower.mass_kg)
         300877
         """
-        return Design._of((self,), *study_text(study))
+        return Design._of((self,), *study_text(study), progress=progress)
 
     def calibrate(
         self,
@@ -474,6 +517,7 @@ class Tower:
         method: Method | None = None,
         segments: SupportsIndex | None = None,
         rotary_inertia: bool = True,
+        progress: Callable[[int], object] | None = None,
     ) -> Calibration:
         """Fits numbers of this tower to measured frequencies.
 
@@ -488,6 +532,7 @@ class Tower:
             method: As in `solve`.
             segments: As in `solve`.
             rotary_inertia: Whether sections have rotary inertia in bending.
+            progress: As in `design`.
 
         Raises:
             TowerError: The measurements have mistakes; of a file the exception has their places.
@@ -502,10 +547,9 @@ class Tower:
         {'fore-aft 1': ..., 'side-side 1': ...}
         """
         text, name = study_text(measured)
-        names = [free] if isinstance(free, str) else list(free)
-        chosen = [word("a name of a number", name) for name in names]
+        chosen = words("a name of a number", free)
         options = _solve_options(None, method, segments, None, 2, [], rotary_inertia)
-        return Calibration._of((self,), text, name, chosen, options)
+        return Calibration._of((self,), text, name, chosen, options, progress=progress)
 
     def campbell(
         self,
@@ -736,6 +780,33 @@ class Tower:
 
     def _repr_svg_(self) -> str:
         return self._core.svg()
+
+
+def _core_of(state: tuple[object, ...]) -> _rust.Tower:
+    return _rust.Tower.restore(state)
+
+
+# The tower of a design in the pickle of the design.
+copyreg.pickle(_rust.Tower, lambda core: (_core_of, (core.state(),)))
+
+
+#: Solutions are searched for named modes up to this number of modes.
+MOST_MODES = 48
+
+
+def _with_modes(names: list[str], solved: Callable[[dict[str, object]], Solution]) -> Solution:
+    """A solution that has the named modes; without names the first one."""
+    if not names:
+        return solved({})
+    wanted = [mode_name(name)[:2] for name in names]
+    for count in range(8, MOST_MODES + 1, 8):
+        solution = solved({"modes": count})
+        missing = [mode for mode in wanted if mode not in solution.names]
+        if not missing:
+            return solution
+    family, order = missing[0]
+    message = f"{family} {order} is not among the lowest {MOST_MODES} modes; give a number of modes"
+    raise ValueError(message)
 
 
 def _restored(state: tuple[object, ...], cls: type[Tower] = Tower) -> Tower:

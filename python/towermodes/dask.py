@@ -36,7 +36,8 @@ class Outcome(NamedTuple):
     computed_rows: int
     """Number of towers that this call computed, with failed ones; others were there before."""
     failed_rows: int
-    """Number of failed towers among `computed_rows`; the column `error` has the reason."""
+    """Number of failed towers in the folder, whoever computed them; the column `error` has the
+    reason."""
 
 
 def sweep(
@@ -132,18 +133,21 @@ def sweep(
     )
     folder = order.open()
     order = order.for_workers(folder.key)
-    computed_rows = failed_rows = 0
+    computed_rows, failed = 0, dict[int, int]()
     for _ in range(ROUNDS):
         missing = folder.missing()
         there = folder.rows - sum(len(range(*folder.rows_of(part))) for part in missing)
-        for rows, failed in _solved(client, order, missing, retries):
+        for part, rows, failures in _done(client, _solve_part, order, missing, retries):
             there += rows
             computed_rows += rows
-            failed_rows += failed
+            failed[part] = failures
             if progress is not None:
                 progress(there, folder.rows)
         if folder.finish():
-            return Outcome(Path(order.folder), folder.rows, computed_rows, failed_rows)
+            before = [part for part in range(folder.count) if part not in failed]
+            for part, _, failures in _done(client, _count_part, order, before, retries):
+                failed[part] = failures
+            return Outcome(Path(order.folder), folder.rows, computed_rows, sum(failed.values()))
     message = f"{order.folder} still misses parts {folder.missing()[:5]} after {ROUNDS} rounds; \
 do the workers write to the folder that this process sees?"
     raise OSError(message)
@@ -183,11 +187,13 @@ class _Order:
         return _Order(self.tower, self.values, self.folder, self.results, parts, key)
 
 
-def _solved(client: Client, order: _Order, parts: list[int], retries: int) -> Any:
-    """Rows and failed rows of each part as soon as it is there."""
+def _done(
+    client: Client, task: Callable[..., object], order: _Order, parts: list[int], retries: int
+) -> Any:
+    """Number, rows and failed rows of each part as soon as its task is done."""
     # Not pure: a part that was solved before and is missing again is solved again.
     futures: list[Future] = client.map(
-        _solve_part, parts, order=order, pure=False, retries=retries, key="towermodes-part"
+        task, parts, order=order, pure=False, retries=retries, key="towermodes-part"
     )
     try:
         for future in as_completed(futures):
@@ -196,9 +202,15 @@ def _solved(client: Client, order: _Order, parts: list[int], retries: int) -> An
         client.cancel(futures)
 
 
-def _solve_part(part: int, order: _Order) -> tuple[int, int]:
+def _solve_part(part: int, order: _Order) -> tuple[int, int, int]:
     """On a worker: solves a part and writes it; its rows and how many of them have failed."""
-    return _opened(order).solve(part, 1)
+    return part, *_opened(order).solve(part, 1)
+
+
+def _count_part(part: int, order: _Order) -> tuple[int, int, int]:
+    """On a worker: how many rows have failed of a part that was there before."""
+    folder = _opened(order)
+    return part, len(range(*folder.rows_of(part))), folder.failures_of(part)
 
 
 @functools.lru_cache(maxsize=4)

@@ -62,7 +62,7 @@ const METHODS: [&str; 7] = [
 ];
 
 /// Options of every tower that is solved.
-const SOLVES: [(Kind, &str); 28] = [
+const SOLVES: [(Kind, &str); 32] = [
     (Kind::Json, "solve --format json --points 21"),
     (Kind::Json, "solve --format json --points 5 --modes 20"),
     (
@@ -118,6 +118,10 @@ const SOLVES: [(Kind, &str); 28] = [
     (Kind::Numbers, "elastodyn tower --nodes 10"),
     (Kind::Words, "report --format md"),
     (Kind::Words, "plot --what tower"),
+    (Kind::Json, "parameters --format json"),
+    (Kind::Json, "sensitivities --format json --modes 4"),
+    (Kind::Json, "damping --format json --modes 4"),
+    (Kind::Numbers, "damping --format csv --modes 4"),
 ];
 
 const PICTURES: [&str; 4] = ["shapes", "convergence", "campbell", "error"];
@@ -129,6 +133,66 @@ const PAIRS: [(&str, &str); 5] = [
     ("examples/nrel-5mw.toml", "examples/nrel-5mw-table.toml"),
     ("examples/nrel-5mw.toml", "examples/reference-tower.toml"),
     ("examples/cans.toml", "examples/monopile.toml"),
+];
+
+/// Runs on files of their own; those of `explore`, a server, are left out.
+const OTHERS: [(Kind, &str); 11] = [
+    (Kind::Json, "verify --format json"),
+    (
+        Kind::Json,
+        "sweep examples/studies/uncertainty.toml --first-order --format json",
+    ),
+    (
+        Kind::Numbers,
+        "sweep crates/towermodes-cli/tests/inputs/sweeps/beside-the-axis.toml",
+    ),
+    (
+        Kind::Numbers,
+        "sweep examples/nrel-5mw.toml crates/towermodes-cli/tests/inputs/sweeps/failing.csv",
+    ),
+    (
+        Kind::Json,
+        "design examples/nrel-5mw.toml crates/towermodes-cli/tests/inputs/design/mass.toml --format json",
+    ),
+    (
+        Kind::Words,
+        "design examples/nrel-5mw.toml crates/towermodes-cli/tests/inputs/design/impossible.toml",
+    ),
+    (
+        Kind::Json,
+        "calibrate examples/nrel-5mw.toml crates/towermodes-cli/tests/inputs/measured/tower.toml --format json",
+    ),
+    (
+        Kind::Json,
+        "calibrate examples/monopile.toml crates/towermodes-cli/tests/inputs/measured/prior.toml --format json",
+    ),
+    (Kind::Json, "schema solve"),
+    (Kind::Words, "completions bash"),
+    (Kind::Words, "man solve"),
+];
+
+/// Commands that are not run: they serve a page until they are ended.
+pub const NOT_RUN: [&str; 1] = ["explore"];
+
+/// Commands whose help is recorded.
+const HELPS: [&str; 17] = [
+    "solve",
+    "parameters",
+    "sensitivities",
+    "sweep",
+    "design",
+    "calibrate",
+    "compare",
+    "converge",
+    "campbell",
+    "damping",
+    "plot",
+    "report",
+    "explore",
+    "convert",
+    "check",
+    "elastodyn",
+    "verify",
 ];
 
 /// The folder of the project.
@@ -188,10 +252,8 @@ pub fn runs(root: &Path) -> Vec<Run> {
         ));
         runs.push(Run::new(Kind::Words, &format!("check {first}"), second));
     }
-    runs.push(Run::new(Kind::Json, "verify --format json", ""));
-    for command in [
-        "solve", "compare", "converge", "campbell", "convert", "check", "plot", "report",
-    ] {
+    runs.extend(OTHERS.map(|(kind, arguments)| Run::new(kind, arguments, "")));
+    for command in HELPS {
         runs.push(Run::new(Kind::Words, &format!("{command} --help"), ""));
     }
     runs

@@ -1,6 +1,6 @@
 //! `towermodes design`.
 
-use towermodes::{TowerDescription, Workspace};
+use towermodes::TowerDescription;
 use towermodes_design::design::{Design, DesignError, design};
 use towermodes_files::{DesignStudy, read_design_study, write_design_json};
 use towermodes_report::figures::{self, DesignedMode};
@@ -12,6 +12,7 @@ use crate::found::{check_output, study_source, write_tower};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, check_place, deliver};
 use crate::plot::deliver_picture;
+use crate::progress::searching;
 use crate::studies::design::{StudyError, document, located, options, problem, warnings};
 use crate::table;
 
@@ -36,8 +37,9 @@ pub(crate) fn run(arguments: &DesignArguments) -> Result<(), Failure> {
     warn(tower.warnings(), &input);
     let problem = problem(&study, &input).map_err(refused)?;
     let options = options(&study, &input);
-    let mut workspace = Workspace::default();
+    let (mut workspace, line) = searching();
     let found = design(&input.description, &problem, &options, &mut workspace);
+    drop(line);
     let found = found.map_err(|error| failure(error, &study, &input.description))?;
     let warnings = warnings(&found);
     let mut result = Vec::new();

@@ -19,7 +19,7 @@ use towermodes_files::{
 use towermodes_report::raster::RasterError;
 use towermodes_report::wording::{printable, remedy};
 
-use towermodes_sweep::{PartsError, RunError, SweepError, TableError};
+use towermodes_sweep::{PartsError, Remedy, RunError, SweepError, TableError};
 
 use crate::args::EndingError;
 use crate::input::SETTING;
@@ -286,6 +286,8 @@ impl Failure {
             }
             Self::Unverified { .. } => "see the lines with FAIL above",
             Self::OverwritesInput(_) => "give another path with --output",
+            Self::Parts(error) => return error.remedy().map(option_for),
+            Self::Table(error) => return error.remedy().map(option_for),
             _ => return None,
         };
         Some(Cow::Borrowed(hint))
@@ -416,6 +418,20 @@ fn hint_for_sweep(error: &SolveError) -> Option<&'static str> {
             "the base itself must be a tower that stands, even if its rows are; --set NAME=VALUE changes a number of the base",
         ),
         error => remedy(error),
+    }
+}
+
+/// The option of `sweep` that is a remedy.
+fn option_for(remedy: Remedy) -> Cow<'static, str> {
+    match remedy {
+        Remedy::RemoveResults => Cow::Borrowed("--force removes these results"),
+        Remedy::IgnoreColumn { name } => {
+            let said =
+                format!("--ignore \"{name}\" leaves the column out, as does a # before its name");
+            Cow::Owned(said)
+        }
+        Remedy::LargerParts { rows } => Cow::Owned(format!("--rows-per-part {rows}")),
+        Remedy::Csv => Cow::Borrowed("--format csv"),
     }
 }
 

@@ -6,12 +6,13 @@ use std::io::IsTerminal;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use towermodes::{Options, Solution, SolveError, Stage, Tower, Workspace, solve_certain};
 use towermodes_report::wording::printable;
 
+use crate::failure::report;
 use crate::terminal::NOT_SHOWN;
 
 /// Shorter computations show no progress.
@@ -22,6 +23,72 @@ const TICK: Duration = Duration::from_millis(100);
 const STEPS: u64 = 1000;
 /// Below this fraction the remaining time is not estimated.
 const KNOWN: f64 = 0.03;
+
+/// Time between two lines of a log.
+const BETWEEN_LINES: Duration = Duration::from_secs(30);
+
+/// When a long computation writes a line into a log, which shows that it goes on.
+#[derive(Debug, Default)]
+pub(crate) struct Log {
+    /// Number of lines that are written.
+    lines: u32,
+}
+
+impl Log {
+    /// Whether the next line is due after a time since the beginning.
+    pub(crate) fn is_due(&mut self, elapsed: Duration) -> bool {
+        let is_due = elapsed >= BETWEEN_LINES * (self.lines + 1);
+        if is_due {
+            self.lines = (elapsed.as_secs() / BETWEEN_LINES.as_secs()) as u32;
+        }
+        is_due
+    }
+}
+
+/// A workspace for a search that solves many towers: a line says how many. On a terminal it is the
+/// last one and is removed at the end; in a log there is a line from time to time.
+pub(crate) fn searching() -> (Workspace, impl Drop) {
+    let is_seen = std::io::stderr().is_terminal();
+    let target = match is_seen {
+        true => ProgressDrawTarget::stderr(),
+        false => ProgressDrawTarget::hidden(),
+    };
+    let line = Cleared(ProgressBar::with_draw_target(None, target));
+    let (bar, begun) = (line.0.clone(), Instant::now());
+    // The template is a constant and valid.
+    let style = ProgressStyle::with_template("{msg}");
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let (mut solved, mut log) = (0_u64, Log::default());
+    let workspace = Workspace::watched(move |now| {
+        let begins = now.products == 0 && matches!(now.stage, Stage::Modes { .. });
+        solved += u64::from(begins);
+        let elapsed = begun.elapsed();
+        if !begins || elapsed < QUIET {
+            return;
+        }
+        let said = || {
+            format!(
+                "{}: {solved} towers solved",
+                duration(elapsed.as_secs_f64())
+            )
+        };
+        match is_seen {
+            true => bar.set_message(said()),
+            false if log.is_due(elapsed) => report(&(said() + "\n")),
+            false => {}
+        }
+    });
+    (workspace, line)
+}
+
+/// A line that is removed at the end.
+struct Cleared(ProgressBar);
+
+impl Drop for Cleared {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}
 
 /// The progress line; nothing if standard error is not a terminal.
 pub(crate) struct Progress {
@@ -261,8 +328,18 @@ fn said(stage: Stage) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Now, line};
+    use super::{Log, Now, line};
+    use std::time::Duration;
     use towermodes::Stage;
+
+    #[test]
+    fn a_log_gets_a_line_every_half_minute_and_none_for_short_work() {
+        let mut log = Log::default();
+        let seconds = [0.0, 29.9, 30.0, 30.1, 59.0, 61.0, 200.0, 201.0, 210.0];
+        let lines = seconds.map(|s| log.is_due(Duration::from_secs_f64(s)));
+        let expected = [false, false, true, false, false, true, true, false, true];
+        assert_eq!(lines, expected);
+    }
 
     fn pieces(names: &[&str]) -> Now {
         Now::new(names.iter().map(|name| ((*name).to_owned(), 1.0)).collect())

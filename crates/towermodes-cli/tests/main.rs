@@ -19,3 +19,4 @@ mod settings;
 mod several;
 mod sweeps;
 mod terminal;
+mod texts;

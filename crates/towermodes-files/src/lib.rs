@@ -96,7 +96,8 @@ pub use source::{FileError, MAX_FILE_BYTES, Source, encoded_as};
 pub use study::{DEFAULT_SWEEP_MODES, Placed, SweepModes, SweepResults, SweepRows, SweepStudy};
 pub use toml::{
     KeySchema, Rewritten, TableSchema, ValueKind, WrittenAnew, description_from_toml,
-    design_study_schema, measured_schema, read_design_study, read_measured, read_sweep_study,
-    rewritten, sweep_study_schema, tower_file_schema, tower_from_toml, write_toml, write_toml_with,
+    design_study_schema, entry_at, measured_schema, read_design_study, read_measured,
+    read_sweep_study, rewritten, sweep_study_schema, tower_file_schema, tower_from_toml,
+    write_toml, write_toml_with,
 };
 pub use windio::{WindIoWriteError, read_windio, write_windio};

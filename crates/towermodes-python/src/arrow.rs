@@ -34,18 +34,22 @@ const STREAM: &CStr = c"arrow_array_stream";
 /// A column of numbers with its name.
 type NamedColumn<'py> = (String, Bound<'py, PyArray1<f64>>);
 
-/// The columns of a table as numbers; a missing value is NaN.
+/// The columns of a table as numbers; a missing value is NaN. A function of all names gives the
+/// places of the columns that are read.
 #[pyfunction]
-#[pyo3(signature = (capsule: "object") -> "list[tuple[str, Incomplete]]")]
+#[pyo3(signature = (capsule: "object", choose: "object") -> "list[tuple[str, Incomplete]]")]
 pub fn columns_of_stream<'py>(
     py: Python<'py>,
     capsule: &Bound<'py, PyCapsule>,
+    choose: &Bound<'py, PyAny>,
 ) -> PyResult<Vec<NamedColumn<'py>>> {
     let reader = reader(capsule)?;
     let names = reader.schema();
     let names = names.fields().iter().map(|field| field.name().clone());
     let names: Vec<String> = names.collect();
-    let columns = released(py, || numbers(reader, &names))?;
+    let chosen: Vec<usize> = choose.call1((&names,))?.extract()?;
+    let names: Vec<String> = chosen.iter().map(|&place| names[place].clone()).collect();
+    let columns = released(py, || numbers(reader, &chosen, &names))?;
     let columns = columns
         .into_iter()
         .map(|column| PyArray1::from_vec(py, column));
@@ -66,12 +70,14 @@ fn unreadable(error: &ArrowError) -> PyErr {
 
 fn numbers(
     reader: impl Iterator<Item = Result<RecordBatch, ArrowError>>,
+    chosen: &[usize],
     names: &[String],
 ) -> PyResult<Vec<Vec<f64>>> {
     let mut columns = vec![Vec::new(); names.len()];
     for batch in reader {
         let batch = batch.map_err(|error| unreadable(&error))?;
-        for ((column, array), name) in columns.iter_mut().zip(batch.columns()).zip(names) {
+        let arrays = chosen.iter().map(|&place| batch.column(place));
+        for ((column, array), name) in columns.iter_mut().zip(arrays).zip(names) {
             extend(column, array).ok_or_else(|| {
                 PyTypeError::new_err(format!(
                     "column {name} holds {}, but must hold numbers; cast it to 64-bit floats",

@@ -1,5 +1,8 @@
 //! Errors of the library as Python exceptions; the classes are in `python/towermodes/_errors.py`.
 
+use std::io;
+use std::path::PathBuf;
+
 use pyo3::exceptions::{PyFileNotFoundError, PyIsADirectoryError, PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -10,8 +13,10 @@ use towermodes_analysis::agreement::AgreementError;
 use towermodes_analysis::elastodyn::{MakeError, ShapesError};
 use towermodes_analysis::resonance::CampbellError;
 use towermodes_analysis::whirl::CoupledError;
-use towermodes_files::{ConvertError, Diagnostic, FileError, ReadError, ResultError, Source};
-use towermodes_sweep::number_at;
+use towermodes_files::{
+    ConvertError, Diagnostic, FileError, ReadError, ResultError, Source, entry_at,
+};
+use towermodes_sweep::{PartsError, Remedy, TableError, TableProblem, number_at};
 
 use crate::lock::attached;
 
@@ -68,19 +73,37 @@ pub fn of_read(error: ReadError) -> PyErr {
             let hint = list.first().and_then(|first| first.3.clone());
             // Text in memory has no path.
             let path = Some(source_file.name.as_str()).filter(|name| !name.starts_with('<'));
-            let message = match source_file.name.as_str() {
-                MADE_HERE => sentences(mistakes),
-                _ => error.to_string(),
-            };
+            let message = said(&error);
             tower_error(&message, path, hint.as_deref(), list)
         }
     }
 }
 
-/// Mistakes without their places.
-fn sentences(mistakes: &[Diagnostic]) -> String {
-    let sentences: Vec<String> = mistakes.iter().map(Diagnostic::to_string).collect();
-    sentences.join("\n")
+/// The text of an error. A mistake in a dict has the name of its entry in place of line and column.
+pub fn said(error: &ReadError) -> String {
+    match error {
+        ReadError::Mistakes {
+            source_file,
+            mistakes,
+        } if source_file.name == MADE_HERE => {
+            let own = |mistake: &Diagnostic| of_entry(mistake, &source_file.text);
+            let sentences: Vec<String> = mistakes.iter().map(own).collect();
+            sentences.join("\n")
+        }
+        error => error.to_string(),
+    }
+}
+
+/// A mistake with the name of its entry, as `rna.inertia.zz: ...`. The keys of the table `[tower]`
+/// are arguments of their own.
+fn of_entry(mistake: &Diagnostic, text: &str) -> String {
+    match entry_at(text, mistake.span.start) {
+        Some(entry) => {
+            let entry = entry.strip_prefix("tower.").unwrap_or(&entry);
+            format!("{entry}: {mistake}")
+        }
+        None => mistake.to_string(),
+    }
 }
 
 fn located(source: &Source, mistake: &Diagnostic) -> Mistake {
@@ -101,17 +124,56 @@ fn of_file(error: FileError) -> PyErr {
         FileError::Directory { name } => {
             PyIsADirectoryError::new_err((IS_DIRECTORY, "is a directory, not a file", name))
         }
-        FileError::System { error, name } => match error.raw_os_error() {
-            // Python chooses the class of the exception by the number.
-            Some(number) => PyOSError::new_err((number, error.to_string(), name)),
-            None => PyOSError::new_err(message),
-        },
+        FileError::System { error, name } => of_system(&error, name, &message),
         FileError::Special { name, .. }
         | FileError::TooLarge { name }
         | FileError::Pointer { name, .. }
         | FileError::WebPage { name }
         | FileError::NotText { name, .. } => tower_error(&message, Some(&name), None, Vec::new()),
         _ => PyOSError::new_err(message),
+    }
+}
+
+/// An error of the system on a file; Python chooses the class of the exception by the number.
+fn of_system(error: &io::Error, file: impl Into<PathBuf>, otherwise: &str) -> PyErr {
+    let Some(number) = error.raw_os_error() else {
+        return PyOSError::new_err(otherwise.to_owned());
+    };
+    // The exception has the number itself.
+    let text = error.to_string();
+    let text = text.strip_suffix(&format!(" (os error {number})"));
+    let text = text.map_or_else(|| error.to_string(), str::to_owned);
+    PyOSError::new_err((number, text, file.into()))
+}
+
+/// A folder of a sweep that cannot be used, or a table with mistakes.
+pub fn of_parts(error: PartsError) -> PyErr {
+    let message = match error.remedy().map(argument_for) {
+        Some(remedy) => format!("{error}; {remedy}"),
+        None => error.to_string(),
+    };
+    match &error {
+        PartsError::Io { path, error } => of_system(error, path, &message),
+        PartsError::Table(TableError { name, problem }) => match &**problem {
+            TableProblem::Io(error) => of_system(error, name, &message),
+            _ => usage(message),
+        },
+        PartsError::Unwritable { .. }
+        | PartsError::Damaged { .. }
+        | PartsError::Replaced { .. } => PyOSError::new_err(message),
+        _ => usage(message),
+    }
+}
+
+/// The argument of `sweep` that is a remedy.
+fn argument_for(remedy: Remedy) -> String {
+    match remedy {
+        Remedy::RemoveResults => "force=True removes these results".to_owned(),
+        Remedy::IgnoreColumn { name } => {
+            format!("ignore=[{name:?}] leaves the column out, as does a # before its name")
+        }
+        Remedy::LargerParts { rows } => format!("give rows_per_part={rows}"),
+        Remedy::Csv => "give format=\"csv\"".to_owned(),
     }
 }
 

@@ -1,13 +1,14 @@
 //! The scatter of frequencies to first order in what varies.
 
 use pyo3::prelude::*;
+use towermodes::Workspace;
 use towermodes_cli::{studies, table};
 use towermodes_files::{Sampling, Source, SweepRows, read_sweep_study, write_first_order_json};
 use towermodes_sweep::{Base, FirstOrder as Scatter, FirstOrderError, MarginCheck, Sweep};
 
 use crate::error::{of_read, of_result, unsolved, usage};
 use crate::found::no_derivatives;
-use crate::lock::released;
+use crate::interrupt::reported;
 use crate::sweep::{SweepOptions, refused};
 use crate::tower::Tower;
 
@@ -22,13 +23,14 @@ pub struct FirstOrder {
 impl FirstOrder {
     /// The distributions of a study, on a tower in place of its base.
     #[new]
-    #[pyo3(signature = (tower, text, name, options: "dict[str, object]"))]
+    #[pyo3(signature = (tower, text, name, options: "dict[str, object]", *, progress = None))]
     fn new(
         py: Python<'_>,
         tower: &Tower,
         text: String,
         name: String,
         options: SweepOptions,
+        progress: Option<Py<PyAny>>,
     ) -> PyResult<Self> {
         let input = &tower.model.input;
         let study = read_sweep_study(&Source { name, text }).map_err(of_read)?;
@@ -39,10 +41,10 @@ impl FirstOrder {
         };
         let changes = study.changes(&input.description).map_err(of_read)?;
         let results = options.over(study.results.clone())?;
-        let (found, check) = released(py, || {
+        let (found, check) = reported(py, progress, |workspace| {
             let sweep = Sweep::new(Base::from(input), changes, &results).map_err(refused)?;
-            scatter(&sweep, sampling)
-        })?;
+            scatter(&sweep, sampling, std::mem::take(workspace))
+        })??;
         let document = studies::first_order::document(input, sampling, &found, check.as_ref());
         let mut json = Vec::new();
         write_first_order_json(&document, &mut json).map_err(|error| of_result(&error))?;
@@ -62,9 +64,13 @@ impl FirstOrder {
     }
 }
 
-fn scatter(sweep: &Sweep, sampling: &Sampling) -> PyResult<(Scatter, Option<MarginCheck>)> {
+fn scatter(
+    sweep: &Sweep,
+    sampling: &Sampling,
+    workspace: Workspace,
+) -> PyResult<(Scatter, Option<MarginCheck>)> {
     let check = sweep.margin_check();
-    let found = sweep.first_order(sampling, check.as_ref());
+    let found = sweep.first_order_with(sampling, check.as_ref(), workspace);
     let found = found.map_err(|error| match error {
         FirstOrderError::Sensitivity(error) => no_derivatives(&error),
         error @ FirstOrderError::Means { .. } => unsolved(&error.to_string(), None),

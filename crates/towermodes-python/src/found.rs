@@ -14,8 +14,8 @@ use towermodes_files::{
     ReadError, Source, read_design_study, read_measured, write_calibration_json, write_design_json,
 };
 
-use crate::error::{MADE_HERE, of_read, of_result, of_solve, of_tower, unsolved, usage};
-use crate::interrupt::interruptible;
+use crate::error::{of_read, of_result, of_solve, of_tower, said, unsolved, usage};
+use crate::interrupt::reported;
 use crate::lock::released;
 use crate::options::SolveOptions;
 use crate::tower::{Model, Tower};
@@ -59,7 +59,14 @@ impl Found {
 
 /// The lightest tower of a study.
 #[pyfunction]
-pub fn design(py: Python<'_>, tower: &Tower, text: String, name: String) -> PyResult<Found> {
+#[pyo3(signature = (tower, text, name, *, progress = None))]
+pub fn design(
+    py: Python<'_>,
+    tower: &Tower,
+    text: String,
+    name: String,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Found> {
     let input = &tower.model.input;
     let study = read_design_study(&Source { name, text }).map_err(of_read)?;
     let problem = studies::design::problem(&study, input).map_err(|error| match error {
@@ -67,13 +74,12 @@ pub fn design(py: Python<'_>, tower: &Tower, text: String, name: String) -> PyRe
         error => usage(error.to_string()),
     })?;
     let options = studies::design::options(&study, input);
-    let found = interruptible(py, |workspace| {
+    let found = reported(py, progress, |workspace| {
         designed(&input.description, &problem, &options, workspace)
     })?;
     let found = found.map_err(|error| {
         let located = studies::design::located(&error, &study, &input.description);
-        let located = located.filter(|_| has_lines(&study.source));
-        no_design(error, located.map(|error| error.to_string()))
+        no_design(error, located.map(|error| said(&error)))
     })?;
     let warnings = studies::design::warnings(&found);
     let document = studies::design::document(input, &problem, &found, &warnings);
@@ -88,7 +94,7 @@ pub fn design(py: Python<'_>, tower: &Tower, text: String, name: String) -> PyRe
 
 /// The fit of measurements; `free` are the numbers to be fitted, if not those of the file.
 #[pyfunction]
-#[pyo3(signature = (tower, text, name, free, options: "dict[str, object]"))]
+#[pyo3(signature = (tower, text, name, free, options: "dict[str, object]", *, progress = None))]
 pub fn calibrate(
     py: Python<'_>,
     tower: &Tower,
@@ -96,6 +102,7 @@ pub fn calibrate(
     name: String,
     free: Vec<String>,
     options: SolveOptions,
+    progress: Option<Py<PyAny>>,
 ) -> PyResult<Found> {
     let input = &tower.model.input;
     let file = read_measured(&Source { name, text }).map_err(of_read)?;
@@ -107,11 +114,12 @@ pub fn calibrate(
     let problem = studies::calibration::problem(&input.description, &file, free);
     let problem = problem.map_err(of_read)?;
     let options = options.of(input)?;
-    let fit = interruptible(py, |workspace| fitted(&problem, &options, workspace))?;
+    let fit = reported(py, progress, |workspace| {
+        fitted(&problem, &options, workspace)
+    })?;
     let fit = fit.map_err(|error| {
         let located = studies::calibration::located(&error, &file);
-        let located = located.filter(|_| has_lines(&file.source));
-        no_fit(error, located.map(|error| error.to_string()))
+        no_fit(error, located.map(|error| said(&error)))
     })?;
     let document = studies::calibration::document(input, &fit);
     let mut json = Vec::new();
@@ -121,11 +129,6 @@ pub fn calibrate(
         table: table::calibration(&input.description.name, &fit),
         model: changed(tower, fit.description)?,
     })
-}
-
-/// Whether the lines of a text mean something to the user.
-fn has_lines(source: &Source) -> bool {
-    source.name != MADE_HERE
 }
 
 /// A tower with other numbers.

@@ -4,12 +4,15 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
-use towermodes::Workspace;
+use towermodes::{Progress, Stage, Workspace};
 
 use crate::lock::{attached, released};
 
 /// Time between two looks for a signal.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
+
+/// Time between two calls of a function of Python.
+pub const BETWEEN_REPORTS: Duration = Duration::from_secs(1);
 
 /// The exception of a signal handler, on its way out of a computation.
 struct Interrupted(PyErr);
@@ -29,6 +32,43 @@ pub fn interruptible<T: Send>(
         let mut workspace = Workspace::watched(move |_| look());
         work(&mut workspace)
     })
+}
+
+/// The same for a computation that solves many towers. A function of Python is called about once a
+/// second with the number of towers that are solved; its exceptions end the computation too.
+///
+/// # Errors
+/// The exception of a signal handler or of the function.
+pub fn reported<T: Send>(
+    py: Python<'_>,
+    progress: Option<Py<PyAny>>,
+    work: impl FnOnce(&mut Workspace) -> T + Send,
+) -> PyResult<T> {
+    let (mut solved, mut reported) = (0_u64, Instant::now());
+    looking(py, |mut look| {
+        let mut workspace = Workspace::watched(move |now| {
+            solved += u64::from(begins(&now));
+            if let Some(progress) = &progress
+                && reported.elapsed() >= BETWEEN_REPORTS
+            {
+                reported = Instant::now();
+                let called = attached(|py| progress.call1(py, (solved,)).map(drop));
+                called.unwrap_or_else(|exception| interrupted(exception));
+            }
+            look();
+        });
+        work(&mut workspace)
+    })
+}
+
+/// Whether a solve begins.
+fn begins(now: &Progress) -> bool {
+    now.products == 0 && matches!(now.stage, Stage::Modes { .. })
+}
+
+/// Ends the computation.
+fn interrupted(exception: PyErr) -> ! {
+    resume_unwind(Box::new(Interrupted(exception)))
 }
 
 /// The same for a computation that is given the function that looks for signals.
@@ -55,8 +95,6 @@ fn watch() -> Look {
             return;
         }
         looked = Instant::now();
-        if let Err(exception) = attached(|py| py.check_signals()) {
-            resume_unwind(Box::new(Interrupted(exception)));
-        }
+        attached(|py| py.check_signals()).unwrap_or_else(|exception| interrupted(exception));
     })
 }

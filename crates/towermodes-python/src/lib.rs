@@ -18,6 +18,7 @@ mod lock;
 mod options;
 mod parts;
 mod pickle;
+mod planned;
 mod program;
 mod reading;
 mod sensitivity;
@@ -51,9 +52,11 @@ mod _towermodes {
     #[pymodule_export]
     use crate::parts::SweepFolder;
     #[pymodule_export]
+    use crate::planned::{values_of_study, values_of_table};
+    #[pymodule_export]
     use crate::program::run;
     #[pymodule_export]
-    use crate::reading::{read, read_text};
+    use crate::reading::{read, read_text, tower_file_keys};
     #[pymodule_export]
     use crate::sensitivity::sensitivities;
     #[pymodule_export]

@@ -1,21 +1,16 @@
 //! A sweep whose results are a folder of parts, solved part by part by whoever has time.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
-use towermodes::Change;
-use towermodes_files::{
-    SiblingFiles, Source, SweepResults, SweepRows, TowerInput, read, read_sweep_study,
-};
+use towermodes_files::Source;
 use towermodes_sweep::{
-    Base, DEFAULT_ROWS_PER_PART, PartFormat, PartOptions, Parts, PartsError, Shard, Sweep,
-    SweepSource, Table, TableError, TableProblem,
+    DEFAULT_ROWS_PER_PART, PartFormat, PartOptions, Parts, PartsError, Shard, Sweep, SweepSource,
 };
 
-use crate::error::{of_read, usage};
+use crate::error::{of_parts, of_read, usage};
 use crate::lock::released;
-use crate::reading::tower_input;
+use crate::planned::{Planned, of_study, of_table};
 use crate::sweep::{SweepOptions, look, refused};
 use crate::tower::Tower;
 
@@ -62,9 +57,18 @@ impl SweepFolder {
         released(py, || {
             let planned = match tower {
                 Some(tower) => of_table(&tower.model.input, &values, &results, &options.ignore),
-                None => of_study(&values, &results, &options.ignore),
+                None => {
+                    let study = Source::from_path(&values);
+                    let study = study.map_err(|error| of_read(error.into()))?;
+                    of_study(&study, None, &results, &options.ignore)
+                }
             };
-            let (base, changes, source, mut results) = planned?;
+            let Planned {
+                base,
+                changes,
+                source,
+                mut results,
+            } = planned?;
             results.inputs &= options.inputs;
             let sweep = Sweep::new(base, changes, &results).map_err(refused)?;
             let mut part_options = options.of_parts(results.rows_per_part)?;
@@ -124,6 +128,14 @@ impl SweepFolder {
         }
     }
 
+    /// How many rows of a part that is there have failed.
+    fn failures_of(&self, py: Python<'_>, part: u64) -> PyResult<u64> {
+        released(py, || {
+            let results = self.parts()?.read(part).map_err(of_parts)?;
+            Ok(results.failures.len() as u64)
+        })
+    }
+
     /// Writes `_SUCCESS` if all parts are there; whether they are.
     fn finish(&self, py: Python<'_>) -> PyResult<bool> {
         released(py, || match self.parts()?.finish() {
@@ -158,74 +170,5 @@ impl FolderOptions {
             force: self.force,
             shard: Shard::ALL,
         })
-    }
-}
-
-/// What is swept: the tower, the changes, their values, and what is computed.
-type Planned = (Base, Vec<Change>, SweepSource, SweepResults);
-
-fn of_table(
-    input: &TowerInput,
-    table: &Path,
-    results: &SweepOptions,
-    ignore: &[String],
-) -> PyResult<Planned> {
-    let results = results.over(SweepResults::default())?;
-    let table = Table::open(table, &input.description, ignore);
-    let table = table.map_err(|error| of_parts(error.into()))?;
-    let changes = table.changes().to_vec();
-    let source = SweepSource::Table(Box::new(table));
-    Ok((Base::from(input), changes, source, results))
-}
-
-/// A study, with the files that it names.
-fn of_study(study: &Path, results: &SweepOptions, ignore: &[String]) -> PyResult<Planned> {
-    let source = Source::from_path(study).map_err(|error| of_read(error.into()))?;
-    let beside = SiblingFiles::of(study);
-    let study = read_sweep_study(&source).map_err(of_read)?;
-    let base = read(&beside.path(&study.base.value), &study.reading);
-    let input = tower_input(base.map_err(of_read)?)?;
-    let (changes, source) = match &study.rows {
-        SweepRows::Table(path) => {
-            let table = beside.path(&path.value);
-            let mut planned = of_table(&input, &table, results, ignore)?;
-            planned.3 = results.over(study.results)?;
-            return Ok(planned);
-        }
-        SweepRows::Sampled { .. } if !ignore.is_empty() => {
-            return Err(usage("ignore applies only to a table of values"));
-        }
-        SweepRows::Sampled { sampling, .. } => {
-            let changes = study.changes(&input.description).map_err(of_read)?;
-            let source = SweepSource::sampled(sampling.clone());
-            (
-                changes,
-                source.map_err(|error| of_read(study.undrawn(error)))?,
-            )
-        }
-    };
-    let results = results.over(study.results)?;
-    Ok((Base::from(&input), changes, source, results))
-}
-
-/// A folder that cannot be used, or a table with mistakes.
-fn of_parts(error: PartsError) -> PyErr {
-    match &error {
-        PartsError::Io { path, error: io } => match io.raw_os_error() {
-            // Python chooses the class of the exception by the number.
-            Some(number) => PyOSError::new_err((number, io.to_string(), path.clone())),
-            None => PyOSError::new_err(error.to_string()),
-        },
-        PartsError::Table(TableError { name, problem }) => match &**problem {
-            TableProblem::Io(io) => match io.raw_os_error() {
-                Some(number) => PyOSError::new_err((number, io.to_string(), name.clone())),
-                None => PyOSError::new_err(error.to_string()),
-            },
-            _ => usage(error.to_string()),
-        },
-        PartsError::Unwritable { .. }
-        | PartsError::Damaged { .. }
-        | PartsError::Replaced { .. } => PyOSError::new_err(error.to_string()),
-        _ => usage(error.to_string()),
     }
 }

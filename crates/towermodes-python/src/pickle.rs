@@ -14,6 +14,9 @@ use towermodes_files::{
 use crate::error::usage;
 use crate::reading::input_of_text;
 
+/// The name of the text of a tower from a pickle.
+pub const PICKLED: &str = "<pickle>.toml";
+
 /// The kind, the sentence and the place of a note.
 type NoteState = (u8, String, Option<(String, usize)>);
 
@@ -90,7 +93,7 @@ pub fn restored(state: &Bound<'_, PyTuple>) -> PyResult<TowerInput> {
     let state: State = state.extract()?;
     let (text, format, notes, rotor, (method, modes, blades), borders_m, joint_m, blade, whole) =
         state;
-    let mut input = input_of_text(text, "<pickle>.toml".to_owned())?;
+    let mut input = input_of_text(text, PICKLED.to_owned())?;
     let format = FORMATS.into_iter().find(|own| own.name() == format);
     input.format = format.ok_or_else(unknown)?;
     input.notes = notes_of(notes)?;
@@ -108,7 +111,7 @@ pub fn restored(state: &Bound<'_, PyTuple>) -> PyResult<TowerInput> {
     input.blade = blade.map(blade_of);
     if let Some(whole) = whole {
         // The tower is that of the other text, to the last digit.
-        input.turbine = input_of_text(whole, "<pickle>.toml".to_owned())?.turbine;
+        input.turbine = input_of_text(whole, PICKLED.to_owned())?.turbine;
     }
     Ok(input)
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use pyo3::prelude::*;
 use towermodes_files::{
     FileFormat, Input, ReadOptions, RotorLock, SiblingFiles, Source, TowerInput, TowerPart,
-    read_source,
+    read_source, tower_file_schema,
 };
 
 use crate::error::{MADE_HERE, of_read, usage};
@@ -50,6 +50,17 @@ pub fn read_text(text: String, name: String) -> PyResult<Tower> {
         true => Tower::of_changed(input),
         false => Tower::of_input(input),
     }
+}
+
+/// The keys of a tower file, and those of its table `[tower]`.
+#[pyfunction]
+pub fn tower_file_keys() -> [Vec<&'static str>; 2] {
+    let keys = |name: &str| {
+        let mut tables = tower_file_schema().iter();
+        let table = tables.find(|table| table.name == name);
+        table.map_or_else(Vec::new, |table| table.key_names().collect())
+    };
+    [keys("the file"), keys("[tower]")]
 }
 
 /// The input of a text.

@@ -139,13 +139,6 @@ impl Solution {
         self.shapes(py, |mode| &mode.shape)
     }
 
-    /// The shape of one mode at equal heights: (heights, 6).
-    fn shape_of<'py>(&self, py: Python<'py>, mode: usize) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let points = self.solution.modes.get(mode);
-        let points = points.map_or(&[][..], |mode| &mode.shape);
-        array::rows(py, points.iter().map(motion))
-    }
-
     /// The heights of `shape`, m.
     #[getter]
     fn height_m<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {

@@ -3,21 +3,25 @@
 use std::num::NonZero;
 use std::ops::ControlFlow;
 use std::thread::available_parallelism;
+use std::time::Instant;
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use towermodes::{Change, ModeName};
 use towermodes_files::{SweepModes, SweepResults};
-use towermodes_sweep::{Base, Columns, FailedRows, Results, RunError, Sweep, SweepError, run};
+use towermodes_sweep::{
+    Base, Columns, FailedRows, Results, RowSource, RunError, Sweep, SweepError, run,
+};
 
 use crate::error::{of_solve, of_tower, usage};
+use crate::interrupt::BETWEEN_REPORTS;
 use crate::lock::{attached, released};
 use crate::options::method_named;
 use crate::tower::Tower;
 
 /// How the towers are solved, and the modes that have columns.
-#[derive(FromPyObject)]
+#[derive(Clone, FromPyObject, IntoPyObject)]
 #[pyo3(from_item_all)]
 pub struct SweepOptions {
     modes: Option<usize>,
@@ -26,6 +30,19 @@ pub struct SweepOptions {
     method: Option<String>,
     rotary_inertia: bool,
     threads: Option<usize>,
+}
+
+impl Default for SweepOptions {
+    fn default() -> Self {
+        Self {
+            modes: None,
+            names: Vec::new(),
+            segments: None,
+            method: None,
+            rotary_inertia: true,
+            threads: None,
+        }
+    }
 }
 
 /// Family, order and column name of each mode.
@@ -52,12 +69,15 @@ type Solved<'py> = (
 
 /// Solves the tower with the numbers of each row in place of its own.
 #[pyfunction]
-#[pyo3(signature = (tower, columns: "list[tuple[str, Incomplete]]", options: "dict[str, object]"))]
+#[pyo3(signature = (
+    tower, columns: "list[tuple[str, Incomplete]]", options: "dict[str, object]", *, progress = None,
+))]
 pub fn sweep<'py>(
     py: Python<'py>,
     tower: &Tower,
     columns: Vec<(String, PyReadonlyArray1<'py, f64>)>,
     options: SweepOptions,
+    progress: Option<Py<PyAny>>,
 ) -> PyResult<Solved<'py>> {
     let input = &tower.model.input;
     let names = columns.iter().map(|(name, _)| name.as_str());
@@ -70,7 +90,7 @@ pub fn sweep<'py>(
     let (results, threads) = (options.over(SweepResults::default())?, options.threads());
     let solved = released(py, || {
         let sweep = Sweep::new(Base::from(input), changes, &results).map_err(refused)?;
-        solve(&sweep, &columns, threads)
+        solve(&sweep, &columns, threads, progress.as_ref())
     })?;
     arrays(py, solved)
 }
@@ -99,6 +119,22 @@ impl SweepOptions {
         })
     }
 
+    /// These options with all that a study decides too.
+    pub fn with(&self, results: &SweepResults) -> Self {
+        let (modes, names) = match &results.modes {
+            SweepModes::Lowest(count) => (Some(*count), Vec::new()),
+            SweepModes::Named(names) => (None, names.iter().map(ModeName::to_string).collect()),
+        };
+        Self {
+            modes,
+            names,
+            segments: results.segments,
+            method: results.method.map(|method| method.name().to_owned()),
+            rotary_inertia: results.rotary_inertia,
+            threads: self.threads,
+        }
+    }
+
     fn threads(&self) -> usize {
         self.threads
             .unwrap_or_else(|| available_parallelism().map_or(1, NonZero::get))
@@ -114,10 +150,30 @@ pub fn refused(error: SweepError) -> PyErr {
     }
 }
 
-/// Runs the sweep; Ctrl-C ends it.
-fn solve(sweep: &Sweep, columns: &Columns<'_>, threads: usize) -> PyResult<Results> {
-    let mut interrupted = None;
-    let results = run(sweep, columns, threads, &mut |_| look(&mut interrupted));
+/// Runs the sweep; Ctrl-C ends it, and so does an exception of a function of Python that is called
+/// about once a second with the number of rows that are done and of all.
+fn solve(
+    sweep: &Sweep,
+    columns: &Columns<'_>,
+    threads: usize,
+    progress: Option<&Py<PyAny>>,
+) -> PyResult<Results> {
+    let (mut interrupted, mut reported) = (None, Instant::now());
+    let rows = columns.rows();
+    let results = run(sweep, columns, threads, &mut |done| {
+        if let Some(progress) = progress
+            && interrupted.is_none()
+            && (done == rows || reported.elapsed() >= BETWEEN_REPORTS)
+        {
+            reported = Instant::now();
+            let called = attached(|py| progress.call1(py, (done, rows)).map(drop));
+            if let Err(exception) = called {
+                interrupted = Some(exception);
+                return ControlFlow::Break(());
+            }
+        }
+        look(&mut interrupted)
+    });
     match (results, interrupted) {
         (_, Some(exception)) => Err(exception),
         (Ok(results), None) => Ok(results),

@@ -11,13 +11,14 @@ use towermodes::{
 use towermodes_files::{Note, Setting, TowerInput};
 use towermodes_report::figures;
 use towermodes_report::svg::Look;
+use towermodes_sweep::{named, number_at};
 
 use crate::array;
-use crate::error::{of_numbers, of_read, of_solve, usage};
+use crate::error::{MADE_HERE, of_numbers, of_read, of_solve, usage};
 use crate::interrupt::interruptible;
 use crate::lock::released;
 use crate::options::SolveOptions;
-use crate::pickle::{restored, state};
+use crate::pickle::{PICKLED, restored, state};
 use crate::solution::Solution;
 use crate::turbine::{missing, notes};
 
@@ -42,13 +43,19 @@ impl Model {
         self.input.notes.iter().map(Note::to_string).collect()
     }
 
-    /// Warnings, with file and line of the input if they are known.
+    /// Warnings, with file and line of the input if they are known, else with the name of the
+    /// number.
     pub fn located(&self, warnings: &[Warning]) -> Vec<String> {
         let located = |warning: &Warning| {
             let line = warning.place().and_then(|place| self.input.line_of(place));
+            // The lines of a text that the package made itself mean nothing to the user.
+            let line = line.filter(|(file, _)| ![MADE_HERE, PICKLED].contains(file));
             match line {
                 Some((file, line)) => format!("{file}:{line}: {warning}"),
-                None => warning.to_string(),
+                None => named(warning, |place| {
+                    let numbers = Parameter::all(&self.input.description);
+                    number_at(place, numbers.into_iter())
+                }),
             }
         };
         warnings.iter().map(located).collect()

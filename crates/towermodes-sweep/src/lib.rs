@@ -26,6 +26,7 @@ mod first;
 mod first_order;
 mod lowest;
 mod parts;
+mod remedy;
 mod results;
 mod row;
 mod run;
@@ -44,8 +45,9 @@ pub use parts::{
     DEFAULT_ROWS_PER_PART, MAX_ROWS_PER_PART, PartFormat, PartOptions, Parts, PartsError,
     PartsProgress, Shard, ShardError, SourceBlock, SweepSource, results_csv,
 };
+pub use remedy::Remedy;
 pub use results::Results;
-pub use row::{MORE_MODES, number_at};
+pub use row::{MORE_MODES, named, number_at};
 pub use run::{RunError, run};
 pub use sampling::Draw;
 pub use source::{Columns, LengthsDiffer, RowSource};

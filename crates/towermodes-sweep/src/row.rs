@@ -24,7 +24,7 @@ pub(crate) struct Cells<'a> {
 pub(crate) struct RowSolver<'a> {
     sweep: &'a Sweep,
     options: Options,
-    workspace: Workspace,
+    pub(crate) workspace: Workspace,
     lowest: Lowest,
     /// Whether the input of the last row is unusual, and how.
     warning: Option<Warning>,
@@ -32,10 +32,15 @@ pub(crate) struct RowSolver<'a> {
 
 impl<'a> RowSolver<'a> {
     pub(crate) fn new(sweep: &'a Sweep) -> Self {
+        Self::within(sweep, Workspace::default())
+    }
+
+    /// The same in the memory of a workspace, whose observer sees every solve.
+    pub(crate) fn within(sweep: &'a Sweep, workspace: Workspace) -> Self {
         Self {
             sweep,
             options: sweep.options().clone(),
-            workspace: Workspace::default(),
+            workspace,
             lowest: Lowest::default(),
             warning: None,
         }
@@ -71,7 +76,7 @@ impl<'a> RowSolver<'a> {
     /// Adds the warning about the input of the last row, if there is one.
     pub(crate) fn warn(&mut self, row: u64, warnings: &mut InputWarnings) {
         if let Some(warning) = self.warning.take() {
-            warnings.add(row, || warned(&warning, self.sweep));
+            warnings.add(row, || named(&warning, |place| name_at(place, self.sweep)));
         }
     }
 
@@ -122,22 +127,31 @@ impl<'a> RowSolver<'a> {
 /// The message on a tower that is none, with the numbers of the tower named as columns name them:
 /// indices count from 0.
 fn message(error: &TowerError, sweep: &Sweep) -> String {
-    let changed = sweep.changes().iter().flat_map(Change::parameters).copied();
-    let named = number_at(error.place, changed);
-    let named = named.or_else(|| number_at(error.place, Parameter::all(sweep.base()).into_iter()));
-    match named {
+    match name_at(error.place, sweep) {
         Some(name) => format!("{name}: {}", error.problem),
         None => error.to_string(),
     }
 }
 
-/// A warning, with the name of the changed number that it is about.
-fn warned(warning: &Warning, sweep: &Sweep) -> String {
+/// The name of the number at a place: a changed one, or another of the base.
+fn name_at(place: Place, sweep: &Sweep) -> Option<String> {
     let changed = sweep.changes().iter().flat_map(Change::parameters).copied();
-    let place = warning.place();
-    match place.and_then(|place| number_at(place, changed)) {
-        Some(name) => format!("{name}: {warning}"),
-        None => warning.to_string(),
+    number_at(place, changed).or_else(|| number_at(place, Parameter::all(sweep.base()).into_iter()))
+}
+
+/// A warning that begins with the name of the number that it is about, whose indices count from 0.
+/// This name is in place of the words for the place, which count from 1.
+pub fn named(warning: &Warning, name_at: impl FnOnce(Place) -> Option<String>) -> String {
+    let said = warning.to_string();
+    let Some(place) = warning.place() else {
+        return said;
+    };
+    match name_at(place) {
+        Some(name) => {
+            let counted = format!("{place}: ");
+            format!("{name}: {}", said.strip_prefix(&counted).unwrap_or(&said))
+        }
+        None => said,
     }
 }
 

@@ -73,10 +73,14 @@ fn coupled(c: &mut Criterion) {
     group.finish();
 }
 
-/// A sweep: 4 modes on 20 segments of towers that differ in their numbers, each made from its
+/// A sweep: 4 or 2 modes on 20 segments of towers that differ in their numbers, each made from its
 /// description. The time is that of one tower.
 fn many_towers(c: &mut Criterion) {
-    let mut group = c.benchmark_group("frequencies of many towers, 4 modes");
+    [4, 2].map(|modes| many_towers_with(modes, c));
+}
+
+fn many_towers_with(modes: usize, c: &mut Criterion) {
+    let mut group = c.benchmark_group(format!("frequencies of many towers, {modes} modes"));
     let heavy = |description| TowerDescription {
         gravity_m_per_s2: 9.81,
         ..description
@@ -89,7 +93,7 @@ fn many_towers(c: &mut Criterion) {
         ("monopile", monopile()),
     ] {
         let options = Options {
-            modes: 4,
+            modes,
             segments: Some(20),
             ..Options::default()
         };

@@ -101,7 +101,7 @@ fn solved(
         let rows = parts.rows_of(*part);
         rows.end - rows.start
     };
-    let progress = SweepProgress::new(missing.iter().map(rows_of).sum());
+    let mut progress = SweepProgress::new(missing.iter().map(rows_of).sum());
     let done = parts.solve(missing, arguments.threads(), &mut |now| {
         progress.set(now.rows);
         ControlFlow::Continue(())

@@ -21,7 +21,7 @@ pub(super) fn run(planned: &Planned, arguments: &SweepArguments) -> Result<(), F
         return Err(Failure::ManyRows { rows });
     }
     let values = planned.source.block(0..rows).map_err(Failure::Table)?;
-    let progress = SweepProgress::new(rows);
+    let mut progress = SweepProgress::new(rows);
     let results = solve_rows(&planned.sweep, &values, arguments.threads(), &mut |done| {
         progress.set(done);
         ControlFlow::Continue(())

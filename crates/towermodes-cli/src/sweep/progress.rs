@@ -1,4 +1,5 @@
-//! Progress of a sweep on the last line of the terminal: rows, rate, time left.
+//! Progress of a sweep: rows, rate, time left. On a terminal it is the last line; in a log it is a
+//! line from time to time.
 
 use std::fmt::Write as _;
 use std::io::IsTerminal;
@@ -6,11 +7,14 @@ use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
-use crate::progress::{QUIET, duration};
+use crate::failure::report;
+use crate::progress::{Log, QUIET, duration};
 
-/// The progress line; nothing if standard error is not a terminal.
+/// The progress line, or lines of a log if standard error is not a terminal.
 pub(super) struct SweepProgress {
     bar: Option<ProgressBar>,
+    log: Log,
+    rows: u64,
     begun: Instant,
 }
 
@@ -30,12 +34,27 @@ impl SweepProgress {
             bar.set_style(style.with_key("words", words).progress_chars("=> "));
             bar
         });
-        Self { bar, begun }
+        let log = Log::default();
+        Self {
+            bar,
+            log,
+            rows,
+            begun,
+        }
     }
 
     /// So many rows are done.
-    pub(super) fn set(&self, rows: u64) {
-        let Some(bar) = &self.bar else { return };
+    pub(super) fn set(&mut self, rows: u64) {
+        let Some(bar) = &self.bar else {
+            let elapsed = self.begun.elapsed();
+            if rows < self.rows && self.log.is_due(elapsed) {
+                report(&format!(
+                    "{}\n",
+                    line(rows, self.rows, elapsed.as_secs_f64())
+                ));
+            }
+            return;
+        };
         if bar.is_hidden() && self.begun.elapsed() >= QUIET {
             bar.set_draw_target(ProgressDrawTarget::stderr());
         }

@@ -6,6 +6,7 @@ mod choice;
 mod damping;
 mod design;
 mod drivetrain;
+mod entry;
 mod file;
 mod foundation;
 mod gravity;
@@ -51,6 +52,7 @@ use syntax::syntax_mistake;
 use table::Table;
 
 pub use design::{design_study_schema, read_design_study};
+pub use entry::entry_at;
 pub use measured::{measured_schema, read_measured};
 pub use rewrite::{Rewritten, WrittenAnew, rewritten};
 pub use schema::{KeySchema, TableSchema, ValueKind, tower_file_schema};

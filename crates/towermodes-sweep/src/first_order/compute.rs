@@ -26,6 +26,19 @@ impl Sweep {
         sampling: &Sampling,
         check: Option<&MarginCheck>,
     ) -> Result<FirstOrder, FirstOrderError> {
+        self.first_order_with(sampling, check, Workspace::default())
+    }
+
+    /// [`first_order`](Self::first_order) in a workspace, whose observer sees every solve.
+    ///
+    /// # Errors
+    /// The same.
+    pub fn first_order_with(
+        &self,
+        sampling: &Sampling,
+        check: Option<&MarginCheck>,
+        workspace: Workspace,
+    ) -> Result<FirstOrder, FirstOrderError> {
         if sampling.kind == SamplingKind::Grid {
             return Err(FirstOrderError::Grid);
         }
@@ -34,9 +47,10 @@ impl Sweep {
         let joint = Joint::of(sampling)?;
         self.check_changes(sampling, &joint)?;
         let means: Vec<f64> = joint.moments.iter().map(|[mean, _]| *mean).collect();
-        let middle = self.at(&means)?;
-        let found = self.derivatives(&means, &middle)?;
-        let shifts = self.mean_shifts_hz(&means, &joint, &middle);
+        let mut solver = RowSolver::within(self, workspace);
+        let middle = self.at(&means, &mut solver)?;
+        let found = self.derivatives(&means, &middle, &mut solver.workspace)?;
+        let shifts = self.mean_shifts_hz(&means, &joint, &middle, &mut solver);
         let scatter = |(index, name): (usize, &ModeName)| ModeScatter {
             name: *name,
             scatter: self
@@ -89,8 +103,8 @@ impl Sweep {
     }
 
     /// The row at the means.
-    fn at(&self, means: &[f64]) -> Result<Row, FirstOrderError> {
-        let row = Row::solved(&mut RowSolver::new(self), means, self.modes().len());
+    fn at(&self, means: &[f64], solver: &mut RowSolver<'_>) -> Result<Row, FirstOrderError> {
+        let row = Row::solved(solver, means, self.modes().len());
         match (row.frequency_hz.iter().all(|hz| hz.is_nan()), &row.sentence) {
             (true, Some(sentence)) => {
                 let sentence = sentence.clone();
@@ -101,22 +115,26 @@ impl Sweep {
     }
 
     /// The derivatives at the means, with as many modes as the named ones need.
-    fn derivatives(&self, means: &[f64], middle: &Row) -> Result<Sensitivities, FirstOrderError> {
+    fn derivatives(
+        &self,
+        means: &[f64],
+        middle: &Row,
+        workspace: &mut Workspace,
+    ) -> Result<Sensitivities, FirstOrderError> {
         let mut description: TowerDescription = self.base().clone();
         for (change, mean) in self.changes().iter().zip(means) {
             change.apply(&mut description, *mean);
         }
         let mut options = self.options().clone();
         let most = options.modes + MORE_MODES;
-        let mut workspace = Workspace::default();
         loop {
-            let found = sensitivities(&description, self.changes(), &options, &mut workspace);
+            let found = sensitivities(&description, self.changes(), &options, workspace);
             let found = match found {
                 Err(SensitivityError::Solve(SolveError::TooManyModes { available, .. }))
                     if 0 < available && available < options.modes =>
                 {
                     options.modes = available;
-                    sensitivities(&description, self.changes(), &options, &mut workspace)?
+                    sensitivities(&description, self.changes(), &options, workspace)?
                 }
                 found => found?,
             };
@@ -132,9 +150,14 @@ impl Sweep {
 
     /// ½ tr(H C) of each mode by differences along the independent directions; NaN where a tower
     /// has no solution.
-    fn mean_shifts_hz(&self, means: &[f64], joint: &Joint, middle: &Row) -> Vec<f64> {
+    fn mean_shifts_hz(
+        &self,
+        means: &[f64],
+        joint: &Joint,
+        middle: &Row,
+        solver: &mut RowSolver<'_>,
+    ) -> Vec<f64> {
         let modes = self.modes().len();
-        let mut solver = RowSolver::new(self);
         let mut shifts = vec![0.0; modes];
         for direction in &joint.directions {
             let mut along = |sign: f64| {
@@ -142,7 +165,7 @@ impl Sweep {
                 for (place, amount) in direction {
                     values[*place] += sign * amount;
                 }
-                Row::solved(&mut solver, &values, modes).frequency_hz
+                Row::solved(solver, &values, modes).frequency_hz
             };
             let (above, below) = (along(1.0), along(-1.0));
             for (mode, shift) in shifts.iter_mut().enumerate() {

@@ -23,7 +23,7 @@ pub enum PartsError {
     },
     /// The folder has the results of another sweep.
     #[error(
-        "{} has the results of another sweep; choose another folder, or remove these results (--force). Different: {}",
+        "{} has the results of another sweep; choose another folder, or remove these results. Different: {}",
         folder.display(), differences.join("; ")
     )]
     OtherSweep {
@@ -33,7 +33,7 @@ pub enum PartsError {
         differences: Vec<String>,
     },
     /// The plan in the folder cannot be read.
-    #[error("{} is damaged: {detail}; remove the results in this folder (--force) or choose another", path.display())]
+    #[error("{} is damaged: {detail}; remove the results in this folder or choose another", path.display())]
     Plan {
         /// The file.
         path: PathBuf,
@@ -41,7 +41,7 @@ pub enum PartsError {
         detail: String,
     },
     /// A part that this sweep did not write.
-    #[error("{} is not a part of this sweep: {reason}; choose another folder, or remove these results (--force)", path.display())]
+    #[error("{} is not a part of this sweep: {reason}; choose another folder, or remove these results", path.display())]
     Foreign {
         /// The file.
         path: PathBuf,
@@ -110,18 +110,20 @@ pub enum PartsError {
     },
     /// More parts than a folder can have.
     #[error(
-        "{rows} rows in parts of {rows_per_part} are {} parts, but a folder has at most {MAX_PARTS}; use at least {} rows per part (--rows-per-part)",
-        rows.div_ceil(*rows_per_part), rows.div_ceil(MAX_PARTS)
+        "{rows} rows in parts of {rows_per_part} are {} parts, but a folder has at most {MAX_PARTS}; use at least {least} rows per part",
+        rows.div_ceil(*rows_per_part)
     )]
     ManyParts {
         /// The number of rows.
         rows: u64,
         /// The number of rows per part.
         rows_per_part: u64,
+        /// The least number of rows per part.
+        least: u64,
     },
     /// Parquet without the feature.
     #[error(
-        "this build of the program does not write Parquet; write CSV (--format csv), or build with \
+        "this build of the program does not write Parquet; write CSV, or build with \
          `cargo install --path crates/towermodes-cli --features parquet`"
     )]
     NoParquet,

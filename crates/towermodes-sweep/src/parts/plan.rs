@@ -143,6 +143,7 @@ impl Plan {
             return Err(PartsError::ManyParts {
                 rows,
                 rows_per_part,
+                least: rows.div_ceil(MAX_PARTS),
             });
         }
         let mut content = Map::new();

@@ -99,7 +99,7 @@ pub enum TableProblem {
     },
     /// A column that is no number of the base.
     #[error(
-        "column {column}: {error}{}; to leave a column out, ignore it (--ignore {name}) or begin its name with #",
+        "column {column}: {error}{}",
         and_others(*others)
     )]
     Unknown {

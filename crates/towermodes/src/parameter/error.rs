@@ -30,6 +30,18 @@ pub enum ParameterError {
         /// The part that this tower does not have.
         noun: &'static str,
     },
+    /// Some entries of a list have such a number, and others do not.
+    #[error("`{name}` is not a number of every entry: {lacking} has no {meaning}; name those that there are: {}", having.join(", "))]
+    Partial {
+        /// The name.
+        name: String,
+        /// The first entry without the number.
+        lacking: String,
+        /// What the number is.
+        meaning: &'static str,
+        /// The names of the numbers that there are.
+        having: Vec<String>,
+    },
     /// The only material is meant, but there are several.
     #[error("`{name}` is not a number of this tower: it has {count} materials; write `{instead}`")]
     SeveralMaterials {

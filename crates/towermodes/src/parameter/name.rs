@@ -47,7 +47,7 @@ impl<'n> Name<'n> {
         description: &TowerDescription,
     ) -> Result<Vec<Parameter>, ParameterError> {
         let plain = with_index_of_material(self.plain, description);
-        let mut absent = None;
+        let (mut absent, mut partial) = (None, None);
         for (part, of) in PARTS.iter().enumerate() {
             for (key, number) in of.keys.iter().enumerate() {
                 let Some(given) = indices(&plain, &of.pattern(number)) else {
@@ -59,17 +59,34 @@ impl<'n> Name<'n> {
                 }
                 let all = self.every(of, &given, description)?;
                 let there = |i: &Indices| (number.get)(description, *i).is_some();
-                if !all.iter().all(there) {
-                    absent = Some(number.meaning);
-                    continue;
-                }
                 let parameter = |indices| Parameter { part, key, indices };
-                return Ok(all.into_iter().map(parameter).collect());
+                let (having, lacking): (Vec<Indices>, Vec<Indices>) =
+                    all.into_iter().partition(there);
+                let having = having.into_iter().map(parameter).collect();
+                let Some(lacking) = lacking.first().copied().map(parameter) else {
+                    return Ok(having);
+                };
+                absent = Some(number.meaning);
+                partial = partial.or_else(|| self.partial(lacking, &having));
             }
         }
-        Err(match absent {
-            Some(noun) => ParameterError::absent(self.written, &plain, noun, description),
-            None => ParameterError::unknown(self.written, &plain, description),
+        Err(match (partial, absent) {
+            (Some(partial), _) => partial,
+            (None, Some(noun)) => ParameterError::absent(self.written, &plain, noun, description),
+            (None, None) => ParameterError::unknown(self.written, &plain, description),
+        })
+    }
+
+    /// The error of a name whose number some entries of a list have and others do not; none if no
+    /// entry has it.
+    fn partial(&self, lacking: Parameter, having: &[Parameter]) -> Option<ParameterError> {
+        let lacking_name = lacking.to_string();
+        let entry = lacking_name.rfind(']')?;
+        (!having.is_empty()).then(|| ParameterError::Partial {
+            name: self.written.trim().to_owned(),
+            lacking: lacking_name[..=entry].to_owned(),
+            meaning: lacking.meaning(),
+            having: having.iter().map(Parameter::to_string).collect(),
         })
     }
 

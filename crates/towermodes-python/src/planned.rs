@@ -1,0 +1,171 @@
+//! What is swept: the tower, the changes, their values, and what is computed.
+
+use std::path::Path;
+
+use numpy::PyArray1;
+use pyo3::exceptions::PyMemoryError;
+use pyo3::prelude::*;
+use towermodes::Change;
+use towermodes_files::{
+    SiblingFiles, Source, SweepResults, SweepRows, TowerInput, read, read_sweep_study,
+};
+use towermodes_sweep::{Base, RowSource, SweepSource, Table};
+
+use crate::error::{of_parts, of_read, usage};
+use crate::lock::released;
+use crate::reading::tower_input;
+use crate::sweep::SweepOptions;
+use crate::tower::Tower;
+
+/// What is swept.
+pub struct Planned {
+    /// The tower that is changed.
+    pub base: Base,
+    /// Its changes.
+    pub changes: Vec<Change>,
+    /// Their values.
+    pub source: SweepSource,
+    /// What is computed.
+    pub results: SweepResults,
+}
+
+/// The sweep of a table in a file.
+///
+/// # Errors
+/// `ValueError` or `OSError` with what is wrong with the table.
+pub fn of_table(
+    input: &TowerInput,
+    table: &Path,
+    results: &SweepOptions,
+    ignore: &[String],
+) -> PyResult<Planned> {
+    let results = results.over(SweepResults::default())?;
+    let table = Table::open(table, &input.description, ignore);
+    let table = table.map_err(|error| of_parts(error.into()))?;
+    Ok(Planned {
+        base: Base::from(input),
+        changes: table.changes().to_vec(),
+        source: SweepSource::Table(Box::new(table)),
+        results,
+    })
+}
+
+/// The sweep of a study, of the tower that it names or of another one, with the files that it
+/// names, which are relative to it.
+///
+/// # Errors
+/// `TowerError` with the mistakes of the study and of the tower; those of [`of_table`].
+pub fn of_study(
+    study: &Source,
+    tower: Option<&TowerInput>,
+    results: &SweepOptions,
+    ignore: &[String],
+) -> PyResult<Planned> {
+    let beside = SiblingFiles::of(Path::new(&study.name));
+    let study = read_sweep_study(study).map_err(of_read)?;
+    let own;
+    let input = match tower {
+        Some(tower) => tower,
+        None => {
+            let base = read(&beside.path(&study.base.value), &study.reading);
+            own = tower_input(base.map_err(of_read)?)?;
+            &own
+        }
+    };
+    match &study.rows {
+        SweepRows::Table(path) => {
+            let planned = of_table(input, &beside.path(&path.value), results, ignore)?;
+            let results = results.over(study.results)?;
+            Ok(Planned { results, ..planned })
+        }
+        SweepRows::Sampled { .. } if !ignore.is_empty() => {
+            Err(usage("ignore applies only to a table of values"))
+        }
+        SweepRows::Sampled { sampling, .. } => {
+            let changes = study.changes(&input.description).map_err(of_read)?;
+            let source = SweepSource::sampled(sampling.clone());
+            let source = source.map_err(|error| of_read(study.undrawn(error)))?;
+            Ok(Planned {
+                base: Base::from(input),
+                changes,
+                source,
+                results: results.over(study.results)?,
+            })
+        }
+    }
+}
+
+/// A column of numbers with its name.
+type NamedColumn<'py> = (String, Bound<'py, PyArray1<f64>>);
+
+/// The values of a table in a file: a column for each change of a tower.
+#[pyfunction]
+#[pyo3(signature = (tower, path: "str", ignore: "list[str]") -> "list[tuple[str, Incomplete]]")]
+pub fn values_of_table<'py>(
+    py: Python<'py>,
+    tower: &Tower,
+    path: &str,
+    ignore: Vec<String>,
+) -> PyResult<Vec<NamedColumn<'py>>> {
+    let input = &tower.model.input;
+    let columns = released(py, || {
+        let planned = of_table(input, Path::new(path), &SweepOptions::default(), &ignore)?;
+        columns(&planned)
+    })?;
+    Ok(arrays(py, columns))
+}
+
+/// The values of a study on a tower in place of its base, and the options of the sweep: those
+/// given, else those of the study.
+#[pyfunction]
+#[pyo3(signature = (
+    tower, text, name, ignore: "list[str]", options: "dict[str, object]",
+) -> "tuple[list[tuple[str, Incomplete]], dict[str, object]]")]
+pub fn values_of_study<'py>(
+    py: Python<'py>,
+    tower: &Tower,
+    text: String,
+    name: String,
+    ignore: Vec<String>,
+    options: SweepOptions,
+) -> PyResult<(Vec<NamedColumn<'py>>, SweepOptions)> {
+    let (input, source) = (&tower.model.input, Source { name, text });
+    let (columns, options) = released(py, || {
+        let planned = of_study(&source, Some(input), &options, &ignore)?;
+        let options = options.with(&planned.results);
+        Ok::<_, PyErr>((columns(&planned)?, options))
+    })?;
+    Ok((arrays(py, columns), options))
+}
+
+fn arrays(py: Python<'_>, columns: Vec<(String, Vec<f64>)>) -> Vec<NamedColumn<'_>> {
+    let array = |(name, values)| (name, PyArray1::from_vec(py, values));
+    columns.into_iter().map(array).collect()
+}
+
+/// All values of a sweep: name and values of each change.
+fn columns(planned: &Planned) -> PyResult<Vec<(String, Vec<f64>)>> {
+    let rows = planned.source.rows();
+    let full = || {
+        let message =
+            format!("the values of {rows} rows do not fit into memory; sweep into a folder");
+        PyMemoryError::new_err(message)
+    };
+    let block = planned.source.block(0..rows);
+    let block = block.map_err(|error| of_parts(error.into()))?;
+    let count = usize::try_from(rows).map_err(|_| full())?;
+    let mut columns = Vec::new();
+    for change in &planned.changes {
+        let mut values = Vec::new();
+        values.try_reserve_exact(count).map_err(|_| full())?;
+        columns.push((change.name().to_owned(), values));
+    }
+    let mut values = vec![0.0; columns.len()];
+    for row in 0..rows {
+        block.row(row, &mut values);
+        for ((_, column), value) in columns.iter_mut().zip(&values) {
+            column.push(*value);
+        }
+    }
+    Ok(columns)
+}
