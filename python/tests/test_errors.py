@@ -102,7 +102,7 @@ def test_a_tower_that_buckles_is_a_solve_error() -> None:
         ({"modes": 0}, ValueError, "modes is 0; it must be at least 1"),
         ({"modes": -3}, ValueError, "modes is -3; it must be at least 1"),
         ({"modes": 2.5}, TypeError, "modes is 2.5; it must be a whole number"),
-        ({"modes": "four"}, TypeError, "modes is 'four'; it must be a whole number"),
+        ({"modes": "four"}, ValueError, "`four` is not the name of a mode"),
         ({"modes": 50, "segments": 2}, tm.OptionError, "50 modes are requested"),
         ({"segments": 10**7}, tm.OptionError, "the number of segments is 10000000"),
         ({"points": 1}, ValueError, "points is 1; it must be at least 2"),

@@ -6,6 +6,8 @@ import copy
 import inspect
 import json
 import pickle
+import pickle
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -152,30 +154,42 @@ def test_places_in_warnings_count_from_0() -> None:
     assert result.warnings == [(0, warning)]
 
 
-def test_a_name_of_several_numbers_says_which_entry_has_none() -> None:
-    sand = {"type": "sand", "friction_angle": 36.0, "effective_unit_weight": 9.5e3}
-    clay = {
-        "type": "clay",
-        "undrained_strength": 90e3,
-        "strain_at_half_strength": 0.007,
-        "effective_unit_weight": 9e3,
-    }
-    layers = [
-        {**sand, "top": 0.0, "bottom": -10.0},
-        {**clay, "top": -10.0, "bottom": -20.0},
-        {**sand, "top": -20.0, "bottom": -30.0},
-    ]
-    tower = tm.Tower(
+SAND = {"type": "sand", "friction_angle": 36.0, "effective_unit_weight": 9.5e3}
+CLAY = {
+    "type": "clay",
+    "undrained_strength": 90e3,
+    "strain_at_half_strength": 0.007,
+    "strength_factor": 0.5,
+    "effective_unit_weight": 9e3,
+}
+
+
+def layered(*soils: dict[str, object]) -> tm.Tower:
+    """A tower in layers of 10 m."""
+    tops = [-10.0 * place for place in range(len(soils))]
+    pairs = zip(tops, soils, strict=True)
+    layers = [{**soil, "top": top, "bottom": top - 10.0} for top, soil in pairs]
+    return tm.Tower(
         stations=[[-25.0, 6.0, 0.06], [0.0, 6.0, 0.06], [60.0, 4.0, 0.02]],
         material=STEEL,
         ground={"surface": 0.0, "submerged": True, "model": "api", "layer": layers},
     )
+
+
+def test_what_is_missing_is_named_by_its_entry() -> None:
+    with pytest.raises(tm.TowerError, match=r"^ground\.layer\[1\].*: api needs the factor J"):
+        layered(SAND, {key: value for key, value in CLAY.items() if key != "strength_factor"})
+
+
+def test_a_name_of_several_numbers_says_which_entry_has_none() -> None:
+    tower = layered(SAND, CLAY, SAND)
     instead = "ground.layer[0].friction_angle, ground.layer[2].friction_angle"
     for name in ("ground.layer[*].friction_angle", "scale(ground.layer[*].friction_angle)"):
         with pytest.raises(ValueError, match=r"ground\.layer\[1\] has no friction angle") as caught:
             tower.with_({name: 1.0})
         assert str(caught.value).endswith(f"name those that there are: {instead}")
-    assert tower.with_({f"scale({instead})": 1.01}).parameters["ground.layer[2].friction_angle"] == 36.36
+    stiffer = tower.with_({f"scale({instead})": 1.01})
+    assert stiffer.parameters["ground.layer[2].friction_angle"] == pytest.approx(36.36)
 
 
 def test_numbers_of_a_tower_refuse_to_be_written(nrel: tm.Tower) -> None:
@@ -193,7 +207,7 @@ def test_numbers_of_a_tower_refuse_to_be_written(nrel: tm.Tower) -> None:
 
 @pytest.mark.parametrize("value", [1 + 2j, np.complex64(1 + 2j), np.array(1 + 2j)])
 def test_a_complex_number_is_refused(nrel: tm.Tower, value: Any) -> None:
-    calls = [
+    calls: list[Callable[[], object]] = [
         lambda: nrel.with_({"rna.mass": value}),
         lambda: nrel.sweep({"rna.mass": value}),
         lambda: nrel.solve(heights_m=[value]),

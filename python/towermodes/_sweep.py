@@ -56,9 +56,14 @@ def _values(
     if is_path and not fsdecode(table).lower().endswith(".toml"):
         columns = _rust.values_of_table(tower._core, fsdecode(table), ignore)
         return constant(columns), options
-    if is_path or hasattr(getattr(table, "get", dict().get)("sweep"), "items"):
+    if is_path or _is_study(table):
         return _of_study(tower, table, options, ignore)
     return columns_of(table, ignore), options
+
+
+def _is_study(table: object) -> bool:
+    """Whether a dict has the tables of a study, and not columns."""
+    return isinstance(table, dict) and hasattr(table.get("sweep"), "items")
 
 
 def _of_study(

@@ -50,8 +50,9 @@ def _value(entry: str, value: object) -> str:
 
 def _is_name_of_mode(value: object) -> bool:
     """Whether a value is the name of a mode in two parts: `("fore-aft", 1)`."""
-    is_pair = isinstance(value, tuple) and len(value) == 2
-    return is_pair and isinstance(value[0], str) and hasattr(value[1], "__index__")
+    if not isinstance(value, tuple) or len(value) != 2:
+        return False
+    return isinstance(value[0], str) and hasattr(value[1], "__index__")
 
 
 def _key(key: object) -> str:

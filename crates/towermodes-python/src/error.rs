@@ -1,20 +1,19 @@
 //! Errors of the library as Python exceptions; the classes are in `python/towermodes/_errors.py`.
 
 use std::io;
-use std::path::PathBuf;
 
 use pyo3::exceptions::{PyFileNotFoundError, PyIsADirectoryError, PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyType;
 use towermodes::turbine::TurbineError;
-use towermodes::{EigenError, Family, Parameter, SolveError, TowerDescription, TowerError};
+use towermodes::{EigenError, Family, Parameter, SolveError, TowerError};
 use towermodes_analysis::agreement::AgreementError;
 use towermodes_analysis::elastodyn::{MakeError, ShapesError};
 use towermodes_analysis::resonance::CampbellError;
 use towermodes_analysis::whirl::CoupledError;
 use towermodes_files::{
-    ConvertError, Diagnostic, FileError, ReadError, ResultError, Source, entry_at,
+    ConvertError, Diagnostic, FileError, ReadError, ResultError, Source, TowerInput, entry_at,
 };
 use towermodes_sweep::{PartsError, Remedy, TableError, TableProblem, number_at};
 
@@ -124,7 +123,7 @@ fn of_file(error: FileError) -> PyErr {
         FileError::Directory { name } => {
             PyIsADirectoryError::new_err((IS_DIRECTORY, "is a directory, not a file", name))
         }
-        FileError::System { error, name } => of_system(&error, name, &message),
+        FileError::System { error, name } => of_system(&error, &name, &message),
         FileError::Special { name, .. }
         | FileError::TooLarge { name }
         | FileError::Pointer { name, .. }
@@ -135,7 +134,7 @@ fn of_file(error: FileError) -> PyErr {
 }
 
 /// An error of the system on a file; Python chooses the class of the exception by the number.
-fn of_system(error: &io::Error, file: impl Into<PathBuf>, otherwise: &str) -> PyErr {
+fn of_system(error: &io::Error, file: &str, otherwise: &str) -> PyErr {
     let Some(number) = error.raw_os_error() else {
         return PyOSError::new_err(otherwise.to_owned());
     };
@@ -143,7 +142,7 @@ fn of_system(error: &io::Error, file: impl Into<PathBuf>, otherwise: &str) -> Py
     let text = error.to_string();
     let text = text.strip_suffix(&format!(" (os error {number})"));
     let text = text.map_or_else(|| error.to_string(), str::to_owned);
-    PyOSError::new_err((number, text, file.into()))
+    PyOSError::new_err((number, text, file.to_owned()))
 }
 
 /// A folder of a sweep that cannot be used, or a table with mistakes.
@@ -153,7 +152,7 @@ pub fn of_parts(error: PartsError) -> PyErr {
         None => error.to_string(),
     };
     match &error {
-        PartsError::Io { path, error } => of_system(error, path, &message),
+        PartsError::Io { path, error } => of_system(error, &path.display().to_string(), &message),
         PartsError::Table(TableError { name, problem }) => match &**problem {
             TableProblem::Io(error) => of_system(error, name, &message),
             _ => usage(message),
@@ -183,14 +182,18 @@ pub fn of_tower(error: &TowerError) -> PyErr {
     tower_error(&message, None, error.hint(), Vec::new())
 }
 
-/// The same, with the number that is wrong by its name: `stations[13].wall`.
-pub fn of_numbers(error: &TowerError, description: &TowerDescription) -> PyErr {
-    let numbers = Parameter::all(description).into_iter();
-    let Some(name) = number_at(error.place, numbers) else {
-        return of_tower(error);
-    };
-    let message = format!("{name}: {}", error.problem);
-    tower_error(&message, None, error.hint(), Vec::new())
+/// The same, with the number that is wrong by its name: `stations[13].wall`; a number that is
+/// missing is named by the entry that lacks it.
+pub fn of_numbers(error: &TowerError, input: &TowerInput) -> PyErr {
+    let numbers = Parameter::all(&input.description).into_iter();
+    match (number_at(error.place, numbers), input.tower()) {
+        (Some(name), _) => {
+            let message = format!("{name}: {}", error.problem);
+            tower_error(&message, None, error.hint(), Vec::new())
+        }
+        (None, Err(located)) => of_read(located),
+        (None, Ok(_)) => of_tower(error),
+    }
 }
 
 /// A tower that a computation or a format refuses.

@@ -86,7 +86,7 @@ impl Tower {
     /// `TowerError`.
     pub fn of_changed(input: TowerInput) -> PyResult<Self> {
         let tower = CheckedTower::new(input.description.clone());
-        let tower = tower.map_err(|error| of_numbers(&error, &input.description))?;
+        let tower = tower.map_err(|error| of_numbers(&error, &input))?;
         let model = Arc::new(Model { tower, input });
         Ok(Self { model })
     }
