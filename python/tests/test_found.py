@@ -78,7 +78,7 @@ def test_mistakes_of_dicts_have_names(nrel: tm.Tower) -> None:
     tables = {"calibrate": {"unknowns": unknowns}, "measured": [measured]}
     with pytest.raises(ValueError, match=r"^calibrate\.unknowns\[.*\]: 2 unknowns cannot be found from 1 measurement"):
         nrel.calibrate(tables)
-    with pytest.raises(ValueError, match="^measurement 1 is of surge"):
+    with pytest.raises(ValueError, match=r"^measured\[0\]: measurement 1 is of surge"):
         nrel.calibrate({**tables, "measured": [{**measured, "mode": "surge"}]}, free=["rna.mass"])
     with pytest.raises(tm.TowerError, match="deviation is -1, but must be positive"):
         nrel.calibrate({**tables, "measured": [{**measured, "deviation": -1.0}]})

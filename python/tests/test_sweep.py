@@ -253,9 +253,12 @@ def test_tables_of_arrow(nrel: tm.Tower) -> None:
     capsule = table.__arrow_c_stream__()
     from towermodes import _towermodes as core
 
-    assert len(core.columns_of_stream(capsule)) == 2
+    def every(names: list[str]) -> list[int]:
+        return list(range(len(names)))
+
+    assert len(core.columns_of_stream(capsule, every)) == 2
     with pytest.raises(ValueError, match="cannot be read"):
-        core.columns_of_stream(capsule)
+        core.columns_of_stream(capsule, every)
 
 
 def test_tables_of_polars(nrel: tm.Tower) -> None:
