@@ -178,7 +178,7 @@ def layered(*soils: dict[str, object]) -> tm.Tower:
 
 def test_what_is_missing_is_named_by_its_entry() -> None:
     with pytest.raises(tm.TowerError, match=r"^ground\.layer\[1\].*: api needs the factor J"):
-        layered(SAND, {key: value for key, value in CLAY.items() if key != "strength_factor"})
+        layered(SAND, {key: value for key, value in CLAY.items() if key != "strength_factor"}, SAND)
 
 
 def test_a_name_of_several_numbers_says_which_entry_has_none() -> None:

@@ -4,9 +4,9 @@ The classes and functions of the package.
 """
 
 from _typeshed import Incomplete, SupportsGetItem
-from typing import Final, SupportsFloat, SupportsIndex, final
+from typing import Any, Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Damping", "Examination", "FirstOrder", "Found", "Solution", "SweepFolder", "Tower", "TurbineCampbell", "TurbineModes", "calibrate", "close", "columns_of_stream", "design", "mode_named", "read", "read_text", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep"]
+__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Damping", "Examination", "FirstOrder", "Found", "Solution", "SweepFolder", "Tower", "TurbineCampbell", "TurbineModes", "calibrate", "close", "columns_of_stream", "design", "mode_named", "read", "read_text", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep", "tower_file_keys", "values_of_study", "values_of_table"]
 
 VERSION: Final[str]
 """
@@ -198,7 +198,7 @@ class FirstOrder:
     """
     Mean and standard deviation of frequencies from derivatives.
     """
-    def __new__(cls, /, tower: Tower, text: str, name: str, options: "dict[str, object]") -> FirstOrder:
+    def __new__(cls, /, tower: Tower, text: str, name: str, options: "dict[str, object]", *, progress: Any | None = None) -> FirstOrder:
         """
         The distributions of a study, on a tower in place of its base.
         """
@@ -343,6 +343,11 @@ class Solution:
         Inertia of the whole tower against rigid motions about its base: (6, 6).
         """
     @property
+    def second(self, /) -> list[tuple[str, float] | None]:
+        """
+        The family with the largest share of each mode's energy beside its own, and this share.
+        """
+    @property
     def segments(self, /) -> int:
         """
         Number of segments or elements.
@@ -352,14 +357,15 @@ class Solution:
         """
         The shapes at equal heights: (modes, heights, 6).
         """
-    def shape_of(self, /, mode: SupportsIndex) -> Incomplete:
-        """
-        The shape of one mode at equal heights: (heights, 6).
-        """
     @property
     def shape_there(self, /) -> Incomplete:
         """
         The shapes at the heights asked for: (modes, heights, 6).
+        """
+    @property
+    def share(self, /) -> list[float]:
+        """
+        The share of each mode's own family in its energy.
         """
     @property
     def station_height_m(self, /) -> Incomplete:
@@ -399,6 +405,10 @@ class SweepFolder:
     def count(self, /) -> int:
         """
         Number of parts of the whole sweep.
+        """
+    def failures_of(self, /, part: SupportsIndex) -> int:
+        """
+        How many rows of a part that is there have failed.
         """
     def finish(self, /) -> bool:
         """
@@ -717,7 +727,7 @@ class TurbineModes:
         Their names by kinetic energy.
         """
 
-def calibrate(tower: Tower, text: str, name: str, free: SupportsGetItem[int, str], options: "dict[str, object]") -> Found:
+def calibrate(tower: Tower, text: str, name: str, free: SupportsGetItem[int, str], options: "dict[str, object]", *, progress: Any | None = None) -> Found:
     """
     The fit of measurements; `free` are the numbers to be fitted, if not those of the file.
     """
@@ -727,12 +737,13 @@ def close() -> None:
     Lets no other thread come back into Python; Python calls it at its exit.
     """
 
-def columns_of_stream(capsule: "object") -> "list[tuple[str, Incomplete]]":
+def columns_of_stream(capsule: "object", choose: "object") -> "list[tuple[str, Incomplete]]":
     """
-    The columns of a table as numbers; a missing value is NaN.
+    The columns of a table as numbers; a missing value is NaN. A function of all names gives the
+    places of the columns that are read.
     """
 
-def design(tower: Tower, text: str, name: str) -> Found:
+def design(tower: Tower, text: str, name: str, *, progress: Any | None = None) -> Found:
     """
     The lightest tower of a study.
     """
@@ -780,7 +791,23 @@ def stream_of_results(inputs: "list[tuple[str, Incomplete]]", modes: "list[str]"
     missing.
     """
 
-def sweep(tower: Tower, columns: "list[tuple[str, Incomplete]]", options: "dict[str, object]") -> tuple[list[tuple[str, int, str]], Incomplete, Incomplete, Incomplete, Incomplete, tuple[Incomplete, Incomplete, Incomplete], tuple[int, list[tuple[int, str]]]]:
+def sweep(tower: Tower, columns: "list[tuple[str, Incomplete]]", options: "dict[str, object]", *, progress: Any | None = None) -> tuple[list[tuple[str, int, str]], Incomplete, Incomplete, Incomplete, Incomplete, tuple[Incomplete, Incomplete, Incomplete], tuple[int, list[tuple[int, str]]]]:
     """
     Solves the tower with the numbers of each row in place of its own.
+    """
+
+def tower_file_keys() -> list[list[str]]:
+    """
+    The keys of a tower file, and those of its table `[tower]`.
+    """
+
+def values_of_study(tower: Tower, text: str, name: str, ignore: "list[str]", options: "dict[str, object]") -> "tuple[list[tuple[str, Incomplete]], dict[str, object]]":
+    """
+    The values of a study on a tower in place of its base, and the options of the sweep: those
+    given, else those of the study.
+    """
+
+def values_of_table(tower: Tower, path: "str", ignore: "list[str]") -> "list[tuple[str, Incomplete]]":
+    """
+    The values of a table in a file: a column for each change of a tower.
     """

@@ -76,7 +76,9 @@ fn coupled(c: &mut Criterion) {
 /// A sweep: 4 or 2 modes on 20 segments of towers that differ in their numbers, each made from its
 /// description. The time is that of one tower.
 fn many_towers(c: &mut Criterion) {
-    [4, 2].map(|modes| many_towers_with(modes, c));
+    for modes in [4, 2] {
+        many_towers_with(modes, c);
+    }
 }
 
 fn many_towers_with(modes: usize, c: &mut Criterion) {
