@@ -22,8 +22,8 @@ class TowerModes(om.ExplicitComponent):  # type: ignore[misc]
 
     Outputs are `mass_kg`, the mass of the tower without the rotor-nacelle assembly, and a
     frequency for each mode, with the name of its column in a sweep: `fore_aft_1_hz`, `surge_hz`.
-    The frequencies are extrapolated, as `SweepResult.frequency_hz`. Partial derivatives are exact:
-    those of `Tower.sensitivities`.
+    The frequencies are extrapolated, as `SweepResult.frequency_hz`. Partial derivatives are those
+    of `Tower.sensitivities`, computed from the modes and not from differences of solved towers.
 
     Args:
         tower: The tower; its numbers are the initial values of the inputs.

@@ -34,11 +34,16 @@ pub(super) fn derivatives(
         change.apply(&mut description, value);
         let tower = Tower::new(description).ok()?;
         let solved = solve_frequencies(&tower, &spectral, workspace).ok()?;
-        let frequency = |mode: &ModeFrequency| {
-            let same = solved.mode(mode.family, mode.order)?;
+        let frequency = |(place, mode): (usize, &ModeFrequency)| {
+            // Modes that share a motion may exchange names, but never their order.
+            let same = match mode.shares.is_coupled(mode.family) {
+                true => solved.modes.get(place)?,
+                false => solved.mode(mode.family, mode.order)?,
+            };
             Some(same.extrapolated_hz)
         };
-        Some((modes.iter().map(frequency).collect(), tower.mass_kg()))
+        let frequencies = modes.iter().enumerate().map(frequency);
+        Some((frequencies.collect(), tower.mass_kg()))
     };
     let h = LARGER * step(change, value, neighbours);
     let steps = [h, -h, 0.5 * h, -0.5 * h, 0.0];

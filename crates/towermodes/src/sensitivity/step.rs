@@ -41,15 +41,21 @@ pub(super) fn present_value(
 
 /// The step of the value of a change.
 pub(super) fn step(change: &Change, value: f64, neighbours: &Neighbours) -> f64 {
+    RELATIVE * size_of(change, value, neighbours)
+}
+
+/// The size of a change: that of its value, of the shortest piece between heights, or of the
+/// numbers to which it adds.
+pub(super) fn size_of(change: &Change, value: f64, neighbours: &Neighbours) -> f64 {
     let heights = change.parameters().iter().filter(|p| p.is_height());
     let of_heights = change.operation() != Operation::Scale;
     let gaps = heights
         .map(|_| shortest_piece_m(neighbours.tower()))
         .filter(|_| of_heights);
     match gaps.reduce(f64::min) {
-        Some(gap_m) => RELATIVE * gap_m,
-        None if value != 0.0 => RELATIVE * value.abs(),
-        None => RELATIVE * size(change, neighbours.description()),
+        Some(gap_m) => gap_m,
+        None if value != 0.0 => value.abs(),
+        None => size(change, neighbours.description()),
     }
 }
 

@@ -109,6 +109,12 @@ impl FrozenModes {
         Ok(frozen)
     }
 
+    /// The number of segments of the mesh of the modes.
+    pub(crate) fn segments(&self) -> usize {
+        let own = self.meshes.get(self.own);
+        own.map_or(0, |own| own.cut.mesh.segments())
+    }
+
     /// Sets how the errors of the modes decrease, and their motions.
     fn set_powers(&mut self, tower: &Tower, options: &Options, model: &Model) {
         let subsystems = self.keys.iter().map(|key| key.subsystem);

@@ -1,0 +1,71 @@
+//! Derivatives on a finer mesh. A frequency depends little on the soil, so a mesh that is fine
+//! enough for it may be far too coarse for its derivative.
+
+use super::step::size_of;
+use super::{Derivative, Sensitivities};
+use crate::solve::{ModeFrequency, Options};
+use crate::tower::Neighbours;
+
+/// The relative error of a derivative that is wanted.
+const WANTED: f64 = 1e-3;
+/// An error that changes no frequency by more than this, relatively, when the number changes by its
+/// own size does not matter.
+const NEGLIGIBLE: f64 = 1e-5;
+/// Meshes with as many segments are fine enough: their derivatives have errors below the one
+/// wanted, although the estimates may be larger.
+const FINE: usize = 60;
+
+/// The options of a finer mesh, if the derivatives found on a mesh of so many segments need one.
+pub(super) fn options(
+    found: &Sensitivities,
+    neighbours: &Neighbours,
+    (options, segments): (&Options, usize),
+) -> Option<Options> {
+    let asked = options.segments.filter(|asked| *asked < FINE)?;
+    let is_coarse = found.changes.iter().any(|of| {
+        let size = size_of(&of.change, of.value, neighbours);
+        let of_modes = found.modes.iter().zip(&of.modes);
+        let known =
+            of_modes.filter_map(|(mode, derivative)| Some((mode, derivative.as_ref().ok()?)));
+        known
+            .into_iter()
+            .any(|(mode, derivative)| derivative.is_coarse(mode, size))
+    });
+    // Every row of the tower and of its soil is the end of a segment.
+    let segments = segments.max(asked);
+    is_coarse.then(|| Options {
+        segments: Some(FINE.max(2 * segments)),
+        ..options.clone()
+    })
+}
+
+impl Derivative {
+    /// Whether its error is larger than wanted, for a number of a size.
+    fn is_coarse(&self, mode: &ModeFrequency, size: f64) -> bool {
+        let error = self.error_hz_per_unit;
+        error > WANTED * self.hz_per_unit.abs() && error * size > NEGLIGIBLE * mode.extrapolated_hz
+    }
+}
+
+impl Sensitivities {
+    /// Takes the derivatives of a finer mesh with smaller errors, by the names of the modes.
+    pub(super) fn take_better(&mut self, finer: &Self) {
+        let place = |mode: &ModeFrequency| {
+            let mut modes = finer.modes.iter();
+            modes.position(|other| other.name() == mode.name())
+        };
+        let places: Vec<Option<usize>> = self.modes.iter().map(place).collect();
+        for (own, finer) in self.changes.iter_mut().zip(&finer.changes) {
+            for (own, place) in own.modes.iter_mut().zip(&places) {
+                let better = place.and_then(|place| finer.modes[place].as_ref().ok());
+                let (Ok(own), Some(better)) = (own, better) else {
+                    continue;
+                };
+                if better.error_hz_per_unit < own.error_hz_per_unit {
+                    own.hz_per_unit = better.hz_per_unit;
+                    own.error_hz_per_unit = better.error_hz_per_unit;
+                }
+            }
+        }
+    }
+}
