@@ -75,12 +75,12 @@ pub use recognize::recognize;
 pub use resolver::{FileResolver, InMemory, SiblingFiles};
 pub use result::{
     CalibrationDocument, CorrelatedInputs, DesignDocument, DesignedFrequency, DesignedLimit,
-    DesignedVariable, FirstOrderDocument, FittedDirection, FittedFrequency, FittedNumber,
-    FittedShare, InputEffect, MarginProbability, ResultError, ResultKind, ScatteredInput,
-    ScatteredMode, SolvedFile, write_blade_csv, write_blade_json, write_calibration_json,
-    write_campbell_csv, write_campbell_json, write_comparison_csv, write_convergence_csv,
-    write_coupled_campbell_csv, write_coupled_campbell_json, write_csv, write_damping_csv,
-    write_damping_json, write_design_json, write_first_order_json, write_json,
+    DesignedOther, DesignedVariable, FirstOrderDocument, FittedDirection, FittedFrequency,
+    FittedNumber, FittedShare, InputEffect, MarginProbability, ResultError, ResultKind,
+    ScatteredInput, ScatteredMode, SolvedFile, write_blade_csv, write_blade_json,
+    write_calibration_json, write_campbell_csv, write_campbell_json, write_comparison_csv,
+    write_convergence_csv, write_coupled_campbell_csv, write_coupled_campbell_json, write_csv,
+    write_damping_csv, write_damping_json, write_design_json, write_first_order_json, write_json,
     write_json_with_sensitivities, write_parameters_csv, write_parameters_json, write_records_csv,
     write_result_json, write_sensitivities_csv, write_sensitivities_json, write_several_csv,
     write_several_json,

@@ -5,10 +5,12 @@ use std::ops::Range;
 use thiserror::Error;
 use towermodes::{Options, Rotor, TowerDescription};
 use towermodes_analysis::resonance::DEFAULT_MARGIN;
-use towermodes_design::design::{Design, DesignError, DesignProblem, Goal, Variable, window_hz};
+use towermodes_design::design::{
+    Design, DesignError, DesignProblem, Goal, OtherHolder, Variable, window_hz,
+};
 use towermodes_files::{
     DesignBand, DesignDocument, DesignFrequency, DesignStudy, DesignedFrequency, DesignedLimit,
-    DesignedVariable, Diagnostic, DiagnosticKind, ReadError, TowerInput,
+    DesignedOther, DesignedVariable, Diagnostic, DiagnosticKind, ReadError, TowerInput,
 };
 
 /// Why a study has no problem.
@@ -128,18 +130,37 @@ pub fn warnings(found: &Design) -> Vec<String> {
             found.kkt_residual
         ));
     }
+    if found.steps.is_some_and(|steps| !steps.is_searched) {
+        warnings.push(
+            "the search of steps ended after its number of solves: a change of a step may be lighter"
+                .to_owned(),
+        );
+    }
     if !found.certificate.complete {
         warnings.push(
             "the certificate of the tower found is incomplete: a mode may be missing".to_owned(),
         );
     }
-    for reached in found.reached.iter().filter(|one| !one.is_met()) {
-        warnings.push(format!(
-            "{} of the tower found is {} Hz, outside its band by more than its error",
-            reached.goal.mode, reached.after_hz
-        ));
+    for reached in &found.reached {
+        let own = (reached.goal.mode, reached.after_hz);
+        let others = reached.others.iter().map(|other| (other.mode, other.hz));
+        let all = std::iter::once(own).chain(others);
+        for (mode, hz) in all.filter(|(_, hz)| !reached.goal.allows(*hz)) {
+            let goal = reached.goal.mode;
+            warnings.push(format!(
+                "{mode} of the tower found is {hz} Hz, outside the band of {goal}"
+            ));
+        }
     }
     warnings
+}
+
+fn other(of: &OtherHolder) -> DesignedOther {
+    DesignedOther {
+        mode: of.mode.to_string(),
+        hz: of.hz,
+        share: of.share,
+    }
 }
 
 /// The result with the names of the study.
@@ -168,6 +189,8 @@ pub fn document(
         before_hz: of.before_hz,
         after_hz: of.after_hz,
         error_hz: of.error_hz,
+        share: of.share,
+        others: of.others.iter().map(other).collect(),
     });
     let active = found.active.iter().map(|of| DesignedLimit {
         limit: problem.words(&of.limit),
@@ -180,11 +203,12 @@ pub fn document(
         variables: variables.collect(),
         mass_before_kg: found.mass_kg[0],
         mass_kg: found.mass_kg[1],
-        mass_without_steps_kg: found.without_steps_kg,
+        mass_without_steps_kg: found.steps.map(|steps| steps.without_steps_kg),
         frequencies: frequencies.collect(),
         active: active.collect(),
         kkt_residual: found.kkt_residual,
         is_proved: found.is_proved(),
+        steps_are_searched: found.steps.map(|steps| steps.is_searched),
         certified: found.certificate.complete,
         solves: found.solves,
         warnings: notes.chain(warnings.iter().cloned()).collect(),

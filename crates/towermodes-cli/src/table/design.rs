@@ -1,7 +1,7 @@
 //! A design as text: before and after, the limits that decide, the proof.
 
 use towermodes::number::{Plain, digits};
-use towermodes_design::design::{Design, DesignProblem, Goal};
+use towermodes_design::design::{Design, DesignProblem, Goal, OtherHolder, Reached, Steps};
 
 use super::text::{name_line, text_table, tonnes, wrapped};
 
@@ -56,16 +56,36 @@ fn results(found: &Design) -> String {
         mass(after),
         "least".to_owned(),
     ];
-    let rows = found.reached.iter().map(|of| {
-        [
-            format!("{}, Hz", of.goal.mode.label()),
-            of.before_hz.map_or("-".to_owned(), |hz| digits(hz, 6)),
-            digits(of.after_hz, 6),
-            band(&of.goal),
-        ]
-    });
+    let rows = found.reached.iter().flat_map(of_goal);
     let rows = std::iter::once(first).chain(rows);
     text_table(["result", "before", "after", "goal"], rows, [1, 2])
+}
+
+/// The rows of the mode with the name of a goal, and of those that share its motion.
+fn of_goal(of: &Reached) -> Vec<[String; 4]> {
+    let label = of.goal.mode.label();
+    let motion = of.goal.mode.family.noun();
+    let own = match of.others.is_empty() {
+        true => format!("{label}, Hz"),
+        false => format!("{label} ({} %), Hz", percent(of.share)),
+    };
+    let own = [
+        own,
+        of.before_hz.map_or("-".to_owned(), |hz| digits(hz, 6)),
+        digits(of.after_hz, 6),
+        band(&of.goal),
+    ];
+    let other = |of_other: &OtherHolder| {
+        let (label, share) = (of_other.mode.label(), percent(of_other.share));
+        let name = format!("  {label} ({share} % {motion}), Hz");
+        [name, "-".to_owned(), digits(of_other.hz, 6), band(&of.goal)]
+    };
+    let others = of.others.iter().map(other);
+    std::iter::once(own).chain(others).collect()
+}
+
+fn percent(share: f64) -> String {
+    format!("{:.0}", 100.0 * share)
 }
 
 fn band(goal: &Goal) -> String {
@@ -90,27 +110,42 @@ fn limits(problem: &DesignProblem, found: &Design) -> String {
     text_table(header, rows, [1])
 }
 
+/// What is proved of the minimum without steps, and what was searched with them.
+fn in_steps(steps: &Steps, mass_kg: f64, proof: &str, residual: &str) -> String {
+    let least = steps.without_steps_kg;
+    let loss = mass_kg - least;
+    let searched = match steps.is_searched {
+        true => {
+            "No change by one step and no exchange of two that the derivatives predict to be lighter is lighter."
+        }
+        false => "The search of steps ended after its number of solves.",
+    };
+    format!(
+        "Without steps {} is {proof}: KKT residual {residual}. The steps add {} ({} %); this is not proved to be the least. {searched}",
+        tonnes(least),
+        tonnes(loss),
+        digits(100.0 * loss / least, 2),
+    )
+}
+
 /// How good the minimum is.
 fn conclusion(found: &Design) -> String {
     let proof = match found.is_proved() {
-        true => "A minimum",
-        false => "Not proved to be a minimum",
+        true => "a minimum",
+        false => "not proved to be a minimum",
     };
     // Below this it is rounding.
     let residual = match found.kkt_residual < 1e-9 {
         true => "below 1e-9".to_owned(),
         false => format!("{:.0e}", found.kkt_residual),
     };
-    let mut text = format!("{proof}: KKT residual {residual}.");
-    if let Some(least) = found.without_steps_kg {
-        let loss = found.mass_kg[1] - least;
-        text.push_str(&format!(
-            " The steps add {} ({} %) to {} without steps.",
-            tonnes(loss),
-            digits(100.0 * loss / least, 2),
-            tonnes(least)
-        ));
-    }
+    let mut text = match &found.steps {
+        None => {
+            let (first, rest) = proof.split_at(1);
+            format!("{}{rest}: KKT residual {residual}.", first.to_uppercase())
+        }
+        Some(steps) => in_steps(steps, found.mass_kg[1], proof, &residual),
+    };
     if found.certificate.complete {
         text.push_str(" Certificate of the frequencies: complete.");
     }

@@ -1,12 +1,13 @@
 //! A tower of a design with its mass and frequencies, and their derivatives.
 
+use towermodes::modes::Holders;
 use towermodes::{
-    Change, ModeFrequency, ModeName, Operation, Options, Sensitivities, Tower, TowerDescription,
-    Workspace, sensitivities,
+    Change, ChangeSensitivity, ModeFrequency, ModeName, Operation, Options, Sensitivities, Tower,
+    TowerDescription, Workspace, sensitivities,
 };
 
 use super::error::DesignError;
-use super::problem::{DesignProblem, Variable};
+use super::problem::{DesignProblem, Goal, Side, Variable};
 
 /// More modes than this are not searched for a goal.
 const MOST_MODES: usize = 64;
@@ -16,10 +17,19 @@ const MOST_MODES: usize = 64;
 pub(super) struct Point {
     /// Mass, kg.
     pub(super) mass_kg: f64,
-    /// The extrapolated frequency of each goal, Hz.
-    pub(super) frequencies_hz: Vec<f64>,
+    /// Of the modes that hold the name of each goal the one with the lowest frequency, and the one
+    /// with the highest.
+    pub(super) ends: Vec<[End; 2]>,
     /// The derivatives with respect to some variables.
     pub(super) slopes: Option<Slopes>,
+}
+
+/// The mode that decides on one end of a band.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct End {
+    pub(super) mode: ModeName,
+    /// Its extrapolated frequency, Hz.
+    pub(super) hz: f64,
 }
 
 /// The derivatives with respect to the values of some variables.
@@ -27,8 +37,16 @@ pub(super) struct Point {
 pub(super) struct Slopes {
     /// Of the mass, kg per unit of each variable.
     pub(super) mass: Vec<f64>,
-    /// Of each frequency, Hz per unit of each variable.
-    pub(super) frequencies: Vec<Vec<f64>>,
+    /// Of the lowest and the highest frequency of each goal, Hz per unit of each variable; of those
+    /// without a limit nothing.
+    pub(super) ends: Vec<[Vec<f64>; 2]>,
+}
+
+impl Point {
+    /// What decides on one end of the band of a goal.
+    pub(super) fn end(&self, goal: usize, side: Side) -> End {
+        self.ends[goal][side as usize]
+    }
 }
 
 /// The original tower with other values of the variables.
@@ -45,7 +63,7 @@ pub(super) fn tower_with(
 }
 
 /// Solves a tower; with the derivatives with respect to `variables`, whose values are given.
-/// `modes` is increased until it contains the goals.
+/// `modes` is increased until it contains all modes that hold the names of the goals.
 pub(super) fn solved(
     tower: &TowerDescription,
     problem: &DesignProblem,
@@ -55,15 +73,16 @@ pub(super) fn solved(
 ) -> Result<Point, DesignError> {
     let changes = variables.unwrap_or_default().iter();
     let changes: Vec<Change> = changes.map(|(of, _)| of.change.clone()).collect();
-    let (found, places) = loop {
+    let (found, ends) = loop {
         let options = Options {
             modes: *modes,
             ..options.clone()
         };
         let found = sensitivities(tower, &changes, &options, workspace)?;
-        match places(problem, &found.modes) {
-            Ok(places) => break (found, places),
-            Err(mode) if *modes >= MOST_MODES || found.modes.len() < *modes => {
+        let is_last = *modes >= MOST_MODES || found.modes.len() < *modes;
+        match ends(problem, &found.modes, is_last) {
+            Ok(ends) => break (found, ends),
+            Err(mode) if is_last => {
                 return Err(DesignError::NoMode {
                     mode,
                     modes: found.modes.len(),
@@ -72,30 +91,47 @@ pub(super) fn solved(
             Err(_) => *modes = (2 * *modes).min(MOST_MODES),
         }
     };
-    let frequencies_hz = places.iter().map(|at| found.modes[*at].extrapolated_hz);
-    let frequencies_hz = frequencies_hz.collect();
-    let slopes = variables.map(|of| slopes(problem, of, &found, &places));
+    let end = |place: usize| End {
+        mode: found.modes[place].name(),
+        hz: found.modes[place].extrapolated_hz,
+    };
+    let slopes = variables.map(|of| slopes(problem, of, &found, &ends));
     Ok(Point {
         mass_kg: Tower::new(tower.clone())?.mass_kg(),
-        frequencies_hz,
+        ends: ends.iter().map(|places| places.map(end)).collect(),
         slopes: slopes.transpose()?,
     })
 }
 
-/// The place of each goal's mode in the list.
-fn places(problem: &DesignProblem, modes: &[ModeFrequency]) -> Result<Vec<usize>, ModeName> {
-    let place = |name: ModeName| {
-        let is_it = |mode: &ModeFrequency| mode.family == name.family && mode.order == name.order;
-        modes.iter().position(is_it).ok_or(name)
+/// The places in the list of the holders of each goal's name with the lowest and the highest
+/// frequency.
+///
+/// # Errors
+/// The name whose mode, or of which a holder, may be above the list, unless that is the last one.
+fn ends(
+    problem: &DesignProblem,
+    modes: &[ModeFrequency],
+    is_last: bool,
+) -> Result<Vec<[usize; 2]>, ModeName> {
+    let of_goal = |goal: &Goal| {
+        let all = modes.iter().map(|mode| (mode.name(), &mode.shares));
+        let holders = Holders::of(goal.mode, all);
+        let holders = holders.filter(|holders| holders.is_complete || is_last);
+        let places = holders.ok_or(goal.mode)?.places;
+        let hz = |place: &usize| modes[*place].extrapolated_hz;
+        let by_hz = |a: &usize, b: &usize| hz(a).total_cmp(&hz(b));
+        let lowest = places.iter().copied().min_by(by_hz);
+        let highest = places.iter().copied().max_by(by_hz);
+        Ok([lowest, highest].map(Option::unwrap_or_default))
     };
-    problem.goals.iter().map(|goal| place(goal.mode)).collect()
+    problem.goals.iter().map(of_goal).collect()
 }
 
 fn slopes(
     problem: &DesignProblem,
     variables: &[(&Variable, f64)],
     found: &Sensitivities,
-    places: &[usize],
+    ends: &[[usize; 2]],
 ) -> Result<Slopes, DesignError> {
     // The factor of a tower that is scaled already is relative to its present value.
     let per_value = |index: usize| {
@@ -107,22 +143,28 @@ fn slopes(
     };
     let all = found.changes.iter().enumerate();
     let mass = all.map(|(index, of)| of.mass_kg_per_unit * per_value(index));
-    let mut frequencies = Vec::with_capacity(places.len());
-    for (goal, place) in problem.goals.iter().zip(places) {
-        let mut row = Vec::with_capacity(variables.len());
-        for (index, of) in found.changes.iter().enumerate() {
-            let derivative = of.modes[*place].as_ref();
+    let row = |place: usize| -> Result<Vec<f64>, DesignError> {
+        let of_change = |(index, of): (usize, &ChangeSensitivity)| {
+            let derivative = of.modes[place].as_ref();
             let derivative = derivative.map_err(|reason| DesignError::NoDerivative {
-                mode: goal.mode,
+                mode: found.modes[place].name(),
                 variable: of.change.name().to_owned(),
                 reason: *reason,
             })?;
-            row.push(derivative.hz_per_unit * per_value(index));
-        }
-        frequencies.push(row);
+            Ok(derivative.hz_per_unit * per_value(index))
+        };
+        found.changes.iter().enumerate().map(of_change).collect()
+    };
+    let mut rows = Vec::with_capacity(ends.len());
+    for (goal, places) in problem.goals.iter().zip(ends) {
+        let of_end = |side: Side| match goal.limit_hz(side) {
+            Some(_) => row(places[side as usize]),
+            None => Ok(Vec::new()),
+        };
+        rows.push([of_end(Side::Lowest)?, of_end(Side::Highest)?]);
     }
     Ok(Slopes {
         mass: mass.collect(),
-        frequencies,
+        ends: rows,
     })
 }

@@ -25,10 +25,12 @@ pub struct Variable {
     pub step: Option<f64>,
 }
 
-/// The band of a frequency.
+/// The band of a frequency: of the mode with a name, and of every other mode that holds the name
+/// ([`Holders`](towermodes::modes::Holders)), because where two modes share a motion, a small change
+/// of the tower exchanges their names.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Goal {
-    /// The mode; it is followed by its name where frequencies cross.
+    /// The name of the mode.
     pub mode: ModeName,
     /// Its lowest frequency, Hz; 0 for none.
     pub min_hz: f64,
@@ -60,6 +62,26 @@ pub struct DesignProblem {
     pub diameter_to_wall: Option<[f64; 2]>,
     /// The largest angle between wall and axis of every piece of the tower, degrees.
     pub cone_angle_deg: Option<f64>,
+}
+
+impl Goal {
+    /// Whether a frequency is in its band.
+    pub fn allows(&self, hz: f64) -> bool {
+        self.min_hz <= hz && hz <= self.max_hz
+    }
+
+    /// One end of its band, Hz; none if there is none.
+    pub fn limit_hz(&self, side: Side) -> Option<f64> {
+        match side {
+            Side::Lowest => (self.min_hz > 0.0).then_some(self.min_hz),
+            Side::Highest => self.max_hz.is_finite().then_some(self.max_hz),
+        }
+    }
+}
+
+impl Side {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Lowest, Self::Highest];
 }
 
 impl Variable {

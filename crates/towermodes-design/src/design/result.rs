@@ -4,13 +4,13 @@ use std::fmt;
 
 use towermodes::{
     Certificate, Family, ModeName, Operation, Options, Tower, TowerDescription, Workspace,
-    solve_with,
 };
 
+use super::confirm::{Reached, confirmed};
 use super::error::DesignError;
 use super::limits::Limit;
 use super::minimum::{Least, MET, Minimum, OPTIMAL, from_start, least_mass};
-use super::point::tower_with;
+use super::point::{End, Point};
 use super::problem::{DesignProblem, Goal, Side};
 use super::scaled::Scale;
 use super::steps::in_steps;
@@ -24,7 +24,7 @@ pub struct Design {
     pub before: Vec<f64>,
     /// Whether that is the mean of different numbers.
     pub before_is_mean: Vec<bool>,
-    /// The value of each variable, in steps or with seven significant digits.
+    /// The value of each variable, in steps or with eight significant digits.
     pub values: Vec<f64>,
     /// Mass of the original tower and of this one, kg.
     pub mass_kg: [f64; 2],
@@ -32,30 +32,27 @@ pub struct Design {
     pub reached: Vec<Reached>,
     /// The certificate of this solve.
     pub certificate: Certificate,
-    /// The mass of the minimum without steps, kg, if a variable has steps: no tower in steps is
-    /// lighter than this, if the minimum is the only one.
-    pub without_steps_kg: Option<f64>,
+    /// The steps, if a variable has some.
+    pub steps: Option<Steps>,
     /// The limits that keep the tower from being lighter, those with the largest effect first; of
     /// the minimum without steps.
     pub active: Vec<ActiveLimit>,
-    /// |∇m + Σ λᵢ ∇gᵢ| / |∇m| at the minimum, with each variable relative to its range: 0 at an
-    /// exact one (Karush 1939; Kuhn & Tucker 1951).
+    /// |∇m + Σ λᵢ ∇gᵢ| / |∇m| at the minimum without steps, with each variable relative to its
+    /// range: 0 at an exact one (Karush 1939; Kuhn & Tucker 1951).
     pub kkt_residual: f64,
     /// How many towers were solved.
     pub solves: usize,
 }
 
-/// A goal and the frequency of the tower that was found.
+/// What is known of a tower in steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reached {
-    /// The goal.
-    pub goal: Goal,
-    /// The frequency of the original tower, Hz; none if it has no such mode.
-    pub before_hz: Option<f64>,
-    /// The extrapolated frequency of the tower found, Hz.
-    pub after_hz: f64,
-    /// The error of its discretization and computation, without extrapolation, Hz.
-    pub error_hz: f64,
+pub struct Steps {
+    /// The mass of the minimum without steps, kg: no tower in steps is lighter, if that minimum is
+    /// the only one.
+    pub without_steps_kg: f64,
+    /// Whether no change by one step, and no exchange of two, that the derivatives predict to be
+    /// lighter makes a lighter tower; otherwise the search ended after its number of solves.
+    pub is_searched: bool,
 }
 
 /// A limit that keeps a tower from being lighter.
@@ -95,20 +92,9 @@ pub struct Conflict {
 }
 
 impl Design {
-    /// Whether the conditions of a minimum are met up to rounding.
+    /// Whether the conditions of a minimum are met up to rounding, by the minimum without steps.
     pub fn is_proved(&self) -> bool {
         self.kkt_residual <= OPTIMAL
-    }
-}
-
-impl Reached {
-    /// Whether the frequency is in its band, up to a millionth or the error of the frequency.
-    pub fn is_met(&self) -> bool {
-        /// Rounding of the values and another mesh.
-        const RELATIVE: f64 = 1e-6;
-        let room = (RELATIVE * self.after_hz).max(self.error_hz);
-        let Goal { min_hz, max_hz, .. } = self.goal;
-        self.after_hz >= min_hz - room && self.after_hz <= max_hz + room
     }
 }
 
@@ -193,36 +179,41 @@ pub fn design(
     let present = scale.scaled(&before);
     let starts = starts(&mut scale, &before)?;
     let minimum = minimum(&mut scale, &starts)?;
+    let active = active(&scale, &minimum);
+    let without_steps_kg = minimum.mass * scale.mass_kg;
     let is_stepped = problem.variables.iter().any(|of| of.step.is_some());
-    let (scaled, without_steps_kg) = match is_stepped {
+    let (scaled, steps) = match is_stepped {
         false => (minimum.scaled.clone(), None),
         true => match in_steps(&mut scale, &minimum.scaled, &present)? {
-            Some(scaled) => (scaled, Some(minimum.mass * scale.mass_kg)),
+            Some((scaled, is_searched)) => {
+                let steps = Steps {
+                    without_steps_kg,
+                    is_searched,
+                };
+                (scaled, Some(steps))
+            }
             None => {
-                return Err(DesignError::NoCombination {
-                    kg: minimum.mass * scale.mass_kg,
-                });
+                let kg = without_steps_kg;
+                return Err(DesignError::NoCombination { kg });
             }
         },
     };
-    let values = written(&scale, &scaled);
-    let active = active(&scale, &minimum);
-    let solves = scale.solves;
-    let tower = tower_with(problem, base, &values);
-    let (reached, masses, certificate) = checked(base, &tower, problem, options, workspace)?;
+    let found = confirmed(&mut scale, scaled)?;
+    let masses = [base, &found.tower].map(|tower| Tower::new(tower.clone()));
+    let [before_kg, after_kg] = masses.map(|tower| tower.map(|tower| tower.mass_kg()));
     let variables = problem.variables.iter();
     Ok(Design {
-        tower,
+        mass_kg: [before_kg?, after_kg?],
+        tower: found.tower,
         before,
         before_is_mean: variables.map(|of| of.has_different(base)).collect(),
-        values,
-        mass_kg: masses,
-        reached,
-        certificate,
-        without_steps_kg,
+        values: found.values,
+        reached: found.reached,
+        certificate: found.certificate,
+        steps,
         active,
         kkt_residual: minimum.optimality.residual,
-        solves,
+        solves: scale.solves,
     })
 }
 
@@ -346,7 +337,7 @@ fn infeasible(scale: &mut Scale<'_>, nearest: &Minimum) -> DesignError {
             let conflict = Conflict {
                 limit: *limit,
                 wanted: problem.words(limit),
-                nearest: problem.nearest(limit, &at.point.frequencies_hz, &tower),
+                nearest: problem.nearest(limit, &at.point, &tower),
             };
             violated.push((*value, conflict));
         }
@@ -359,7 +350,7 @@ fn infeasible(scale: &mut Scale<'_>, nearest: &Minimum) -> DesignError {
         .map(|(limit, _)| problem.words(limit))
         .collect();
     DesignError::Infeasible(Box::new(Infeasible {
-        equal: excluded_by_symmetry(&problem.goals, &at.point.frequencies_hz),
+        equal: excluded_by_symmetry(&problem.goals, &at.point),
         in_the_way,
         values,
         violated: violated.into_iter().map(|(_, conflict)| conflict).collect(),
@@ -368,12 +359,15 @@ fn infeasible(scale: &mut Scale<'_>, nearest: &Minimum) -> DesignError {
 
 /// The pairs of fore-aft and side-side modes of one order that have the same frequency, although
 /// their bands exclude each other.
-fn excluded_by_symmetry(goals: &[Goal], frequencies_hz: &[f64]) -> Vec<[ModeName; 2]> {
+fn excluded_by_symmetry(goals: &[Goal], at: &Point) -> Vec<[ModeName; 2]> {
     /// Equal up to rounding.
     const EQUAL: f64 = 1e-9;
     let of = |family| {
-        let all = goals.iter().zip(frequencies_hz);
-        all.filter(move |(goal, _)| goal.mode.family == family)
+        let all = goals.iter().zip(&at.ends);
+        let is_alone = |goal: &Goal, ends: &[End; 2]| ends.iter().all(|end| end.mode == goal.mode);
+        let all =
+            all.filter(move |(goal, ends)| goal.mode.family == family && is_alone(goal, ends));
+        all.map(|(goal, [lowest, _])| (goal, lowest.hz))
     };
     let mut pairs = Vec::new();
     for (first, hz) in of(Family::ForeAft) {
@@ -386,22 +380,6 @@ fn excluded_by_symmetry(goals: &[Goal], frequencies_hz: &[f64]) -> Vec<[ModeName
         }
     }
     pairs
-}
-
-/// The values as they are written: steps, bounds, and other values with seven digits.
-fn written(scale: &Scale<'_>, scaled: &[f64]) -> Vec<f64> {
-    let values = scale.values(scaled);
-    let pairs = scale.problem.variables.iter().zip(values);
-    pairs
-        .map(|(variable, value)| match variable.step {
-            Some(step) => super::moves::multiple((value / step).round(), step),
-            None => seven_digits(value).clamp(variable.low, variable.high),
-        })
-        .collect()
-}
-
-fn seven_digits(value: f64) -> f64 {
-    format!("{value:.6e}").parse().unwrap_or(value)
 }
 
 /// The multipliers of the active limits in units.
@@ -423,58 +401,6 @@ fn active(scale: &Scale<'_>, minimum: &Minimum) -> Vec<ActiveLimit> {
     let effect = |of: &ActiveLimit| of.kg_per_percent.unwrap_or(0.0);
     active.sort_by(|a, b| effect(b).total_cmp(&effect(a)));
     active
-}
-
-type Checked = (Vec<Reached>, [f64; 2], Certificate);
-
-/// The frequencies of the goals before and after, by an ordinary solve.
-fn checked(
-    base: &TowerDescription,
-    tower: &TowerDescription,
-    problem: &DesignProblem,
-    options: &Options,
-    workspace: &mut Workspace,
-) -> Result<Checked, DesignError> {
-    let towers = [Tower::new(base.clone())?, Tower::new(tower.clone())?];
-    let mut options = Options {
-        points: 2,
-        heights_m: Vec::new(),
-        ..options.clone()
-    };
-    /// More are not searched.
-    const MOST_MODES: usize = 64;
-    loop {
-        let after = solve_with(&towers[1], &options, workspace)?;
-        let before = solve_with(&towers[0], &options, workspace).ok();
-        let mut reached = Vec::new();
-        let mut missing = None;
-        for goal in &problem.goals {
-            let name = goal.mode;
-            let Some(mode) = after.mode(name.family, name.order) else {
-                missing = Some(name);
-                break;
-            };
-            let before = before.as_ref();
-            let before = before.and_then(|before| before.mode(name.family, name.order));
-            reached.push(Reached {
-                goal: *goal,
-                before_hz: before.map(|mode| mode.extrapolated_hz),
-                after_hz: mode.extrapolated_hz,
-                error_hz: mode.error_hz(),
-            });
-        }
-        match missing {
-            None => {
-                let masses = towers.map(|tower| tower.mass_kg());
-                return Ok((reached, masses, after.certificate));
-            }
-            Some(mode) if options.modes >= MOST_MODES => {
-                let modes = options.modes;
-                return Err(DesignError::NoMode { mode, modes });
-            }
-            Some(_) => options.modes = (2 * options.modes).min(MOST_MODES),
-        }
-    }
 }
 
 impl DesignProblem {
@@ -523,10 +449,16 @@ impl DesignProblem {
     }
 
     /// The value of a limited quantity on a tower, in words.
-    fn nearest(&self, limit: &Limit, frequencies: &[f64], tower: &TowerDescription) -> String {
+    fn nearest(&self, limit: &Limit, at: &Point, tower: &TowerDescription) -> String {
         let station = |i: usize| &tower.stations[i];
         match *limit {
-            Limit::Frequency { goal, .. } => format!("{} Hz", short(frequencies[goal])),
+            Limit::Frequency { goal, side } => {
+                let End { mode, hz } = at.end(goal, side);
+                match mode == self.goals[goal].mode {
+                    true => format!("{} Hz", short(hz)),
+                    false => format!("{} Hz, of {mode}, which shares its motion", short(hz)),
+                }
+            }
             Limit::Falling { below, above } => format!(
                 "{} above {}",
                 short(above.value(tower)),

@@ -1,11 +1,11 @@
 //! The design in scaled numbers: variables in their units above the lower bound, mass relative to
 //! that of the start, limits as functions that must not be positive.
 
-use towermodes::{Options, TowerDescription, Workspace};
+use towermodes::{Options, Solution, SolveError, Tower, TowerDescription, Workspace, solve_with};
 
 use super::error::DesignError;
 use super::limits::{Limit, Row, rows};
-use super::point::{Point, solved, tower_with};
+use super::point::{End, Point, solved, tower_with};
 use super::problem::{DesignProblem, Side};
 
 /// Mass and limits of a tower, scaled.
@@ -32,11 +32,13 @@ pub(super) struct ScaledSlopes {
 pub(super) struct Scale<'d> {
     pub(super) problem: &'d DesignProblem,
     pub(super) base: &'d TowerDescription,
-    options: &'d Options,
+    pub(super) options: &'d Options,
     workspace: &'d mut Workspace,
     rows: Vec<Row>,
     /// The ends of the bands of the goals, then the limits of the shape.
     pub(super) limits: Vec<Limit>,
+    /// How much stricter each limit is for the search, scaled: what rounding and another mesh take.
+    pub(super) room: Vec<f64>,
     /// The variables that are chosen; the others keep their values.
     pub(super) free: Vec<usize>,
     /// The unit of each variable.
@@ -61,13 +63,9 @@ impl<'d> Scale<'d> {
         let rows = rows(problem, base);
         let mut limits = Vec::new();
         for (goal, of) in problem.goals.iter().enumerate() {
-            let mut push = |side| limits.push(Limit::Frequency { goal, side });
-            if of.min_hz > 0.0 {
-                push(Side::Lowest);
-            }
-            if of.max_hz.is_finite() {
-                push(Side::Highest);
-            }
+            let sides = Side::ALL.into_iter();
+            let limited = sides.filter(|side| of.limit_hz(*side).is_some());
+            limits.extend(limited.map(|side| Limit::Frequency { goal, side }));
         }
         limits.extend(rows.iter().map(|row| row.limit));
         let variables = problem.variables.iter();
@@ -81,6 +79,7 @@ impl<'d> Scale<'d> {
             mass_kg: 1.0,
             solves: 0,
             last: None,
+            room: vec![0.0; limits.len()],
             problem,
             base,
             options,
@@ -139,6 +138,16 @@ impl<'d> Scale<'d> {
         }
     }
 
+    /// A tower, solved as any other.
+    pub(super) fn solution(
+        &mut self,
+        tower: &Tower,
+        options: &Options,
+    ) -> Result<Solution, SolveError> {
+        self.solves += 1;
+        solve_with(tower, options, self.workspace)
+    }
+
     /// Forgets the last tower, whose scales have changed.
     pub(super) fn forget(&mut self) {
         self.last = None;
@@ -177,18 +186,26 @@ impl<'d> Scale<'d> {
         let of = slopes.then_some(of.as_slice());
         let options = (self.options, &mut self.modes);
         let point = solved(&tower, self.problem, of, options, self.workspace)?;
+        let values = self.limit_values(&point.ends, &tower);
+        let limits = values
+            .iter()
+            .zip(&self.room)
+            .map(|(value, room)| value + room);
         Ok(Scaled {
             mass: point.mass_kg / self.mass_kg,
-            limits: self.limit_values(&point, &tower),
+            limits: limits.collect(),
             slopes: point.slopes.is_some().then(|| self.slopes(&point)),
             point,
         })
     }
 
-    fn limit_values(&self, point: &Point, tower: &TowerDescription) -> Vec<f64> {
+    /// The limits on a tower with these frequencies at the ends of the bands: positive where they
+    /// are violated.
+    pub(super) fn limit_values(&self, ends: &[[End; 2]], tower: &TowerDescription) -> Vec<f64> {
         let goals = self.limits.iter().filter_map(|limit| {
-            let (goal, sign, limit_hz) = self.of_goal(limit)?;
-            Some(sign * (point.frequencies_hz[goal] / limit_hz - 1.0))
+            let (goal, side, limit_hz) = self.of_goal(limit)?;
+            let hz = ends[goal][side as usize].hz;
+            Some(sign(side) * (hz / limit_hz - 1.0))
         });
         goals
             .chain(self.rows.iter().map(|row| row.value(tower)))
@@ -208,8 +225,11 @@ impl<'d> Scale<'d> {
             entries.map(|(index, d)| d * range(index) * by).collect()
         };
         let goals = self.limits.iter().filter_map(|limit| {
-            let (goal, sign, limit_hz) = self.of_goal(limit)?;
-            Some(scaled(&slopes.frequencies[goal], sign / limit_hz))
+            let (goal, side, limit_hz) = self.of_goal(limit)?;
+            Some(scaled(
+                &slopes.ends[goal][side as usize],
+                sign(side) / limit_hz,
+            ))
         });
         let rows = self.rows.iter().map(|row| {
             let free = self.free.iter().map(|i| &self.problem.variables[*i]);
@@ -222,15 +242,20 @@ impl<'d> Scale<'d> {
         }
     }
 
-    /// Goal, sign and frequency of an end of a band.
-    pub(super) fn of_goal(&self, limit: &Limit) -> Option<(usize, f64, f64)> {
+    /// Goal, side and frequency of an end of a band.
+    pub(super) fn of_goal(&self, limit: &Limit) -> Option<(usize, Side, f64)> {
         let Limit::Frequency { goal, side } = *limit else {
             return None;
         };
-        let of = &self.problem.goals[goal];
-        Some(match side {
-            Side::Lowest => (goal, -1.0, of.min_hz),
-            Side::Highest => (goal, 1.0, of.max_hz),
-        })
+        let limit_hz = self.problem.goals[goal].limit_hz(side)?;
+        Some((goal, side, limit_hz))
+    }
+}
+
+/// Of (frequency/limit − 1), so that it is positive where the limit is violated.
+fn sign(side: Side) -> f64 {
+    match side {
+        Side::Lowest => -1.0,
+        Side::Highest => 1.0,
     }
 }

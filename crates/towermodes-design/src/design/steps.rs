@@ -1,58 +1,133 @@
-//! Values in steps, such as plate thicknesses: the minimum is rounded, repaired and improved by
+//! Values in steps, such as plate thicknesses: the minimum is brought into steps and improved by
 //! single steps and exchanges of two, whose effect the derivatives predict.
 
+use super::dive::dive;
 use super::error::DesignError;
-use super::minimum::{MET, least_mass};
+use super::minimum::{MET, from_near, least_mass};
 use super::moves::{Candidate, Stepped, candidates, violation};
 use super::scaled::Scale;
 use super::together::{improve_together, lighter_present};
 
 /// Moves of one search.
 const MOST_MOVES: usize = 200;
+/// Repairs that are computed exactly before the search ends.
+const MOST_REPAIRS: usize = 30;
 /// Predicted improvements that are computed exactly before the search ends.
-const MOST_TRIALS: usize = 30;
+const MOST_TRIALS: usize = 200;
 /// A predicted limit may be this wrong, relatively.
-const PREDICTION: f64 = 2e-3;
+const PREDICTION: f64 = 2e-4;
 /// A repair reduces the violation at least to this share.
 const LEAST_GAIN: f64 = 1.0 - 1e-6;
 
-/// Scaled values in which every variable with a step has a multiple of it, with all limits met;
-/// none if the search finds none.
+/// Scaled values in which every variable with a step has a multiple of it, with all limits met, and
+/// whether no single change is left that is predicted to be lighter; none if the search finds none.
 pub(super) fn in_steps(
     scale: &mut Scale<'_>,
     minimum: &[f64],
     present: &[f64],
-) -> Result<Option<Vec<f64>>, DesignError> {
-    let is_stepped = |i: &usize| scale.problem.variables[*i].step.is_some();
-    let all = 0..scale.problem.variables.len();
-    let (variables, others): (Vec<usize>, Vec<usize>) = all.partition(is_stepped);
-    let mut found = None;
+) -> Result<Option<(Vec<f64>, bool)>, DesignError> {
+    let (variables, others) = parted(scale);
+    let mut found = dive(scale, minimum, &variables)?;
     for rounding in [f64::round, f64::ceil, f64::floor] {
-        let stepped = Stepped::rounded(scale, variables.clone(), minimum, rounding);
-        found = search(scale, stepped, &others, minimum)?;
         if found.is_some() {
             break;
         }
+        let stepped = Stepped::rounded(scale, variables.clone(), minimum, rounding);
+        found = search(scale, stepped, &others, minimum)?;
     }
     let Some(mut scaled) = found else {
         return Ok(None);
     };
-    if !others.is_empty() {
-        let mut stepped = Stepped::rounded(scale, variables.clone(), &scaled, f64::round);
-        improve_together(scale, &mut stepped, &others, &mut scaled)?;
+    let mut is_searched = improved(scale, (&variables, &others), &mut scaled)?;
+    let stepped = Stepped::rounded(scale, variables.clone(), present, f64::round);
+    if let Some(mut lighter) = lighter_present(scale, &stepped, present, &scaled)? {
+        is_searched = improved(scale, (&variables, &others), &mut lighter)?;
+        scaled = lighter;
     }
-    let mut stepped = Stepped::rounded(scale, variables, present, f64::round);
-    let Some(mut lighter) = lighter_present(scale, &stepped, present, &scaled)? else {
-        return Ok(Some(scaled));
-    };
+    Ok(Some((scaled, is_searched)))
+}
+
+/// The variables with steps, and the others.
+fn parted(scale: &Scale<'_>) -> (Vec<usize>, Vec<usize>) {
+    let is_stepped = |i: &usize| scale.problem.variables[*i].step.is_some();
+    (0..scale.problem.variables.len()).partition(is_stepped)
+}
+
+/// Moves steps while that reduces the mass; false if the search ended before.
+fn improved(
+    scale: &mut Scale<'_>,
+    (variables, others): (&[usize], &[usize]),
+    scaled: &mut Vec<f64>,
+) -> Result<bool, DesignError> {
+    let mut stepped = Stepped::rounded(scale, variables.to_vec(), scaled, f64::round);
     match others.is_empty() {
         true => {
-            scale.set_free(stepped.variables.clone());
-            improve(scale, &mut stepped, &mut lighter)?;
+            scale.set_free(variables.to_vec());
+            improve(scale, &mut stepped, scaled)
         }
-        false => improve_together(scale, &mut stepped, &others, &mut lighter)?,
+        false => improve_together(scale, &mut stepped, others, scaled),
     }
-    Ok(Some(lighter))
+}
+
+/// Scaled values near given ones that meet all limits after these were tightened by a little; none
+/// if there are none.
+pub(super) fn met_again(
+    scale: &mut Scale<'_>,
+    scaled: &[f64],
+) -> Result<Option<Vec<f64>>, DesignError> {
+    /// Solves of one search, which begins near its end.
+    const MOST_SOLVES: usize = 150;
+    let (variables, others) = parted(scale);
+    if !others.is_empty() {
+        scale.set_free(others);
+        let moved = moved_within(scale, scaled)?;
+        if moved.is_some() {
+            return Ok(moved);
+        }
+        let found = from_near(scale, scaled, MOST_SOLVES)?;
+        if found.is_feasible() || variables.is_empty() {
+            return Ok(found.is_feasible().then_some(found.scaled));
+        }
+    }
+    let mut scaled = scaled.to_vec();
+    let mut stepped = Stepped::rounded(scale, variables.clone(), &scaled, f64::round);
+    scale.set_free(variables);
+    let is_met = repair(scale, &mut stepped, &mut scaled)?;
+    Ok(is_met.then_some(scaled))
+}
+
+/// The free variables moved by a little, so that the limits are met to first order: to each limit
+/// that is violated in turn, by the shortest way (Kaczmarz 1937).
+fn moved_within(scale: &mut Scale<'_>, scaled: &[f64]) -> Result<Option<Vec<f64>>, DesignError> {
+    /// Turns until the limits are given up.
+    const MOST_TURNS: usize = 10_000;
+    let at = scale.at(scaled, true)?.clone();
+    let Some(slopes) = at.slopes else {
+        return Ok(None);
+    };
+    let mut next = scaled.to_vec();
+    for _ in 0..MOST_TURNS {
+        let limits = at.limits.iter().zip(&slopes.limits);
+        let values = limits.map(|(value, row)| {
+            let moves = row.iter().zip(&scale.free);
+            let change: f64 = moves.map(|(d, &i)| d * (next[i] - scaled[i])).sum();
+            (value + change, row)
+        });
+        let worst = values.max_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((value, row)) = worst.filter(|(value, _)| *value > 0.0) else {
+            return Ok(Some(next));
+        };
+        let square: f64 = row.iter().map(|d| d * d).sum();
+        if square == 0.0 {
+            return Ok(None);
+        }
+        for (d, &i) in row.iter().zip(&scale.free) {
+            // A little further, so that the last turns end.
+            let moved = next[i] - 1.001 * value * d / square;
+            next[i] = moved.clamp(0.0, scale.highest[i]);
+        }
+    }
+    Ok(None)
 }
 
 /// The search from a rounded minimum; `others` are the variables without steps.
@@ -116,7 +191,7 @@ fn repair(
             let (a, b) = (cost(a), cost(b));
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
-        for one in all.iter().take(MOST_TRIALS) {
+        for one in all.iter().take(MOST_REPAIRS) {
             let trial = stepped.moved(&one.moves);
             let mut next = scaled.to_vec();
             trial.put_into(&mut next, scale);
@@ -132,12 +207,13 @@ fn repair(
     Ok(false)
 }
 
-/// Moves that reduce the mass and violate nothing, until there are none.
+/// Moves that reduce the mass and violate nothing, until there are none; false if the search ended
+/// before.
 fn improve(
     scale: &mut Scale<'_>,
     stepped: &mut Stepped,
     scaled: &mut [f64],
-) -> Result<(), DesignError> {
+) -> Result<bool, DesignError> {
     'moves: for _ in 0..MOST_MOVES {
         let at = scale.at(scaled, true)?.clone();
         let mut all = candidates(scale, stepped, &at);
@@ -155,7 +231,7 @@ fn improve(
                 continue 'moves;
             }
         }
-        return Ok(());
+        return Ok(all.len() <= MOST_TRIALS);
     }
-    Ok(())
+    Ok(false)
 }

@@ -18,18 +18,19 @@ const MOST_SOLVES: usize = 1500;
 const MOST_SOLVES_OF_TRIAL: usize = 40;
 /// A move whose predicted change of the relative mass is above this is not tried: whole steps are
 /// predicted to this accuracy.
-const PREDICTION: f64 = 2e-3;
+const PREDICTION: f64 = 1e-5;
 /// A smaller change of the relative mass is none.
 const LEAST_GAIN: f64 = 1e-9;
 
 /// Moves steps, with the other variables optimized after each move, until none that is predicted
-/// to reduce the mass does so. The limits are met before and after.
+/// to reduce the mass does so; false if the search ended before. The limits are met before and
+/// after.
 pub(super) fn improve_together(
     scale: &mut Scale<'_>,
     stepped: &mut Stepped,
     others: &[usize],
     scaled: &mut Vec<f64>,
-) -> Result<(), DesignError> {
+) -> Result<bool, DesignError> {
     let last = scale.solves + MOST_SOLVES;
     'moves: for _ in 0..MOST_MOVES {
         let (at, rows) = with_multipliers(scale, stepped, others, scaled)?;
@@ -39,7 +40,7 @@ pub(super) fn improve_together(
         all.dedup_by(|a, b| a.moves == b.moves);
         for one in all.iter().take(MOST_TRIALS) {
             if scale.solves > last {
-                return Ok(());
+                return Ok(false);
             }
             let trial = stepped.moved(&one.moves);
             let mut next = scaled.clone();
@@ -58,9 +59,9 @@ pub(super) fn improve_together(
                 continue 'moves;
             }
         }
-        return Ok(());
+        return Ok(all.len() <= MOST_TRIALS);
     }
-    Ok(())
+    Ok(false)
 }
 
 /// The point with the derivatives with respect to the variables with steps, in which the mass is

@@ -26,7 +26,12 @@ pub fn nrel_5mw() -> TowerDescription {
 }
 
 /// Cans of constant wall and linear diameter between two heights.
-fn of_cans(count: usize, height_m: f64, diameters_m: [f64; 2], walls_m: [f64; 2]) -> Vec<Station> {
+pub fn of_cans(
+    count: usize,
+    height_m: f64,
+    diameters_m: [f64; 2],
+    walls_m: [f64; 2],
+) -> Vec<Station> {
     let at = |ends: [f64; 2], share: f64| ends[0] + share * (ends[1] - ends[0]);
     let can = |i: usize| {
         let wall_m = at(walls_m, i as f64 / (count - 1) as f64);

@@ -24,10 +24,14 @@ pub struct DesignDocument {
     pub frequencies: Vec<DesignedFrequency>,
     /// The limits that keep the tower from being lighter.
     pub active: Vec<DesignedLimit>,
-    /// The residual of the conditions of a minimum (Karush, Kuhn, Tucker), relative.
+    /// The residual of the conditions of a minimum (Karush, Kuhn, Tucker) of the problem without
+    /// steps, relative.
     pub kkt_residual: f64,
-    /// Whether the residual proves the minimum.
+    /// Whether the residual proves the minimum of the problem without steps.
     pub is_proved: bool,
+    /// Whether no change by one step, and no exchange of two, that the derivatives predict to be
+    /// lighter makes a lighter tower; null if no variable has steps.
+    pub steps_are_searched: Option<bool>,
     /// Whether the certificate of the tower found proves that no mode is missing.
     pub certified: bool,
     /// How many towers were solved.
@@ -72,6 +76,22 @@ pub struct DesignedFrequency {
     pub after_hz: f64,
     /// Estimated error of the frequency without extrapolation, Hz.
     pub error_hz: f64,
+    /// The share of the family of its name in the energy of the mode.
+    pub share: f64,
+    /// The other modes with at least a quarter of this motion: the limits are theirs too.
+    pub others: Vec<DesignedOther>,
+}
+
+/// Another mode that the limits on a frequency bind.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct DesignedOther {
+    /// Its own name.
+    pub mode: String,
+    /// Its extrapolated frequency, Hz.
+    pub hz: f64,
+    /// The share of the family of the limited name in its energy.
+    pub share: f64,
 }
 
 /// A limit that keeps the tower from being lighter.

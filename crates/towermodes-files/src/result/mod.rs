@@ -31,7 +31,8 @@ pub use coupled_campbell::write_coupled_campbell_json;
 pub use coupled_campbell_csv::write_coupled_campbell_csv;
 pub use damping::{write_damping_csv, write_damping_json};
 pub use design::{
-    DesignDocument, DesignedFrequency, DesignedLimit, DesignedVariable, write_design_json,
+    DesignDocument, DesignedFrequency, DesignedLimit, DesignedOther, DesignedVariable,
+    write_design_json,
 };
 pub use first_order::{
     CorrelatedInputs, FirstOrderDocument, InputEffect, MarginProbability, ScatteredInput,
