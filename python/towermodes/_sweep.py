@@ -116,7 +116,10 @@ class SweepResult:
         "_inputs",
         "_mass_kg",
         "_modes",
+        "_share",
         "failures",
+        "shared",
+        "shared_rows",
         "warned_rows",
         "warnings",
     )
@@ -127,21 +130,26 @@ class SweepResult:
     """Number of rows whose input is possible but probably a mistake, unlike that of the tower."""
     warnings: list[tuple[int, str]]
     """The first of these rows, up to five: the row, from 0, and the message."""
+    shared_rows: int
+    """Number of rows where less than 60 % of a mode is the motion of its name: see `share`."""
+    shared: list[tuple[int, str]]
+    """The first of these rows, up to five: the row, from 0, and which modes share their motion."""
 
     def __init__(self, inputs: list[tuple[str, Array]], solved: tuple[Any, ...]) -> None:
         # It needs `collections`, whose import takes two milliseconds.
         from towermodes._failures import Failures
 
-        modes, frequency_hz, error_hz, mass_kg, certified, failures, warned = solved
+        modes, frequency_hz, error_hz, share, mass_kg, certified, failures, remarks = solved
         self._inputs: list[tuple[str, Array]] = inputs
         self._modes: list[tuple[Family, int, str]] = modes
         self._frequency_hz: Array = frequency_hz
         self._error_hz: Array = error_hz
+        self._share: Array = share
         self._mass_kg: Array = mass_kg
         self._certified: NDArray[np.bool_] = certified
         self.failures = Failures(*failures)
-        self.warned_rows, self.warnings = warned
-        for array in (frequency_hz, error_hz, mass_kg, certified):
+        (self.warned_rows, self.warnings), (self.shared_rows, self.shared) = remarks
+        for array in (frequency_hz, error_hz, share, mass_kg, certified):
             array.flags.writeable = False
 
     def __setstate__(self, state: tuple[None, dict[str, Any]]) -> None:
@@ -174,6 +182,15 @@ class SweepResult:
         return self._error_hz
 
     @property
+    def share(self) -> Array:
+        """The share of the family of each name in the energy of its mode: (rows, modes).
+
+        It is near 1 where the mode has one motion. Where it is below 0.6, modes share the motion,
+        and between such rows they may exchange their names; `shared` has the first of these rows.
+        """
+        return self._share
+
+    @property
     def mass_kg(self) -> Array:
         """Masses of the towers without the rotor-nacelle assembly, kg: (rows,)."""
         return self._mass_kg
@@ -203,11 +220,15 @@ class SweepResult:
         """The column of `error_hz` of a mode by its name, Hz: (rows,)."""
         return self._error_hz[:, place_of(self.names, family, order, "the modes of the sweep")]
 
+    def share_of(self, family: Family | str, order: int | None = None) -> Array:
+        """The column of `share` of a mode by its name: (rows,)."""
+        return self._share[:, place_of(self.names, family, order, "the modes of the sweep")]
+
     def to_dict(self) -> dict[str, Any]:
         """The columns of the table, with the names that `towermodes sweep` writes.
 
-        They are the number of the row, the inputs, mass, certified, frequency and error of each
-        mode, and in `error` the message of a row that failed.
+        They are the number of the row, the inputs, mass, certified, frequency, error and share
+        of each mode, and in `error` the message of a row that failed.
         """
         import numpy as np
 
@@ -217,6 +238,7 @@ class SweepResult:
         for place, (_, _, column) in enumerate(self._modes):
             columns[f"{column}_hz"] = self._frequency_hz[:, place]
             columns[f"{column}_error_hz"] = self._error_hz[:, place]
+            columns[f"{column}_share"] = self._share[:, place]
         messages = dict(self.failures)
         columns["error"] = [messages.get(row) for row in range(len(self))]
         return columns
@@ -237,6 +259,7 @@ class SweepResult:
             self._certified,
             self._frequency_hz,
             self._error_hz,
+            self._share,
             self.failures._columns,
         )
 
@@ -264,3 +287,7 @@ class SweepResult:
             yield f"warning: row {row}: {message}"
         if self.warned_rows > 3:
             yield f"and {self.warned_rows - 3} more rows with unusual input: see warnings"
+        for row, message in self.shared[:3]:
+            yield f"row {row}: {message}"
+        if self.shared_rows > 3:
+            yield f"and {self.shared_rows - 3} more rows in which modes share a motion: see shared"

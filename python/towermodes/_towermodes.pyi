@@ -784,7 +784,7 @@ def stream_of_columns(texts: "list[tuple[str, list[str]]]", numbers: "list[tuple
     missing.
     """
 
-def stream_of_results(inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", failures: "tuple[object, object, object]") -> "object":
+def stream_of_results(inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", share: "object", failures: "tuple[object, object, object]") -> "object":
     """
     A table of results as a stream: the number of each row, the inputs, the mass, whether it is
     certified, frequency and error of each mode, and why a row failed. A number that is NaN is

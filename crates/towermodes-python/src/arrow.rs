@@ -121,10 +121,10 @@ fn of_type<T: ArrowPrimitiveType>(
 }
 
 /// A table of results as a stream: the number of each row, the inputs, the mass, whether it is
-/// certified, frequency and error of each mode, and why a row failed. A number that is NaN is
+/// certified, frequency, error and share of each mode, and why a row failed. A number that is NaN is
 /// missing.
 #[pyfunction]
-#[pyo3(signature = (inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", failures: "tuple[object, object, object]") -> "object")]
+#[pyo3(signature = (inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", share: "object", failures: "tuple[object, object, object]") -> "object")]
 #[allow(clippy::too_many_arguments)]
 pub fn stream_of_results<'py>(
     py: Python<'py>,
@@ -134,6 +134,7 @@ pub fn stream_of_results<'py>(
     certified: PyReadonlyArray1<'py, bool>,
     frequency_hz: PyReadonlyArray2<'py, f64>,
     error_hz: PyReadonlyArray2<'py, f64>,
+    share: PyReadonlyArray2<'py, f64>,
     failures: Failures<'py>,
 ) -> PyResult<Bound<'py, PyCapsule>> {
     let rows = certified.as_array().len();
@@ -152,12 +153,13 @@ pub fn stream_of_results<'py>(
             certified.as_array().iter().map(|c| Some(*c)),
         )),
     );
-    let (frequency_hz, error_hz) = (frequency_hz.as_array(), error_hz.as_array());
+    let [frequency_hz, error_hz, share] = [&frequency_hz, &error_hz, &share].map(|of| of.as_array());
     for (place, mode) in modes.iter().enumerate() {
         let column =
             |of: &numpy::ndarray::ArrayView2<'_, f64>| present(of.column(place).iter().copied());
         table.add(&format!("{mode}_hz"), column(&frequency_hz));
         table.add(&format!("{mode}_error_hz"), column(&error_hz));
+        table.add(&format!("{mode}_share"), column(&share));
     }
     table.add("error", Arc::new(sentences(rows, &failures)?));
     PyCapsule::new_with_value(py, table.stream()?, STREAM)

@@ -55,16 +55,20 @@ type Failed<'py> = (
     Bound<'py, PyArray1<u8>>,
 );
 
-/// Modes, frequencies and errors (rows, modes), masses, certified, failures; number of rows with
-/// unusual input, and the first of them.
+/// Number of rows on which there is something to remark, and the first sentences.
+type Remarks = (u64, Vec<(u64, String)>);
+
+/// Modes, frequencies, errors and shares (rows, modes), masses, certified, failures; rows with
+/// unusual input, and rows in which modes share their motions.
 type Solved<'py> = (
     Names,
+    Bound<'py, PyArray2<f64>>,
     Bound<'py, PyArray2<f64>>,
     Bound<'py, PyArray2<f64>>,
     Bound<'py, PyArray1<f64>>,
     Bound<'py, PyArray1<bool>>,
     Failed<'py>,
-    (u64, Vec<(u64, String)>),
+    [Remarks; 2],
 );
 
 /// Solves the tower with the numbers of each row in place of its own.
@@ -223,9 +227,10 @@ fn arrays(py: Python<'_>, results: Results) -> PyResult<Solved<'_>> {
         mode_names(&results.modes),
         PyArray1::from_vec(py, results.frequency_hz).reshape(shape)?,
         PyArray1::from_vec(py, results.error_hz).reshape(shape)?,
+        PyArray1::from_vec(py, results.share).reshape(shape)?,
         PyArray1::from_vec(py, results.mass_kg),
         PyArray1::from_vec(py, results.certified),
         failed(py, results.failures),
-        (results.warnings.rows, results.warnings.first),
+        [results.warnings, results.shared].map(|remarks| (remarks.rows, remarks.first)),
     ))
 }

@@ -58,4 +58,4 @@ pub use summary::{
 pub use sweep::{MOST_MODES, Sweep, SweepError};
 pub use table::{CellError, RowPlace, Table, TableError, TableProblem};
 pub use threads::Watch;
-pub use warned::InputWarnings;
+pub use warned::RowRemarks;

@@ -1,6 +1,7 @@
 //! The lowest modes of a tower by name, without shapes.
 
-use towermodes::{ModeName, Options, SolveError, Tower, Workspace, solve_frequencies};
+use towermodes::modes::SharedMotion;
+use towermodes::{ModeName, Options, Shares, SolveError, Tower, Workspace, solve_frequencies};
 
 /// The lowest modes of one tower, in memory that is used again for the next.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -21,6 +22,15 @@ pub(crate) struct NamedFrequency {
     pub(crate) hz: f64,
     /// The error of the frequency without extrapolation, Hz.
     pub(crate) error_hz: f64,
+    /// The share of each family in its energy.
+    pub(crate) shares: Shares,
+}
+
+impl NamedFrequency {
+    /// The share of its own family in its energy.
+    pub(crate) fn share(&self) -> f64 {
+        self.shares.of(self.name.family)
+    }
 }
 
 impl Lowest {
@@ -35,12 +45,10 @@ impl Lowest {
         self.modes.clear();
         self.modes
             .extend(frequencies.modes.iter().map(|mode| NamedFrequency {
-                name: ModeName {
-                    family: mode.family,
-                    order: mode.order,
-                },
+                name: mode.name(),
                 hz: mode.extrapolated_hz,
                 error_hz: mode.error_hz(),
+                shares: mode.shares,
             }));
         self.certified = frequencies.certificate.complete;
         Ok(())
@@ -81,6 +89,22 @@ impl Lowest {
             }
         }
         Ok(())
+    }
+
+    /// Whether a mode of this name shares its motion with others, so that a small change of the
+    /// tower may give its name to another one.
+    pub(crate) fn is_shared(&self, name: ModeName) -> bool {
+        let mode = self.mode(name);
+        mode.is_some_and(|mode| mode.shares.is_coupled(name.family))
+    }
+
+    /// That modes share the motion of a name.
+    pub(crate) fn shared(&self, name: ModeName) -> Option<SharedMotion> {
+        let all = self
+            .modes
+            .iter()
+            .map(|mode| (mode.name, &mode.shares, mode.hz));
+        SharedMotion::of(name, all)
     }
 
     /// The mode with a name, if it is in the list.

@@ -6,7 +6,7 @@ use towermodes::ModeName;
 
 use crate::failed::FailedRows;
 use crate::row::Cells;
-use crate::warned::InputWarnings;
+use crate::warned::RowRemarks;
 
 /// The results of successive rows of a sweep.
 ///
@@ -26,10 +26,17 @@ pub struct Results {
     /// Errors of the frequencies before extrapolation, a cautious bound for those after it, Hz;
     /// rows × modes.
     pub error_hz: Vec<f64>,
+    /// The share of the family of each name in the energy of its mode: near 1 where the mode has
+    /// one motion, below 0.6 where modes share it, so that the name may go to another mode in the
+    /// next row; rows × modes.
+    pub share: Vec<f64>,
     /// What failed or is missing.
     pub failures: FailedRows,
     /// Rows that were solved here with input that is probably a mistake; files do not have them.
-    pub warnings: InputWarnings,
+    pub warnings: RowRemarks,
+    /// Rows that were solved here in which modes share the motion of a name; files have the shares
+    /// only.
+    pub shared: RowRemarks,
 }
 
 impl Results {
@@ -59,8 +66,10 @@ impl Results {
             certified,
             frequency_hz: numbers(cells)?,
             error_hz: numbers(cells)?,
+            share: numbers(cells)?,
             failures: FailedRows::default(),
-            warnings: InputWarnings::default(),
+            warnings: RowRemarks::default(),
+            shared: RowRemarks::default(),
         })
     }
 
@@ -84,6 +93,11 @@ impl Results {
         column(&self.error_hz, mode, self.modes.len())
     }
 
+    /// The shares of the family of a mode in its energy, by its place in [`modes`](Self::modes).
+    pub fn shares(&self, mode: usize) -> impl Iterator<Item = f64> {
+        column(&self.share, mode, self.modes.len())
+    }
+
     /// The sentence of each row, none for a row that is complete.
     pub fn sentences(&self) -> impl Iterator<Item = Option<&str>> {
         let mut failures = self.failures.iter().peekable();
@@ -100,17 +114,19 @@ impl Results {
         let first_row = self.first_row;
         let numbers = self.frequency_hz.chunks_mut(count * modes);
         let numbers = numbers.zip(self.error_hz.chunks_mut(count * modes));
+        let numbers = numbers.zip(self.share.chunks_mut(count * modes));
         let others = self.mass_kg.chunks_mut(count);
         let others = others.zip(self.certified.chunks_mut(count));
         let all = others.zip(numbers).enumerate();
         all.map(
-            move |(index, ((mass_kg, certified), (frequency_hz, error_hz)))| Piece {
+            move |(index, ((mass_kg, certified), ((frequency_hz, error_hz), share)))| Piece {
                 first_row: first_row + (index * count) as u64,
                 modes,
                 mass_kg,
                 certified,
                 frequency_hz,
                 error_hz,
+                share,
             },
         )
     }
@@ -129,6 +145,7 @@ pub(crate) struct Piece<'a> {
     certified: &'a mut [bool],
     frequency_hz: &'a mut [f64],
     error_hz: &'a mut [f64],
+    share: &'a mut [f64],
 }
 
 impl Piece<'_> {
@@ -143,7 +160,8 @@ impl Piece<'_> {
             mass_kg: &mut self.mass_kg[row],
             certified: &mut self.certified[row],
             frequency_hz: &mut self.frequency_hz[of_modes.clone()],
-            error_hz: &mut self.error_hz[of_modes],
+            error_hz: &mut self.error_hz[of_modes.clone()],
+            share: &mut self.share[of_modes],
         }
     }
 }

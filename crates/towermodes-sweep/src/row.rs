@@ -1,10 +1,12 @@
 //! One row of a sweep: the changed tower, solved.
 
-use towermodes::{Change, Options, Parameter, Place, Tower, TowerError, Warning, Workspace};
+use towermodes::{
+    Change, ModeName, Options, Parameter, Place, Tower, TowerError, Warning, Workspace,
+};
 
 use crate::lowest::Lowest;
 use crate::sweep::Sweep;
-use crate::warned::InputWarnings;
+use crate::warned::RowRemarks;
 
 /// A row in which a mode is missing is solved again with up to this many more modes than the base
 /// needs.
@@ -17,6 +19,7 @@ pub(crate) struct Cells<'a> {
     pub(crate) certified: &'a mut bool,
     pub(crate) frequency_hz: &'a mut [f64],
     pub(crate) error_hz: &'a mut [f64],
+    pub(crate) share: &'a mut [f64],
 }
 
 /// Solves rows one after the other in the same memory; one for each thread.
@@ -28,6 +31,8 @@ pub(crate) struct RowSolver<'a> {
     lowest: Lowest,
     /// Whether the input of the last row is unusual, and how.
     warning: Option<Warning>,
+    /// The first name of the last row whose motion modes share.
+    shared: Option<ModeName>,
 }
 
 impl<'a> RowSolver<'a> {
@@ -43,6 +48,7 @@ impl<'a> RowSolver<'a> {
             workspace,
             lowest: Lowest::default(),
             warning: None,
+            shared: None,
         }
     }
 
@@ -53,7 +59,8 @@ impl<'a> RowSolver<'a> {
         *cells.certified = false;
         cells.frequency_hz.fill(f64::NAN);
         cells.error_hz.fill(f64::NAN);
-        self.warning = None;
+        cells.share.fill(f64::NAN);
+        (self.warning, self.shared) = (None, None);
         self.try_solve(values, cells).err()
     }
 
@@ -70,13 +77,24 @@ impl<'a> RowSolver<'a> {
             &mut self.workspace,
         );
         solved.map_err(|error| error.to_string())?;
-        self.take(&mut cells)
+        self.take(&mut cells)?;
+        let mut modes = self.sweep.modes().iter();
+        self.shared = modes.find(|name| self.lowest.is_shared(**name)).copied();
+        Ok(())
     }
 
     /// Adds the warning about the input of the last row, if there is one.
-    pub(crate) fn warn(&mut self, row: u64, warnings: &mut InputWarnings) {
+    pub(crate) fn warn(&mut self, row: u64, warnings: &mut RowRemarks) {
         if let Some(warning) = self.warning.take() {
             warnings.add(row, || named(&warning, |place| name_at(place, self.sweep)));
+        }
+    }
+
+    /// Adds the last row, if modes of it share their motions.
+    pub(crate) fn share(&mut self, row: u64, shared: &mut RowRemarks) {
+        if let Some(name) = self.shared.take() {
+            let sentence = || self.lowest.shared(name).map(|of| of.to_string());
+            shared.add(row, || sentence().unwrap_or_default());
         }
     }
 
@@ -104,6 +122,7 @@ impl<'a> RowSolver<'a> {
                 Some(mode) => {
                     cells.frequency_hz[index] = mode.hz;
                     cells.error_hz[index] = mode.error_hz;
+                    cells.share[index] = mode.share();
                 }
                 None => missing.push(name.to_string()),
             }

@@ -12,7 +12,7 @@ use crate::row::RowSolver;
 use crate::source::RowSource;
 use crate::sweep::Sweep;
 use crate::threads::{Tick, Watch, lock, shared};
-use crate::warned::InputWarnings;
+use crate::warned::RowRemarks;
 
 /// Rows that a thread takes at a time, some milliseconds of work; fewer are not worth a thread.
 pub(crate) const PIECE_ROWS: usize = 64;
@@ -93,7 +93,7 @@ pub fn run(
     };
     let threads = threads.min(count.div_ceil(PIECE_ROWS));
     let (failures, full) = (Mutex::new(Vec::new()), AtomicBool::new(false));
-    let warnings = Mutex::new(InputWarnings::default());
+    let [warnings, shared_rows] = [(); 2].map(|()| Mutex::new(RowRemarks::default()));
     let pieces = Mutex::new(results.pieces(PIECE_ROWS));
     let ended = shared(threads, watch, |tick| {
         let mut rows = Rows::new(sweep);
@@ -110,6 +110,7 @@ pub fn run(
         }
         lock(&failures).push(rows.failed);
         lock(&warnings).append(rows.warnings);
+        lock(&shared_rows).append(rows.shared);
     });
     drop(pieces);
     ended.map_err(|_| RunError::Stopped)?;
@@ -118,7 +119,8 @@ pub fn run(
         return Err(too_many);
     }
     results.failures = FailedRows::merged(failures).map_err(|_| too_many)?;
-    results.warnings = warnings.into_inner().unwrap_or_else(|e| e.into_inner());
+    let inner = |rows: Mutex<RowRemarks>| rows.into_inner().unwrap_or_else(|e| e.into_inner());
+    (results.warnings, results.shared) = (inner(warnings), inner(shared_rows));
     Ok(results)
 }
 
@@ -129,7 +131,9 @@ pub(crate) struct Rows<'a> {
     /// Of all rows that it has solved, which rise.
     pub(crate) failed: FailedRows,
     /// On all rows that it has solved.
-    pub(crate) warnings: InputWarnings,
+    pub(crate) warnings: RowRemarks,
+    /// The rows that it has solved in which modes share their motions.
+    pub(crate) shared: RowRemarks,
 }
 
 impl<'a> Rows<'a> {
@@ -138,7 +142,8 @@ impl<'a> Rows<'a> {
             solver: RowSolver::new(sweep),
             values: vec![0.0; sweep.changes().len()],
             failed: FailedRows::default(),
-            warnings: InputWarnings::default(),
+            warnings: RowRemarks::default(),
+            shared: RowRemarks::default(),
         }
     }
 
@@ -162,6 +167,7 @@ impl<'a> Rows<'a> {
                 self.failed.push(row, &sentence)?;
             }
             self.solver.warn(row, &mut self.warnings);
+            self.solver.share(row, &mut self.shared);
             if !tick() {
                 return Ok(false);
             }

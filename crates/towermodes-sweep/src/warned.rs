@@ -1,18 +1,18 @@
-//! Warnings about the input of rows.
+//! Remarks on rows.
 
 /// Number of rows whose sentences are kept.
 const KEPT: usize = 5;
 
-/// Rows whose input is possible but probably a mistake, in a way that the base is not.
+/// Rows on which there is something to remark, and the first sentences.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct InputWarnings {
+pub struct RowRemarks {
     /// Number of such rows.
     pub rows: u64,
     /// The first of them: the number of the row, from 0, and the first sentence on it.
     pub first: Vec<(u64, String)>,
 }
 
-impl InputWarnings {
+impl RowRemarks {
     /// Adds a row. Each thread adds its rows in their order.
     pub(crate) fn add(&mut self, row: u64, sentence: impl FnOnce() -> String) {
         self.rows += 1;
@@ -32,11 +32,11 @@ impl InputWarnings {
 
 #[cfg(test)]
 mod tests {
-    use super::InputWarnings;
+    use super::RowRemarks;
 
     #[test]
     fn the_first_rows_are_kept_whoever_solves_them() {
-        let mut threads = [InputWarnings::default(), InputWarnings::default()];
+        let mut threads = [RowRemarks::default(), RowRemarks::default()];
         for row in 0..100_u64 {
             threads[(row / 3 % 2) as usize].add(row, || format!("row {row}"));
         }

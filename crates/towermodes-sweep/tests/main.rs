@@ -3,6 +3,7 @@
 mod correlation;
 mod first_order;
 mod memory;
+mod names;
 mod parts;
 mod summary;
 #[cfg(feature = "parquet")]

@@ -98,7 +98,11 @@ fn parts_contain_the_results() {
             let cells = 4 * rows.start..4 * rows.end;
             let frequencies = &expected.frequency_hz[cells.clone()];
             assert_eq!(bits(&results.frequency_hz), bits(frequencies));
-            assert_eq!(bits(&results.error_hz), bits(&expected.error_hz[cells]));
+            assert_eq!(
+                bits(&results.error_hz),
+                bits(&expected.error_hz[cells.clone()])
+            );
+            assert_eq!(bits(&results.share), bits(&expected.share[cells]));
             assert_eq!(
                 bits(&results.mass_kg),
                 bits(&expected.mass_kg[rows.clone()])
@@ -123,9 +127,12 @@ fn the_text_of_a_part_is_as_documented() {
     filled(&parts, 1);
     let text = fs::read_to_string(parts.path(6)).expect("the last part");
     let mut lines = text.lines();
-    let names = "row,rna.mass,stations[1].wall,mass_kg,certified,fore_aft_1_hz,fore_aft_1_error_hz,side_side_1_hz,\
-                 side_side_1_error_hz,torsion_1_hz,torsion_1_error_hz,fore_aft_2_hz,fore_aft_2_error_hz,error";
-    assert_eq!(lines.next(), Some(names));
+    let modes = ["fore_aft_1", "side_side_1", "torsion_1", "fore_aft_2"];
+    let of_modes = modes
+        .map(|mode| format!("{mode}_hz,{mode}_error_hz,{mode}_share,"))
+        .concat();
+    let names = format!("row,rna.mass,stations[1].wall,mass_kg,certified,{of_modes}error");
+    assert_eq!(lines.next(), Some(names.as_str()));
     assert_eq!(lines.clone().count(), 90);
     assert!(
         lines

@@ -6,8 +6,8 @@ use towermodes::Rotor;
 use towermodes_analysis::resonance::CampbellOptions;
 use towermodes_files::{Distribution, Sampling, SamplingKind, Varied};
 use towermodes_sweep::{
-    FailedRows, InputWarnings, MarginCheck, MarginSummary, PartFormat, PartOptions, Parts,
-    QUANTILES, Results, SweepSource,
+    FailedRows, MarginCheck, MarginSummary, PartFormat, PartOptions, Parts, QUANTILES, Results,
+    RowRemarks, SweepSource,
 };
 
 use crate::towers::{Folder, lowest, names, solved};
@@ -23,7 +23,9 @@ fn results(frequency_hz: &[f64]) -> Results {
         frequency_hz: frequency_hz.to_vec(),
         error_hz: vec![1e-6; rows],
         failures: FailedRows::default(),
-        warnings: InputWarnings::default(),
+        share: vec![1.0; rows],
+        warnings: RowRemarks::default(),
+        shared: RowRemarks::default(),
     }
 }
 

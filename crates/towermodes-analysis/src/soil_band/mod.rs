@@ -4,6 +4,7 @@
 mod scour;
 
 use thiserror::Error;
+use towermodes::modes::SharedMotion;
 use towermodes::{Family, Mode, Rotor, Solution, SolveError, Tower, TowerDescription, TowerError};
 
 use crate::resonance::{CampbellOptions, tower_margin};
@@ -28,6 +29,9 @@ pub struct SoilBand {
     pub modes: Vec<BandMode>,
     /// The factors at which the tower could not be solved, with the reason.
     pub failed: Vec<FailedFactor>,
+    /// The factors at which modes share the motion of a name, so that names may go from one to the
+    /// other beside them.
+    pub shared: Vec<SharedFactor>,
 }
 
 /// A mode over the band.
@@ -55,9 +59,22 @@ pub struct BandValue {
     pub frequency_hz: f64,
     /// Its estimated error, Hz.
     pub error_hz: f64,
+    /// The share of the family of its name in its energy.
+    pub share: f64,
     /// The worst verdict of its distances from the multiples of the rotor speed, by the rules of
     /// the resonance check; null without a rotor, and for a frequency of 0.
     pub verdict: Option<Verdict>,
+}
+
+/// A factor at which modes share the motion of a name.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct SharedFactor {
+    /// The factor.
+    pub factor: f64,
+    /// Which modes: "side-side 2 and torsion 1 share modes 3 and 4 here: 1.964 and 1.968 Hz".
+    pub modes: String,
 }
 
 /// A factor at which the tower could not be solved.
@@ -146,26 +163,38 @@ pub fn soil_band(
     }
     let factors = rising_with_one(factors)?;
     let in_soil = |factor: f64| (factor != 1.0).then(|| description.with_soil_factor(factor));
-    let (modes, failed) = solve_each(solution, &factors, in_soil, rotor, &mut solve);
-    let failed = failed.into_iter();
+    let each = solve_each(solution, &factors, in_soil, rotor, &mut solve);
+    let (failed, shared) = (each.failed.into_iter(), each.shared.into_iter());
     Ok(SoilBand {
         factors,
-        modes,
+        modes: each.modes,
         failed: failed
             .map(|(factor, reason)| FailedFactor { factor, reason })
+            .collect(),
+        shared: shared
+            .map(|(factor, modes)| SharedFactor { factor, modes })
             .collect(),
     })
 }
 
-/// The modes of a solution in each of the towers that `changed` makes of the values, and the values
-/// at which the tower could not be solved; without a changed tower the solution itself counts.
+/// The modes of a solution in several changed towers.
+struct Each {
+    modes: Vec<BandMode>,
+    /// The values at which the tower could not be solved, and why.
+    failed: Vec<(f64, String)>,
+    /// The values at which modes share the motion of a name, and which.
+    shared: Vec<(f64, String)>,
+}
+
+/// The modes of a solution in each of the towers that `changed` makes of the values; without a
+/// changed tower the solution itself counts.
 fn solve_each(
     solution: &Solution,
     values: &[f64],
     changed: impl Fn(f64) -> Option<TowerDescription>,
     rotor: Option<(&Rotor, &CampbellOptions)>,
     solve: &mut impl FnMut(&Tower) -> Result<Solution, SolveError>,
-) -> (Vec<BandMode>, Vec<(f64, String)>) {
+) -> Each {
     let modes = solution.modes.iter().map(|mode| BandMode {
         label: mode.label(),
         family: mode.family,
@@ -173,6 +202,7 @@ fn solve_each(
         at: Vec::with_capacity(values.len()),
     });
     let (mut modes, mut failed): (Vec<BandMode>, _) = (modes.collect(), Vec::new());
+    let mut shared = Vec::new();
     for &value in values {
         let solved = changed(value).map(|tower| solved(tower, solve)).transpose();
         let found = match &solved {
@@ -183,6 +213,7 @@ fn solve_each(
                 &[]
             }
         };
+        shared.extend(shared_by(found).map(|modes| (value, modes.to_string())));
         for mode in &mut modes {
             let same = |other: &&Mode| (other.family, other.order) == (mode.family, mode.order);
             mode.at.push(
@@ -193,7 +224,26 @@ fn solve_each(
             );
         }
     }
-    (modes, failed)
+    Each {
+        modes,
+        failed,
+        shared,
+    }
+}
+
+/// The names of a list whose motions modes share; of several with the same modes the first.
+fn shared_by(modes: &[Mode]) -> impl Iterator<Item = SharedMotion> {
+    let all = modes.iter();
+    let all = all.map(|mode| (mode.name(), &mode.shares, mode.extrapolated_hz));
+    let shared = modes.iter();
+    let shared = shared.filter_map(move |mode| SharedMotion::of(mode.name(), all.clone()));
+    let mut said: Vec<SharedMotion> = Vec::new();
+    for one in shared {
+        if said.iter().all(|other| other.modes != one.modes) {
+            said.push(one);
+        }
+    }
+    said.into_iter()
 }
 
 impl SoilBand {
@@ -268,6 +318,7 @@ fn value(mode: &Mode, rotor: Option<(&Rotor, &CampbellOptions)>) -> BandValue {
     BandValue {
         frequency_hz,
         error_hz,
+        share: mode.share(),
         verdict: rotor.and_then(worst),
     }
 }

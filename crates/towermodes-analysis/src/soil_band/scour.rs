@@ -33,10 +33,10 @@ pub fn scour_curve(
         }
         Some(tower)
     };
-    let (modes, failed) = solve_each(solution, depths_m, with_scour, None, &mut solve);
+    let each = solve_each(solution, depths_m, with_scour, None, &mut solve);
     Some(ScourCurve {
         depths_m: depths_m.to_vec(),
-        modes,
-        failed,
+        modes: each.modes,
+        failed: each.failed,
     })
 }

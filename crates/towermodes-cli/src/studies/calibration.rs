@@ -148,6 +148,7 @@ fn frequencies(fit: &Calibration) -> Vec<FittedFrequency> {
         before_hz: one.before_hz,
         fitted_hz: one.fitted_hz,
         residual: one.residual,
+        share: one.share,
     });
     of.collect()
 }

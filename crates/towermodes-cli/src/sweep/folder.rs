@@ -52,7 +52,7 @@ pub(super) fn run(
             counted(done.rows, "row")
         )]);
     }
-    warned::report(&done.warnings, done.rows);
+    warned::report([&done.warnings, &done.shared], done.rows);
     let is_shown = arguments.summary || arguments.plot.is_some();
     if is_shown && !is_complete {
         return Err(Failure::Refused(format!(

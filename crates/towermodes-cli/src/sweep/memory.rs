@@ -33,10 +33,11 @@ pub(super) fn run(planned: &Planned, arguments: &SweepArguments) -> Result<(), F
         let verb = if count == 1 { "has" } else { "have" };
         format!("{count} of {rows} rows {verb} no complete result (column error); the first is row {row}, counted from 0: {sentence}")
     });
-    let warnings = results.warnings.clone();
+    let remarks = [results.warnings.clone(), results.shared.clone()];
     let csv = results_csv(&planned.sweep, &values, results);
     let csv = csv.map_err(|error| Failure::Unwritable("the results".to_owned(), error))?;
     note_texts(&Vec::from_iter(failed));
-    warned::report(&warnings, rows);
+    let [warnings, shared] = &remarks;
+    warned::report([warnings, shared], rows);
     deliver(&csv, None)
 }

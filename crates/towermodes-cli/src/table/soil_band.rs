@@ -30,6 +30,10 @@ pub fn soil_band(band: &SoilBand) -> String {
         );
         text += &(wrapped(&sentence) + "\n");
     }
+    for shared in &band.shared {
+        let sentence = format!("With soil x {}: {}.", Plain(shared.factor), shared.modes);
+        text += &(wrapped(&sentence) + "\n");
+    }
     let others = band.modes.len() - modes.len();
     if others > 0 && band.has_verdicts() && band.failed.is_empty() {
         let keep = if others == 1 {

@@ -7,6 +7,7 @@ use towermodes::{
 
 use super::determined::{Undetermined, undetermined};
 use super::error::CalibrationError;
+use super::pairing::MOST_MODES;
 use super::problem::Problem;
 use super::remark::LARGE_RESIDUAL;
 use super::result::AtBound;
@@ -82,7 +83,17 @@ impl<'a> Towers<'a> {
         self.description.clone_from(&self.problem.base);
         apply(self.variables, x, &mut self.description);
         let changes: Vec<_> = self.variables.iter().map(|v| v.change.clone()).collect();
-        let found = sensitivities(&self.description, &changes, &self.options, self.workspace)?;
+        let found = loop {
+            let found = sensitivities(&self.description, &changes, &self.options, self.workspace)?;
+            let is_there = |name: &ModeName| found.modes.iter().any(|mode| mode.name() == *name);
+            let modes = self.options.modes;
+            let is_last = modes >= MOST_MODES || found.modes.len() < modes;
+            if is_last || self.names.iter().all(is_there) {
+                break found;
+            }
+            // A mode that has moved up.
+            self.options.modes = (2 * modes).min(MOST_MODES);
+        };
         let (n, data) = (x.len(), self.names.len());
         let mut point = Point {
             x: x.to_vec(),
@@ -91,8 +102,7 @@ impl<'a> Towers<'a> {
             columns: vec![Vec::with_capacity(data + n); n],
         };
         for (index, (name, measured)) in self.names.iter().zip(&self.problem.measured).enumerate() {
-            let is_it =
-                |mode: &ModeFrequency| mode.family == name.family && mode.order == name.order;
+            let is_it = |mode: &ModeFrequency| mode.name() == *name;
             let Some(mode) = found.modes.iter().position(is_it) else {
                 return Err(CalibrationError::NoMode {
                     index,

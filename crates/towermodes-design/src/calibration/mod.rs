@@ -99,6 +99,8 @@ pub fn calibrate(
         if again.names == pairing.names || round == MOST_PAIRINGS {
             let is_stable = again.names == pairing.names;
             pairing.ambiguities = again.ambiguities;
+            pairing.shares = again.shares;
+            pairing.shared = again.shared;
             pairing.is_stable = is_stable;
             pairing.is_certified = again.is_certified;
             return Ok(result::result(

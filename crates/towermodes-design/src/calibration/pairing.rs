@@ -1,5 +1,6 @@
 //! Which mode of the tower a measurement is of.
 
+use towermodes::modes::SharedMotion;
 use towermodes::{
     Mode, ModeName, Options, SolveError, Tower, TowerDescription, Workspace, solve_with,
 };
@@ -9,7 +10,7 @@ use super::error::CalibrationError;
 use super::problem::{Measured, MeasuredShape, Problem};
 
 /// Modes computed at most.
-const MOST_MODES: usize = 60;
+pub(super) const MOST_MODES: usize = 60;
 /// Among modes with a MAC above this fraction of the best, the frequency decides.
 const NEAR_MAC: f64 = 0.8;
 /// A mode whose distance from the measured frequency is at most this many standard deviations
@@ -27,6 +28,10 @@ pub(super) struct Pairing {
     pub(super) is_stable: bool,
     /// Whether the certificate of the tower proves that no mode is missing.
     pub(super) is_certified: bool,
+    /// The share of the family of each name in the energy of its mode.
+    pub(super) shares: Vec<f64>,
+    /// The names whose motions several modes share.
+    pub(super) shared: Vec<SharedMotion>,
 }
 
 /// Another mode that a measurement may be of.
@@ -127,18 +132,11 @@ fn heights(problem: &Problem) -> Vec<f64> {
     heights
 }
 
-fn name_of(mode: &Mode) -> ModeName {
-    ModeName {
-        family: mode.family,
-        order: mode.order,
-    }
-}
-
 fn first_missing(problem: &Problem, modes: &[Mode]) -> Option<(usize, ModeName)> {
     let mut named = problem.measured.iter().enumerate();
     named.find_map(|(index, one)| {
         let name = one.mode?;
-        let is_there = modes.iter().any(|mode| name_of(mode) == name);
+        let is_there = modes.iter().any(|mode| mode.name() == name);
         (!is_there).then_some((index, name))
     })
 }
@@ -148,7 +146,7 @@ fn no_mode(index: usize, mode: ModeName, modes: &[Mode]) -> CalibrationError {
     let names = modes
         .iter()
         .take(LISTED)
-        .map(|mode| name_of(mode).to_string());
+        .map(|mode| mode.name().to_string());
     CalibrationError::NoMode {
         index,
         mode,
@@ -166,7 +164,7 @@ fn pairing(problem: &Problem, modes: &[Mode]) -> Pairing {
             if names[index].is_some() || measured.shape.is_some() != has_shape {
                 continue;
             }
-            let is_free = |mode: &&Mode| !names.contains(&Some(name_of(mode)));
+            let is_free = |mode: &&Mode| !names.contains(&Some(mode.name()));
             let free: Vec<&Mode> = modes.iter().filter(is_free).collect();
             let found = match &measured.shape {
                 Some(shape) => by_shape(shape, measured, &free),
@@ -178,14 +176,21 @@ fn pairing(problem: &Problem, modes: &[Mode]) -> Pairing {
             }
         }
     }
-    let highest = |name: &ModeName| modes.iter().position(|mode| name_of(mode) == *name);
-    let fallback = modes.first().map(name_of);
+    let highest = |name: &ModeName| modes.iter().position(|mode| mode.name() == *name);
+    let fallback = modes.first().map(Mode::name);
     let names: Vec<ModeName> = names
         .into_iter()
         .filter_map(|name| name.or(fallback))
         .collect();
     let last = names.iter().filter_map(highest).max().unwrap_or(0);
+    let share = |name: &ModeName| highest(name).map_or(f64::NAN, |place| modes[place].share());
+    let all = modes.iter();
+    let all = all.map(|mode| (mode.name(), &mode.shares, mode.extrapolated_hz));
+    let shared = names.iter();
+    let shared = shared.filter_map(|name| SharedMotion::of(*name, all.clone()));
     Pairing {
+        shares: names.iter().map(share).collect(),
+        shared: shared.collect(),
         modes: (last + 3).min(modes.len()),
         names,
         ambiguities,
@@ -217,7 +222,7 @@ fn by_shape(
     let near: Vec<&Mode> = all.iter().filter(is_near).map(|(_, mode)| *mode).collect();
     let (name, by_frequency) = by_frequency(given, &near)?;
     let mac_of = |name: ModeName| {
-        let mut own = all.iter().filter(|(_, mode)| name_of(mode) == name);
+        let mut own = all.iter().filter(|(_, mode)| mode.name() == name);
         own.next().map_or(0.0, |(mac, _)| *mac)
     };
     let ambiguity = by_frequency.map(|ambiguity| Ambiguity::Shape {
@@ -231,7 +236,7 @@ fn by_shape(
 /// The mode with the nearest frequency.
 fn by_frequency(measured: &Measured, modes: &[&Mode]) -> Option<(ModeName, Option<Ambiguity>)> {
     let distance = |mode: &Mode| (mode.extrapolated_hz - measured.frequency_hz).abs();
-    let mut all: Vec<(f64, ModeName)> = modes.iter().map(|m| (distance(m), name_of(m))).collect();
+    let mut all: Vec<(f64, ModeName)> = modes.iter().map(|m| (distance(m), m.name())).collect();
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (nearest, name) = *all.first()?;
     let near = nearest + NEAR_DEVIATIONS * measured.deviation_hz;

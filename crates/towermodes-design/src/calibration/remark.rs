@@ -1,6 +1,7 @@
 //! What the result of a fit says in words.
 
 use towermodes::ModeName;
+use towermodes::modes::SharedMotion;
 
 use super::determined::NO_EFFECT;
 use super::pairing::Ambiguity;
@@ -88,6 +89,8 @@ pub enum Remark {
         /// The other.
         ambiguity: Ambiguity,
     },
+    /// Several modes of the fitted tower share the motion of a measured name.
+    Shared(SharedMotion),
     /// The modes of the fitted tower are paired differently.
     UnstablePairing,
     /// The certificate of the fitted tower is incomplete.
@@ -160,7 +163,9 @@ impl Calibration {
         });
         let unstable = (!self.is_pairing_stable).then_some(Remark::UnstablePairing);
         let uncertified = (!self.is_certified).then_some(Remark::Uncertified);
-        uncertified.into_iter().chain(unstable).chain(ambiguous)
+        let shared = self.shared.iter().cloned().map(Remark::Shared);
+        let of_all = uncertified.into_iter().chain(unstable);
+        of_all.chain(ambiguous).chain(shared)
     }
 
     fn of_residuals(&self) -> impl Iterator<Item = Remark> {

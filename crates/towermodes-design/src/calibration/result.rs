@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use towermodes::modes::SharedMotion;
 use towermodes::{ModeName, TowerDescription};
 
 use super::fit::{Found, Point};
@@ -35,6 +36,9 @@ pub struct Calibration {
     pub is_pairing_stable: bool,
     /// Whether the certificate of the fitted tower proves that no mode is missing.
     pub is_certified: bool,
+    /// The measured names whose motions several modes of the fitted tower share: which of them has
+    /// the name may change with the smallest change of a number.
+    pub shared: Vec<SharedMotion>,
     /// The tower with the fitted numbers, rounded to eight digits.
     pub description: TowerDescription,
 }
@@ -103,6 +107,8 @@ pub struct Explained {
     pub held_by: Vec<(usize, AtBound)>,
     /// Another mode that may have been measured.
     pub ambiguity: Option<Ambiguity>,
+    /// The share of the family of its name in the energy of the mode of the fitted tower.
+    pub share: f64,
 }
 
 /// A combination of the unknowns, and how well the measurements alone determine it.
@@ -153,6 +159,7 @@ pub(super) fn result(
         iterations: found.iterations,
         is_pairing_stable: pairing.is_stable,
         is_certified: pairing.is_certified,
+        shared: pairing.shared.clone(),
         unknowns,
         description,
     }
@@ -198,6 +205,7 @@ fn explained(
             residual: point.residuals[index],
             held_by: point.held_by(variables, index),
             ambiguity: pairing.ambiguities[index],
+            share: pairing.shares[index],
         }
     };
     (0..problem.measured.len()).map(one).collect()

@@ -100,6 +100,11 @@ impl fmt::Display for Remark {
                 mode,
                 ambiguity,
             } => pairing(f, *index, *mode, *ambiguity),
+            Self::Shared(shared) => write!(
+                f,
+                "{shared}: the measurement of {} may be of each of them, and its fit may jump from one to the other",
+                shared.name
+            ),
             Self::UnstablePairing => f.write_str(
                 "the modes of the fitted tower would be paired differently; name the mode of each measurement",
             ),

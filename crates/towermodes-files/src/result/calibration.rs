@@ -98,6 +98,8 @@ pub struct FittedFrequency {
     pub fitted_hz: f64,
     /// Fitted less measured frequency, in standard deviations.
     pub residual: f64,
+    /// The share of the family of its name in the energy of the mode of the fitted tower.
+    pub share: f64,
 }
 
 /// A combination of the fitted numbers.

@@ -235,12 +235,14 @@ struct Row {
 
 impl Row {
     fn solved(solver: &mut RowSolver<'_>, values: &[f64], modes: usize) -> Self {
-        let [mut frequency_hz, mut error_hz] = [(); 2].map(|()| vec![f64::NAN; modes]);
+        let cells = || vec![f64::NAN; modes];
+        let [mut frequency_hz, mut error_hz, mut share] = [(); 3].map(|()| cells());
         let cells = Cells {
             mass_kg: &mut 0.0,
             certified: &mut false,
             frequency_hz: &mut frequency_hz,
             error_hz: &mut error_hz,
+            share: &mut share,
         };
         let sentence = solver.solve(values, cells);
         Self {

@@ -26,6 +26,7 @@ pub(super) fn write(part: &Part, columns: &[(String, Column)]) -> Result<Vec<u8>
                 Column::Certified => write!(cell, "{}", results.certified[row])?,
                 Column::Hz(mode) => number(&mut cell, results.frequency_hz[row * modes + mode])?,
                 Column::ErrorHz(mode) => number(&mut cell, results.error_hz[row * modes + mode])?,
+                Column::Share(mode) => number(&mut cell, results.share[row * modes + mode])?,
                 Column::Sentence => cell.extend(sentence.unwrap_or_default().bytes()),
             }
             writer.write_field(&cell)?;
@@ -101,6 +102,7 @@ fn put(results: &mut Results, row: usize, column: &Column, cell: &[u8]) -> Resul
         Column::Certified => results.certified[row] = text == "true",
         Column::Hz(mode) => results.frequency_hz[row * modes + mode] = number()?,
         Column::ErrorHz(mode) => results.error_hz[row * modes + mode] = number()?,
+        Column::Share(mode) => results.share[row * modes + mode] = number()?,
         Column::Sentence if text.is_empty() => {}
         Column::Sentence => {
             let row = results.first_row + row as u64;

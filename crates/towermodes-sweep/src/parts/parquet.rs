@@ -141,6 +141,7 @@ fn numbers(part: &Part, column: &Column) -> Vec<f64> {
         }
         Column::Hz(mode) => results.frequencies_hz(mode).collect(),
         Column::ErrorHz(mode) => results.errors_hz(mode).collect(),
+        Column::Share(mode) => results.shares(mode).collect(),
         Column::MassKg | Column::Row | Column::Certified | Column::Sentence => {
             results.mass_kg.clone()
         }
@@ -222,6 +223,7 @@ fn put(results: &mut Results, column: &Column, numbers: impl Iterator<Item = f64
     let (cells, first, step) = match *column {
         Column::Hz(mode) => (&mut results.frequency_hz, mode, modes),
         Column::ErrorHz(mode) => (&mut results.error_hz, mode, modes),
+        Column::Share(mode) => (&mut results.share, mode, modes),
         _ => (&mut results.mass_kg, 0, 1),
     };
     let cells = cells.iter_mut().skip(first).step_by(step);

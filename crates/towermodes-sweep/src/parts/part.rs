@@ -60,12 +60,15 @@ pub(super) enum Column {
     Hz(usize),
     /// Its error.
     ErrorHz(usize),
+    /// The share of its family in its energy.
+    Share(usize),
     /// What failed.
     Sentence,
 }
 
 /// The columns of the results of a sweep with their names, in the order of the files: `row`, the
-/// changes, `mass_kg`, `certified`, `fore_aft_1_hz`, `fore_aft_1_error_hz`, …, `error`.
+/// changes, `mass_kg`, `certified`, `fore_aft_1_hz`, `fore_aft_1_error_hz`,
+/// `fore_aft_1_share`, …, `error`.
 pub(super) fn columns(sweep: &Sweep) -> Vec<(String, Column)> {
     let mut columns = vec![("row".to_owned(), Column::Row)];
     if sweep.has_inputs() {
@@ -78,6 +81,7 @@ pub(super) fn columns(sweep: &Sweep) -> Vec<(String, Column)> {
         let name = name.column();
         columns.push((format!("{name}_hz"), Column::Hz(index)));
         columns.push((format!("{name}_error_hz"), Column::ErrorHz(index)));
+        columns.push((format!("{name}_share"), Column::Share(index)));
     }
     columns.push(("error".to_owned(), Column::Sentence));
     columns

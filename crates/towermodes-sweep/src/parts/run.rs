@@ -16,7 +16,7 @@ use crate::failed::FailedRows;
 use crate::results::Results;
 use crate::run::{PIECE_ROWS, Rows, RunError};
 use crate::threads::{Tick, lock, shared};
-use crate::warned::InputWarnings;
+use crate::warned::RowRemarks;
 
 /// How far a sweep is.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -28,7 +28,9 @@ pub struct PartsProgress {
     /// Rows of these parts with a sentence.
     pub failures: u64,
     /// Rows with input that is probably a mistake; known at the end.
-    pub warnings: InputWarnings,
+    pub warnings: RowRemarks,
+    /// Rows in which modes share the motion of a name; known at the end.
+    pub shared: RowRemarks,
 }
 
 impl Parts<'_> {
@@ -68,13 +70,15 @@ impl Parts<'_> {
             problem: Mutex::new(None),
             written: AtomicU64::new(0),
             failures: AtomicU64::new(0),
-            warnings: Mutex::new(InputWarnings::default()),
+            warnings: Mutex::new(RowRemarks::default()),
+            shared: Mutex::new(RowRemarks::default()),
         };
         let progress = |rows: u64| PartsProgress {
             rows,
             parts: run.written.load(Ordering::Relaxed),
             failures: run.failures.load(Ordering::Relaxed),
-            warnings: InputWarnings::default(),
+            warnings: RowRemarks::default(),
+            shared: RowRemarks::default(),
         };
         let mut done = 0;
         let mut watch = |rows: u64| {
@@ -89,6 +93,7 @@ impl Parts<'_> {
         sync_folder(self.folder());
         let mut result = progress(done);
         result.warnings = std::mem::take(&mut *lock(&run.warnings));
+        result.shared = std::mem::take(&mut *lock(&run.shared));
         match (lock(&run.problem).take(), ended) {
             (Some(problem), _) => Err(problem),
             (None, Err(_)) => Err(RunError::Stopped.into()),
@@ -105,7 +110,8 @@ struct Run<'a> {
     problem: Mutex<Option<PartsError>>,
     written: AtomicU64,
     failures: AtomicU64,
-    warnings: Mutex<InputWarnings>,
+    warnings: Mutex<RowRemarks>,
+    shared: Mutex<RowRemarks>,
 }
 
 /// The parts that are not begun, and the one whose rows are given out.
@@ -150,6 +156,7 @@ impl<'a> Run<'a> {
             }
         }
         lock(&self.warnings).append(solver.warnings);
+        lock(&self.shared).append(solver.shared);
         Ok(())
     }
 
@@ -249,8 +256,10 @@ fn joined(
         certified: Vec::new(),
         frequency_hz: Vec::new(),
         error_hz: Vec::new(),
+        share: Vec::new(),
         failures: FailedRows::default(),
-        warnings: InputWarnings::default(),
+        warnings: RowRemarks::default(),
+        shared: RowRemarks::default(),
     };
     let mut failures = Vec::new();
     for mut piece in pieces {
@@ -258,6 +267,7 @@ fn joined(
         all.certified.append(&mut piece.certified);
         all.frequency_hz.append(&mut piece.frequency_hz);
         all.error_hz.append(&mut piece.error_hz);
+        all.share.append(&mut piece.share);
         failures.push(piece.failures);
     }
     all.failures = FailedRows::merged(failures)?;

@@ -24,6 +24,10 @@ pub(super) fn blocks(band: &SoilBand) -> Vec<Block> {
             failed.reason
         ))
     }));
+    blocks.extend(band.shared.iter().map(|shared| {
+        let (factor, modes) = (Plain(shared.factor), &shared.modes);
+        paragraph(format!("With the factor {factor}: {modes}."))
+    }));
     blocks.extend(conclusion(band).map(paragraph));
     blocks
 }
