@@ -145,7 +145,8 @@ def test_columns_of_the_table_of_results(nrel: tm.Tower) -> None:
     result = nrel.sweep({"rna.mass": [3e5, -1.0]}, modes=1)
     columns = result.to_dict()
     assert list(columns) == [
-        "row", "rna.mass", "mass_kg", "certified", "side_side_1_hz", "side_side_1_error_hz", "error",
+        "row", "rna.mass", "mass_kg", "certified", "side_side_1_hz", "side_side_1_error_hz",
+        "side_side_1_share", "error",
     ]  # fmt: skip
     assert columns["row"].tolist() == [0, 1]
     assert columns["error"] == [None, result.failures[0][1]]
@@ -327,3 +328,15 @@ def test_ctrl_c_ends_a_sweep(threads: int) -> None:
         child.send_signal(signal.SIGINT)
         assert child.stdout.readline() == "interrupted\n"
         assert child.wait(timeout=60) == 0
+
+
+def test_rows_in_which_modes_share_a_motion_are_named() -> None:
+    tower = tm.read("examples/nrel-5mw.toml")
+    factors = [0.9, 0.63, 0.629, 0.628]
+    result = tower.sweep({"scale(rna.inertia.zz)": factors}, modes=["side-side 2", "torsion 1"])
+    share = result.share_of("side-side 2")
+    assert share[0] > 0.99 and share.min() < 0.6
+    assert result.shared_rows == int((result.share < 0.6).any(axis=1).sum())
+    assert " share modes 3 and 4 here: " in result.shared[0][1]
+    assert result.mode("side-side", 2).max() < 1.98
+    assert result.to_dict()["torsion_1_share"].tolist() == result.share[:, 1].tolist()
