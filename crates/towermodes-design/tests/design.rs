@@ -729,7 +729,7 @@ fn assert_holds(name: &str, problem: &DesignProblem, of: &Design) {
 fn cans_designed_again_are_not_lighter() {
     // Thirty cans need a minute.
     let count: usize =
-        std::env::var("TOWERMODES_CANS").map_or(10, |text| text.parse().expect("a number"));
+        std::env::var("TOWERMODES_CANS").map_or(6, |text| text.parse().expect("a number"));
     let base = TowerDescription {
         stations: towers::of_cans(count, 115.63, [8.3, 5.5], [0.050, 0.036]),
         ..dtu_10mw()
@@ -778,8 +778,8 @@ fn cans_designed_again_are_not_lighter() {
             "{name}: {}",
             again.mass_kg[1]
         );
-        // One factor leaves each wall up to a step thicker than its diameter needs.
-        let most = if name == "one factor" { 1.01 } else { 1.002 };
+        // Where diameter/wall decides, a wall is up to a step thicker than its diameter needs.
+        let most = if name == "walls alone" { 1.002 } else { 1.012 };
         assert!(of.mass_kg[1] < most * steps.without_steps_kg, "{name}");
     }
 }

@@ -48,10 +48,9 @@ fn crossing() -> TowerDescription {
             mass_kg: 350e3,
             center_m: [-0.41, 0.0, 1.966427],
             inertia_kg_m2: Inertia {
-                xx: 4.37e7,
-                yy: 2.353e7,
-                zz: 2.542e7,
-                xz: 1.169e6,
+                xx: 37634182.0,
+                yy: 24376664.3,
+                zz: 22613929.0,
                 ..Inertia::default()
             },
         },
