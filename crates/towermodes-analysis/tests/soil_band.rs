@@ -162,6 +162,7 @@ fn scour_lowers_the_frequencies_and_without_ground_there_is_no_curve() {
         poissons_ratio: None,
         shaft_friction_pa: None,
         end_bearing_pa: None,
+        factor: 1.0,
     };
     let pile = TowerDescription {
         foundation: Foundation::Springs(springs),
@@ -171,6 +172,7 @@ fn scour_lowers_the_frequencies_and_without_ground_there_is_no_curve() {
             factor: 1.0,
             submerged: true,
             axial: None,
+            edition: towermodes::ApiEdition::Rp2Geo,
             pile_diameter_m: None,
             layers: vec![layer],
         }),

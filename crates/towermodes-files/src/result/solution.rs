@@ -5,7 +5,10 @@ use std::io::Write;
 
 use serde::Serialize;
 use towermodes::modes::serialized::directions;
-use towermodes::{Certificate, Method, Mode, Solution, Statistics, Tower, TowerDescription};
+use towermodes::{
+    Certificate, HeadStiffness, Method, Mode, Solution, SpringsAt, Statistics, Tower,
+    TowerDescription,
+};
 use towermodes_analysis::influence::{Influences, Tolerances};
 
 use super::sensitivities::InfluencesJson;
@@ -66,6 +69,31 @@ struct TowerSummary<'a> {
     /// Inertia of all moving masses against rigid motions (x, y, z, rotation about x, y, z) of the
     /// whole tower about its base: kg, kg m, kg m2.
     rigid_inertia: [[f64; 6]; 6],
+    /// The soil in layers as springs; null for a tower without `[ground]`.
+    ground: Option<GroundSummary>,
+}
+
+/// The springs that follow from soil in layers.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct GroundSummary {
+    /// Height of the surface at the pile after scour, m.
+    surface_m: f64,
+    /// The static stiffness of the pile at this surface; null where the tip is held by more than
+    /// springs.
+    pile_head: Option<HeadStiffness>,
+    /// The springs by rising height; linear in between, twice at a height where they jump.
+    springs: Vec<SpringsAt>,
+}
+
+impl GroundSummary {
+    fn of(tower: &Tower) -> Option<Self> {
+        Some(Self {
+            surface_m: tower.ground_surface_m()?,
+            pile_head: tower.pile_head(),
+            springs: tower.springs_of_soil(),
+        })
+    }
 }
 
 impl<'a> SolutionDocument<'a> {
@@ -85,6 +113,7 @@ impl<'a> SolutionDocument<'a> {
                 top_mass_kg: tower.rna().mass_kg,
                 gravity_m_per_s2: tower.gravity_m_per_s2(),
                 rigid_inertia: solution.rigid_inertia,
+                ground: GroundSummary::of(tower),
             },
             modes: &solution.modes,
             certificate: solution.certificate,

@@ -148,6 +148,7 @@ const LAYER: &[KeySchema] = keys! {
     required "top" Number "m" "height";
     required "bottom" Number "m" "height";
     optional "effective_unit_weight" Number "N/m3" "under water the buoyant one";
+    optional "factor" Number "" "on the springs of the layer";
 };
 
 /// Keys of the shear modulus of a layer.
@@ -422,6 +423,7 @@ tables! {
         required "submerged" Flag "" "whether the soil is under water";
         optional "model" Text "" "of the springs: api, dnv, reese-stiff-clay, kallehave, sorensen, pisa-cowden, pisa-bothkennar, pisa-dunkirk, winkler or vesic";
         optional "axial" Text "" "model of the axial springs: api, kraft or randolph-wroth";
+        optional "edition" Text "" "of the standard of API: rp-2geo or rp-2a";
         optional "factor" Number "" "on all springs of the ground";
         optional "pile_diameter" Number "m" "for a tower given by a table of properties";
         optional "scour" Table "" "";
@@ -462,6 +464,7 @@ tables! {
     /// `[[ground.layer]]` of type `py`.
     PY_TABLE = "[[ground.layer]] of type \"py\"" with LAYER:
         required "rows" Rows "" "height in m, displacement in m, reaction in N/m";
+        + SHEAR_MODULUS;
         + AXIAL;
 
     /// `[[added_mass]]`.

@@ -86,6 +86,7 @@ pub(super) static LAYERS: Part = Part {
         "top" "m" "height of the top of the layer", "top" |l| Some(&mut l.top_m);
         "bottom" "m" "height of the bottom of the layer", "bottom" |l| Some(&mut l.bottom_m);
         "effective_unit_weight" "N/m3" "effective unit weight", "effective_unit_weight" |l| l.effective_unit_weight_n_per_m3.as_mut();
+        "factor" "" "factor on the springs of the layer", "factor" |l| Some(&mut l.factor);
         "friction_angle" "degrees" "friction angle", "friction_angle" |l| sand(l)?.friction_angle_deg.as_mut();
         "subgrade_modulus" "N/m3" "subgrade modulus", "subgrade_modulus" |l| sand(l)?.subgrade_modulus_n_per_m3.as_mut();
         "relative_density" "" "relative density", "relative_density" |l| sand(l)?.relative_density.as_mut();

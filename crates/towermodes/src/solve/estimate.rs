@@ -72,6 +72,7 @@ pub(super) fn estimate_errors(
         workspace.errors.ladder.meshes.clear();
         let all: Vec<usize> = (0..workspace.errors.modes.len()).collect();
         let compared = compare(tower, options, &all, workspace);
+        add_soil_error(tower, &mut workspace.errors.modes);
         return Ok(Estimates {
             elsewhere: count_below(&mut workspace.model, below),
             compared,
@@ -100,10 +101,18 @@ pub(super) fn estimate_errors(
         true => Vec::new(),
         false => compare(tower, options, &doubtful, workspace),
     };
+    add_soil_error(tower, &mut workspace.errors.modes);
     Ok(Estimates {
         elsewhere,
         compared,
     })
+}
+
+/// No mesh shows what straight lines in place of curved springs change.
+fn add_soil_error(tower: &Tower, modes: &mut [Estimated]) {
+    for mode in modes {
+        mode.error_hz += tower.soil_error() * mode.frequency_hz;
+    }
 }
 
 /// Whether a segment is steep: the first or the last of a span, because what is linear changes most

@@ -37,7 +37,7 @@ pub(super) fn solve(
     let (solved, statistics) = refine(tower, options, workspace)?;
     let mut result = describe(tower, &solved.cut, options, &solved.found, workspace)?;
     for (mode, change_hz) in result.modes.iter_mut().zip(solved.changes_hz) {
-        mode.discretization_error_hz = change_hz;
+        mode.discretization_error_hz = change_hz + tower.soil_error() * mode.frequency_hz;
     }
     let mesh = &solved.cut.mesh;
     let warnings = warnings(tower, mesh, options, &result);
@@ -54,7 +54,7 @@ pub(super) fn solve_frequencies(
     list(tower, &solved.cut, options, &solved.found, workspace)?;
     let modes = workspace.frequencies.modes.iter_mut();
     for (mode, change_hz) in modes.zip(solved.changes_hz) {
-        mode.discretization_error_hz = change_hz;
+        mode.discretization_error_hz = change_hz + tower.soil_error() * mode.frequency_hz;
     }
     workspace.spectral_cut = Some(solved.cut);
     Ok(())

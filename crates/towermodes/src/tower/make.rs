@@ -7,7 +7,7 @@ use super::error::TowerError;
 use super::ground::{Plan, with_rows};
 use super::immersion::in_environment;
 use super::independent::{self, Motion, Motions};
-use super::model::Tower;
+use super::model::{InGround, Tower};
 use super::name::printable;
 use super::piece::{self, Piece, Rows};
 use super::plausibility::{self, Given, rotor_plausibility};
@@ -35,9 +35,14 @@ impl Tower {
 
     /// The tower of a description that was checked, in soil by layers.
     fn in_ground(description: &TowerDescription) -> Result<Self, TowerError> {
-        let mut rows = with_rows(description.clone(), &Plan::of(description));
+        let plan = Plan::of(description);
+        let mut rows = with_rows(description.clone(), &plan);
         validate::check_springs_of_ground(&rows, description.soil.len())?;
         let mut tower = Self::supported(&mut rows)?;
+        tower.ground = description.ground.as_ref().map(|ground| InGround {
+            surface_m: ground.scoured_surface_m(),
+            soil_error: plan.error,
+        });
         tower.warnings = plausibility::plausibility(&tower, &Given::of(description));
         Ok(tower)
     }
@@ -96,6 +101,7 @@ impl Tower {
             above,
             outfitting_factor: description.outfitting_factor,
             mass_kg,
+            ground: None,
             warnings: Vec::new(),
         }
     }

@@ -25,6 +25,7 @@ mod neighbour;
 mod numbers;
 mod part_names;
 mod piece;
+mod pile_head;
 mod planes;
 mod plausibility;
 mod properties;
@@ -60,8 +61,8 @@ pub use foundation::{
     FloatingPlatform, Foundation, FoundationSprings, HalfSpace, ReferredMatrix, StiffnessFoundation,
 };
 pub use ground::{
-    AxialModel, Clay, Ground, GroundLayer, LayerSoil, PyRow, Rock, Sand, Scour, ShearModulus,
-    SoilModel,
+    ApiEdition, AxialModel, Clay, Ground, GroundLayer, LayerSoil, PyRow, Rock, Sand, Scour,
+    ShearModulus, SoilModel,
 };
 pub use independent::{Component, Motion, Motions};
 pub use inertia::Inertia;
@@ -75,6 +76,7 @@ pub use model::Tower;
 pub use name::{is_printable, printable};
 pub use part_names::PartNames;
 pub use piece::{Piece, Profile};
+pub use pile_head::SpringsAt;
 pub use planes::{Plane, Planes};
 pub use properties::Properties;
 pub use rigid_body::RigidBody;

@@ -34,7 +34,17 @@ pub struct Tower {
     pub(super) planes_are_apart: bool,
     pub(super) outfitting_factor: f64,
     pub(super) mass_kg: f64,
+    pub(super) ground: Option<InGround>,
     pub(super) warnings: Vec<Warning>,
+}
+
+/// What a tower in soil by layers keeps of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct InGround {
+    /// Height of the surface, or of the bottom of the hole of local scour, m.
+    pub(super) surface_m: f64,
+    /// See [`Tower::soil_error`].
+    pub(super) soil_error: f64,
 }
 
 impl Tower {
@@ -110,6 +120,19 @@ impl Tower {
     /// The rotor, if it is known.
     pub fn rotor(&self) -> Option<&Rotor> {
         self.rotor.as_ref()
+    }
+
+    /// By which fraction straight lines in place of the curved springs of
+    /// [`ground`](super::TowerDescription::ground) may change a frequency, as an estimate that is
+    /// rather too large; 0 without such. The error of every mode contains it.
+    pub fn soil_error(&self) -> f64 {
+        self.ground.map_or(0.0, |ground| ground.soil_error)
+    }
+
+    /// Where the pile ends and the free tower begins, if the tower stands in
+    /// [`ground`](super::TowerDescription::ground): the height of the bottom of the scour, m.
+    pub fn ground_surface_m(&self) -> Option<f64> {
+        self.ground.map(|ground| ground.surface_m)
     }
 
     /// The smallest sets of motions that are coupled with each other and with no other, by the

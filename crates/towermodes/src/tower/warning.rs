@@ -302,6 +302,15 @@ pub enum Warning {
         "the base is clamped although soil springs are given; for a pile in soil give [foundation] with type = \"springs\" for the pile tip"
     )]
     SoilAndClamp,
+    /// The springs of PISA on a pile without shear deformation.
+    #[error(
+        "the springs of PISA belong to a pile with shear deformation, which this tower does not have: it is too stiff; set shear = true, \
+         or give the shear stiffness in the table of properties"
+    )]
+    PisaWithoutShear {
+        /// The model of the layer.
+        site: Site,
+    },
     /// Water whose bed is not at the surface of the ground.
     #[error(
         "{}the bed of the water is at {} m, but the surface of the ground at {} m; omit bed: it follows from the surface and its scour",
@@ -516,6 +525,7 @@ impl Warning {
             | Self::BetweenRigidAndFlexible { site, .. }
             | Self::OutsideFormula { site, .. }
             | Self::SoilTwice { site }
+            | Self::PisaWithoutShear { site }
             | Self::NoCoupling { site }
             | Self::UnderWater { site, .. }
             | Self::TriangleInequality { site, .. } => Some(site),

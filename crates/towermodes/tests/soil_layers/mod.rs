@@ -9,8 +9,8 @@ mod springs;
 use crate::towers;
 
 use towermodes::{
-    Clay, Foundation, FoundationSprings, Ground, GroundLayer, Inertia, LayerSoil, Material,
-    Options, Rna, Sand, Scour, Shear, SoilModel, Station, TowerDescription,
+    ApiEdition, Clay, Foundation, FoundationSprings, Ground, GroundLayer, Inertia, LayerSoil,
+    Material, Options, Rna, Sand, Scour, Shear, SoilModel, Station, TowerDescription,
 };
 
 /// The pile's tip: held along and about its axis only.
@@ -43,6 +43,7 @@ fn layer([top_m, bottom_m]: [f64; 2], soil: LayerSoil, model: SoilModel) -> Grou
         poissons_ratio: None,
         shaft_friction_pa: None,
         end_bearing_pa: None,
+        factor: 1.0,
     }
 }
 
@@ -64,11 +65,13 @@ fn ground(layers: Vec<GroundLayer>) -> Ground {
         submerged: true,
         pile_diameter_m: None,
         axial: None,
+        edition: ApiEdition::Rp2Geo,
         layers,
     }
 }
 
-/// The NREL 5 MW turbine on the monopile of OC3, from its tip up, in three layers of sand.
+/// The NREL 5 MW turbine on the monopile of OC3, from its tip up, in three layers of sand with the
+/// modulus of API RP 2A.
 fn oc3(model: SoilModel) -> TowerDescription {
     let layers = vec![
         sand(-20.0, -25.0, 33.0, model),
@@ -96,7 +99,10 @@ fn oc3(model: SoilModel) -> TowerDescription {
         },
         foundation: free_tip(),
         shear: Shear::Rigid,
-        ground: Some(ground(layers)),
+        ground: Some(Ground {
+            edition: ApiEdition::Rp2A,
+            ..ground(layers)
+        }),
         ..TowerDescription::default()
     }
 }

@@ -5,26 +5,57 @@ use towermodes::{
     GroundLayer, LayerSoil, Scour, ShearModulus, SoilModel, Tower, TowerDescription, Water,
 };
 
-/// The OC3 monopile with springs of API: the change of the first frequency in percent.
+/// The OC3 monopile with springs of API: the change of the first frequency in percent with general
+/// scour, and with springs removed without a loss of stress, by another program. Local scour is
+/// between the two.
 #[test]
 fn scour_lowers_the_first_frequency_of_oc3() {
     let unscoured = first_hz(&oc3(SoilModel::Api));
-    let table = [(3.0, -2.0, -1.9), (7.8, -5.4, -5.0), (12.0, -8.3, -7.6)];
-    for (depth_m, general, local) in table {
-        for (is_local, expected) in [(false, general), (true, local)] {
+    let table = [(3.0, -2.0, -0.6), (7.8, -5.4, -2.7), (12.0, -8.3, -5.0)];
+    for (depth_m, general, removed) in table {
+        let change = |scour: Scour| {
             let mut description = oc3(SoilModel::Api);
-            let scour = &mut ground_of(&mut description).scour;
-            if is_local {
-                scour.local_m = depth_m;
-            } else {
-                scour.general_m = depth_m;
-            }
-            let change = 100.0 * (first_hz(&description) / unscoured - 1.0);
-            assert!(
-                (change - expected).abs() < 0.2,
-                "{depth_m} {is_local}: {change}"
-            );
-        }
+            ground_of(&mut description).scour = scour;
+            100.0 * (first_hz(&description) / unscoured - 1.0)
+        };
+        let [of_general, of_local] = [(depth_m, 0.0), (0.0, depth_m)]
+            .map(|(general_m, local_m)| change(Scour { general_m, local_m }));
+        assert!(
+            (of_general - general).abs() < 0.2,
+            "{depth_m}: {of_general}"
+        );
+        let between = general..removed;
+        assert!(between.contains(&of_local), "{depth_m}: {of_local}");
+    }
+}
+
+/// Below a hole of depth S the springs k z of sand are k min(z, (z − S) 6D/(6D − S)), with z below
+/// the surface around the hole; below 6 D they are those without scour.
+#[test]
+fn the_stress_is_the_full_one_six_diameters_below_the_surface() {
+    let springs = |local_m: f64, depth_m: f64| {
+        let mut description = oc3(SoilModel::Api);
+        ground_of(&mut description).layers = vec![sand(-20.0, -80.0, 35.0, SoilModel::Api)];
+        ground_of(&mut description).scour.local_m = local_m;
+        let tower = Tower::new(description).expect("valid");
+        let height_m = -20.0 - depth_m;
+        let piece = tower.pieces().iter().find(|piece| piece.top_m > height_m);
+        let piece = piece.expect("a piece");
+        let share = (height_m - piece.base_m) / piece.length_m();
+        let [low, high] = piece
+            .environment
+            .soil
+            .expect("soil")
+            .map(|soil| soil.x_n_per_m2);
+        low + share * (high - low)
+    };
+    for (depth_m, share) in [
+        (10.0, (10.0 - 9.0) * 36.0 / 27.0 / 10.0),
+        (20.0, 11.0 * 36.0 / 27.0 / 20.0),
+        (35.999, 1.0),
+    ] {
+        let got = springs(9.0, depth_m) / springs(0.0, depth_m);
+        assert!((got - share).abs() < 1e-4, "{depth_m}: {got} for {share}");
     }
 }
 

@@ -41,6 +41,7 @@ pub(super) fn layer(
     let weight = optional("effective_unit_weight");
     let ratio = optional("poissons_ratio");
     let bearing = optional("end_bearing");
+    let factor = table.number_or(1.0, "factor", at("factor"), reading);
     let friction = pair(&table, "shaft_friction", at("shaft_friction"), reading);
     let modulus = match kind.has_shear_modulus {
         true => shear_modulus(&table, at, reading),
@@ -59,6 +60,7 @@ pub(super) fn layer(
         poissons_ratio: ratio?,
         shaft_friction_pa: friction?,
         end_bearing_pa: bearing?,
+        factor: factor?,
     };
     Some((Layer { layer, model }, name?))
 }

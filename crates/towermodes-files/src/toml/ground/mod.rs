@@ -4,7 +4,9 @@ mod layer;
 mod shear_modulus;
 mod soil;
 
-use towermodes::{AxialModel, Foundation, FoundationSprings, Ground, Place, Scour, SoilModel};
+use towermodes::{
+    ApiEdition, AxialModel, Foundation, FoundationSprings, Ground, Place, Scour, SoilModel,
+};
 
 use super::choice::{choices_hint, chosen};
 use super::reading::Reading;
@@ -37,8 +39,14 @@ pub(super) const AXIAL_MODELS: [(&str, AxialModel); 3] = [
     ("randolph-wroth", AxialModel::RandolphWroth),
 ];
 
+/// The editions of the standard of API.
+pub(super) const EDITIONS: [(&str, ApiEdition); 2] =
+    [("rp-2geo", ApiEdition::Rp2Geo), ("rp-2a", ApiEdition::Rp2A)];
+
 const NO_FOUNDATION: &str = "there is no [foundation]: the tip of the pile, the lowest station, is free to move sideways and to rotate about x and y";
 const RIGID_AXIS: &str = "there is no [foundation] and no axial model in [ground]: the tip of the pile, the lowest station, is free to move sideways and to rotate about x and y, and rigid along and about the axis";
+
+const EDITION: &str = "the modulus and the axial springs of sand follow API RP 2GEO; edition = \"rp-2a\" in [ground] selects API RP 2A, whose modulus is up to 38 % smaller";
 
 fn at(key: &'static str) -> Place {
     Place::Ground { key }
@@ -60,6 +68,7 @@ pub(super) fn ground(
     let diameter = table.optional_number("pile_diameter", at("pile_diameter"), reading);
     let submerged = submerged(&table, reading);
     let (scour, axial) = (scour(&table, reading), axial(&table, reading));
+    let edition = edition(&table, reading);
     let hint = "write [[ground.layer]] once for each layer, from the surface down";
     let layers = table.require("layer", hint, reading).and_then(|_| {
         let layers = every_table(&table, "layer", "layer", reading, layer);
@@ -73,9 +82,13 @@ pub(super) fn ground(
         factor: factor?,
         submerged: submerged?,
         axial: axial?,
+        edition: edition?,
         pile_diameter_m: diameter?,
         layers: layer::with_models(layers, model?, &table, reading)?,
     };
+    if table.get("edition").is_none() && ground.depends_on_edition() {
+        reading.note(table.span.start, EDITION);
+    }
     Some(Some((ground, names)))
 }
 
@@ -134,6 +147,14 @@ fn axial(table: &Table<'_>, reading: &mut Reading) -> Option<Option<AxialModel>>
     };
     reading.remember(at("axial"), value.span());
     chosen(value, "axial model", &AXIAL_MODELS, reading).map(Some)
+}
+
+fn edition(table: &Table<'_>, reading: &mut Reading) -> Option<ApiEdition> {
+    let Some(value) = table.get("edition") else {
+        return Some(ApiEdition::default());
+    };
+    reading.remember(at("edition"), value.span());
+    chosen(value, "edition", &EDITIONS, reading)
 }
 
 /// The model of the layers that name none.

@@ -71,7 +71,7 @@ pub(super) static KINDS: [Kind; 5] = [
     Kind {
         name: "py",
         schema: &schema::PY_TABLE,
-        has_shear_modulus: false,
+        has_shear_modulus: true,
         only_model: Some(SoilModel::Table),
         read: py_table,
     },

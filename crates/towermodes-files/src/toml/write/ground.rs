@@ -5,7 +5,7 @@ use towermodes::{Clay, Ground, GroundLayer, LayerSoil, PyRow, Sand, Scour, Shear
 use super::foundation::named;
 use super::text::number;
 use super::writing::Writing;
-use crate::toml::ground::{AXIAL_MODELS, MODELS};
+use crate::toml::ground::{AXIAL_MODELS, EDITIONS, MODELS};
 use crate::toml::schema::{self, TableSchema};
 
 pub(super) fn ground(ground: &Ground, names: &[String], writing: &mut Writing) {
@@ -21,6 +21,7 @@ pub(super) fn ground(ground: &Ground, names: &[String], writing: &mut Writing) {
     if let Some(axial) = ground.axial {
         writing.value("axial", &named(&AXIAL_MODELS, &axial));
     }
+    writing.value("edition", &named(&EDITIONS, &ground.edition));
     let Scour { general_m, local_m } = ground.scour;
     if ground.scour != Scour::default() {
         let (general, local) = (number(general_m), number(local_m));
@@ -53,6 +54,9 @@ fn layer(layer: &GroundLayer, name: Option<&String>, writing: &mut Writing) {
         layer.effective_unit_weight_n_per_m3,
         writing,
     );
+    if layer.factor != 1.0 {
+        writing.number("factor", layer.factor);
+    }
     match &layer.soil {
         LayerSoil::Sand(sand) => self::sand(sand, writing),
         LayerSoil::Clay(clay) => self::clay(clay, writing),

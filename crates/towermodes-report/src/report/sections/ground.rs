@@ -1,7 +1,7 @@
 //! The layers of soil around the pile, in a table.
 
 use towermodes::number::{Plain, four_digits};
-use towermodes::{Ground, GroundLayer, LayerSoil, Scour, ShearModulus};
+use towermodes::{Ground, GroundLayer, HeadStiffness, LayerSoil, Scour, ShearModulus, Tower};
 
 use super::super::table::Table;
 use crate::number::{NOTHING, given, length};
@@ -9,9 +9,49 @@ use crate::number::{NOTHING, given, length};
 /// More layers are not shown.
 const MOST_LAYERS: usize = 50;
 
-/// The ground as a whole, and its layers.
-pub(super) fn ground(ground: &Ground, names: &[String]) -> [Table; 2] {
-    [whole(ground), layers(ground, names)]
+/// The ground as a whole, its layers, and the springs that follow from them.
+pub(super) fn ground(ground: &Ground, names: &[String], tower: &Tower) -> Vec<Table> {
+    let mut tables = vec![whole(ground), layers(ground, names), springs(tower)];
+    tables.extend(tower.pile_head().map(|head| pile_head(tower, &head)));
+    tables
+}
+
+fn springs(tower: &Tower) -> Table {
+    let mut table = Table::new(
+        "Springs per unit length of the pile, of all soil; linear between rows",
+        [
+            "#height z (m)",
+            "#lateral k (N/m²)",
+            "#z (N/m²)",
+            "#rotation about x and y (N)",
+            "#torsion (N)",
+        ],
+    );
+    for springs in tower.springs_of_soil() {
+        table.push([
+            length(springs.height_m),
+            given(springs.lateral_n_per_m2),
+            given(springs.vertical_n_per_m2),
+            given(springs.rotation_n),
+            given(springs.torsion_n),
+        ]);
+    }
+    table.without_empty_columns().shortened()
+}
+
+fn pile_head(tower: &Tower, head: &HeadStiffness) -> Table {
+    Table::of_facts(
+        "Static stiffness of the pile at the surface of the soil: force and moment for deflection and rotation there",
+        [
+            (
+                "surface of the soil after scour z (m)",
+                tower.ground_surface_m().map_or(NOTHING.to_owned(), length),
+            ),
+            ("K_L (N/m)", given(head.lateral_n_per_m)),
+            ("K_LR (N)", given(head.coupling_n)),
+            ("K_R (N m)", given(head.rocking_n_m)),
+        ],
+    )
 }
 
 fn whole(ground: &Ground) -> Table {
@@ -27,6 +67,7 @@ fn whole(ground: &Ground) -> Table {
             ("under water", submerged.to_owned()),
             ("factor on all springs (−)", given(ground.factor)),
             ("model of the axial springs", axial.to_owned()),
+            ("edition of API", ground.edition.title().to_owned()),
         ],
     )
 }
@@ -89,6 +130,9 @@ fn values(layer: &GroundLayer) -> Vec<String> {
     values.extend(profile("t_max", layer.shaft_friction_pa, 1e-3, " kPa"));
     let bearing = layer.end_bearing_pa;
     values.extend(bearing.map(|q| format!("q {} MPa", Plain(1e-6 * q))));
+    if layer.factor != 1.0 {
+        values.push(format!("springs × {}", Plain(layer.factor)));
+    }
     values
 }
 

@@ -40,7 +40,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     }
     blocks.push(Block::Heading("Foundation".to_owned()));
     blocks.extend(foundation(description));
-    blocks.extend(surroundings(description));
+    blocks.extend(surroundings(description, &content.tower));
     blocks
 }
 

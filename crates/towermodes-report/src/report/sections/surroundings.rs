@@ -1,6 +1,6 @@
 //! Soil, water and guy wires in tables.
 
-use towermodes::{AddedMassRow, SoilRow, TowerDescription, Water, Wires};
+use towermodes::{AddedMassRow, SoilRow, Tower, TowerDescription, Water, Wires};
 
 use super::super::document::Block;
 use super::super::table::Table;
@@ -10,7 +10,7 @@ use crate::number::{given, length};
 /// The largest number of layers of soil and tables of added mass that are shown.
 const MOST_TABLES: usize = 20;
 
-pub(super) fn surroundings(description: &TowerDescription) -> Vec<Block> {
+pub(super) fn surroundings(description: &TowerDescription, tower: &Tower) -> Vec<Block> {
     let mut tables = Vec::new();
     let names = &description.part_names;
     let soil = description.soil.iter().enumerate().take(MOST_TABLES);
@@ -19,7 +19,7 @@ pub(super) fn surroundings(description: &TowerDescription) -> Vec<Block> {
     let ground = description.ground.as_ref();
     tables.extend(
         ground
-            .map(|ground| super::ground::ground(ground, &names.ground))
+            .map(|ground| super::ground::ground(ground, &names.ground, tower))
             .into_iter()
             .flatten(),
     );

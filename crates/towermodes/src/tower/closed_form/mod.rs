@@ -37,6 +37,8 @@ pub enum SoilProfile {
 /// The stiffness of a foundation in one plane at its head, coupled: force and moment for the
 /// displacement x and the rotation about y.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HeadStiffness {
     /// Force per displacement, N/m.
     pub lateral_n_per_m: f64,

@@ -107,6 +107,15 @@ impl Problem {
                 "sand: api, dnv, kallehave, sorensen, pisa-dunkirk, winkler, vesic; clay: api, dnv, reese-stiff-clay, pisa-cowden, pisa-bothkennar, winkler, vesic; \
                  elastic: winkler, vesic; rock: weak-rock"
             }
+            Self::AxialOfOtherSoil { .. } => {
+                "the t-z curves of API are for sand and clay; axial = \"kraft\" or \"randolph-wroth\" takes every soil: by its shear modulus, rock by youngs_modulus and poissons_ratio"
+            }
+            Self::CorrelationOfOtherSoil { .. } => {
+                "sand: rix-stokoe, robertson-cabal, void_ratio; clay: mayne-rix, robertson-cabal; or give shear_modulus or shear_wave_velocity"
+            }
+            Self::ConeBelowStress { .. } => {
+                "cone_resistance is in Pa, not kPa or MPa; q_t is corrected for the pore pressure behind the cone"
+            }
             Self::TableRowsRise { .. } => "list the rows from the top of the layer down",
             Self::TableShorterThanLayer { .. } => {
                 "give rows at the top and at the bottom of the layer, or beyond"

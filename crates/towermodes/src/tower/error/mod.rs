@@ -459,6 +459,37 @@ pub enum Problem {
         /// The kind of soil.
         soil: &'static str,
     },
+    /// A model of axial springs that has no formula for the kind of soil.
+    #[error("the axial springs of {model} have no formula for {soil}")]
+    AxialOfOtherSoil {
+        /// The model.
+        model: &'static str,
+        /// The kind of soil.
+        soil: &'static str,
+    },
+    /// A correlation of the shear modulus that was made for another soil.
+    #[error("{correlation} is a correlation for {own}, and this layer is {soil}")]
+    CorrelationOfOtherSoil {
+        /// The correlation.
+        correlation: &'static str,
+        /// Its soil.
+        own: &'static str,
+        /// The kind of soil of the layer.
+        soil: &'static str,
+    },
+    /// A cone resistance that the stress in the soil exceeds.
+    #[error(
+        "the cone resistance q_t is {} Pa at z = {} m, less than the stress of soil and water there, {} Pa, so the shear modulus would be negative",
+        Plain(*.cone_pa), Plain(*.height_m), Rounded(*.stress_pa)
+    )]
+    ConeBelowStress {
+        /// The height, m.
+        height_m: f64,
+        /// The cone resistance there, Pa.
+        cone_pa: f64,
+        /// The total vertical stress there, Pa.
+        stress_pa: f64,
+    },
     /// Rows of a table of p-y curves that do not go down.
     #[error(
         "height {} m is not below the previous row at {} m",

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::description::AxialModel;
+use super::description::{ApiEdition, AxialModel};
 use super::layer::{GroundLayer, LayerSoil};
 use super::pile::Pile;
 use super::reaction::{at, shear_modulus_pa};
@@ -12,12 +12,13 @@ const ZONE_RADII: f64 = 10.0;
 
 /// Springs per length of the shaft against z (N/m²) and against torsion (N).
 ///
-/// - API, clay: the secant to the first point, 0.3 t_max at 0.0016 D; sand: t_max at 2.54 mm
-///   (0.1 in; not checked against the original).
+/// - API: the secant to the first point of the t-z curve, 0.3 t_max at 0.0016 D; for sand in RP 2A
+///   t_max at 2.54 mm (0.1 in).
 /// - Kraft, Ray & Kagawa (1981): 2 G₀/(D ln z_if) per area with the zone of influence z_if = 10
 ///   radii.
 /// - Randolph & Wroth (1978): 2π G/ln(2.5 L (1 − ν)/R), the logarithm at least 1 (not checked
-///   against the original). Torsion 4π G R²: a rigid cylinder that turns in an elastic space.
+///   against the original), for a modulus that is the same at all depths. Torsion 4π G R²: a rigid
+///   cylinder that turns in an elastic space.
 pub(super) fn axial(pile: &Pile<'_>, index: usize, height_m: f64) -> [f64; 2] {
     let (layer, share) = pile.layer(index, height_m);
     let diameter_m = pile.diameter_m(height_m);
@@ -28,9 +29,14 @@ pub(super) fn axial(pile: &Pile<'_>, index: usize, height_m: f64) -> [f64; 2] {
             let friction_pa = layer
                 .shaft_friction_pa
                 .map_or(f64::NAN, |pair| at(pair, share));
-            let displacement_m = match layer.soil {
-                LayerSoil::Clay(_) => 0.0016 * diameter_m / 0.3,
-                _ => 0.00254,
+            let first_m = 0.0016 * diameter_m / 0.3;
+            let displacement_m = match &layer.soil {
+                LayerSoil::Sand(_) => match pile.ground.edition {
+                    ApiEdition::Rp2Geo => first_m,
+                    ApiEdition::Rp2A => 0.00254,
+                },
+                LayerSoil::Clay(_) => first_m,
+                LayerSoil::Elastic | LayerSoil::Rock(_) | LayerSoil::Table(_) => f64::NAN,
             };
             [PI * diameter_m * friction_pa / displacement_m, 0.0]
         }
@@ -38,6 +44,7 @@ pub(super) fn axial(pile: &Pile<'_>, index: usize, height_m: f64) -> [f64; 2] {
         Some(AxialModel::RandolphWroth) => {
             let radius_m = 0.5 * diameter_m;
             let zone = randolph_wroth_zone(layer, pile.length_m(), radius_m);
+            let zone = if zone < 1.0 { 1.0 } else { zone };
             let modulus_pa = modulus_pa();
             [
                 2.0 * PI * modulus_pa / zone,
@@ -47,11 +54,10 @@ pub(super) fn axial(pile: &Pile<'_>, index: usize, height_m: f64) -> [f64; 2] {
     }
 }
 
-/// ln(2.5 L (1 − ν)/R), at least 1.
-fn randolph_wroth_zone(layer: &GroundLayer, length_m: f64, radius_m: f64) -> f64 {
+/// ln(2.5 L (1 − ν)/R), the logarithm of the radius of influence over that of the pile.
+pub(super) fn randolph_wroth_zone(layer: &GroundLayer, length_m: f64, radius_m: f64) -> f64 {
     let poissons_ratio = layer.poissons_ratio.unwrap_or(f64::NAN);
-    let zone = (2.5 * length_m * (1.0 - poissons_ratio) / radius_m).ln();
-    if zone < 1.0 { 1.0 } else { zone }
+    (2.5 * length_m * (1.0 - poissons_ratio) / radius_m).ln()
 }
 
 /// Springs under the tip against z (N/m) and against torsion (N m).

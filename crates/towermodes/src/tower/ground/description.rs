@@ -1,6 +1,6 @@
 //! Soil in layers as its user describes it.
 
-use super::layer::GroundLayer;
+use super::layer::{GroundLayer, LayerSoil};
 
 /// Soil in layers around the part of a tower below the surface of the ground.
 ///
@@ -13,7 +13,7 @@ use super::layer::GroundLayer;
 /// A monopile of 6 m in 36 m of sand and clay. Its tip is free to move sideways and to turn.
 /// ```
 /// use towermodes::{
-///     Clay, Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, Material, Options, Rna,
+///     ApiEdition, Clay, Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, Material, Options, Rna,
 ///     Sand, Scour, SoilModel, Station, Tower, TowerDescription, solve,
 /// };
 ///
@@ -27,6 +27,7 @@ use super::layer::GroundLayer;
 ///     poissons_ratio: None,
 ///     shaft_friction_pa: None,
 ///     end_bearing_pa: None,
+///     factor: 1.0,
 /// };
 /// let sand = Sand { friction_angle_deg: Some(35.0), ..Sand::default() };
 /// let clay = Clay {
@@ -51,6 +52,7 @@ use super::layer::GroundLayer;
 ///         submerged: true,
 ///         pile_diameter_m: None,
 ///         axial: None,
+///         edition: ApiEdition::Rp2Geo,
 ///         layers: vec![
 ///             layer(-20.0, -32.0, LayerSoil::Sand(sand)),
 ///             layer(-32.0, -60.0, LayerSoil::Clay(clay)),
@@ -80,8 +82,33 @@ pub struct Ground {
     pub pile_diameter_m: Option<f64>,
     /// The springs along and about the axis of the pile; none if these motions are held otherwise.
     pub axial: Option<AxialModel>,
+    /// The edition of the standard of API that its models follow.
+    pub edition: ApiEdition,
     /// The layers from the surface down, each below the previous one.
     pub layers: Vec<GroundLayer>,
+}
+
+impl Ground {
+    /// Height of the surface after scour, at the pile: of the bottom of the hole of local scour, m.
+    pub fn scoured_surface_m(&self) -> f64 {
+        self.surface_m - self.scour.general_m - self.scour.local_m
+    }
+
+    /// Whether its springs depend on the [edition](Self::edition) of the standard of API: sand whose
+    /// modulus k is that of its friction angle, or whose axial springs are those of API.
+    pub fn depends_on_edition(&self) -> bool {
+        let depends = |layer: &GroundLayer| match &layer.soil {
+            LayerSoil::Sand(sand) => {
+                let has_k = sand.subgrade_modulus_n_per_m3.is_some();
+                let by_angle = layer.model.has_modulus_of_sand() && !has_k;
+                by_angle || self.axial == Some(AxialModel::Api)
+            }
+            LayerSoil::Clay(_) | LayerSoil::Elastic | LayerSoil::Rock(_) | LayerSoil::Table(_) => {
+                false
+            }
+        };
+        self.layers.iter().any(depends)
+    }
 }
 
 /// Erosion of the soil around a pile; zero for none.
@@ -93,10 +120,39 @@ pub struct Scour {
     pub local_m: f64,
 }
 
+/// An edition of the standard of API, on which the modulus k of sand and the t-z curves of sand
+/// depend.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum ApiEdition {
+    /// RP 2GEO (2011) and ISO 19901-4: the table of k, and 0.3 t_max at 0.0016 D.
+    #[default]
+    Rp2Geo,
+    /// RP 2A (to 2000): the figure of k, above and below water, and t_max at 2.54 mm.
+    Rp2A,
+}
+
+impl ApiEdition {
+    /// Its name, as in the tower file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rp2Geo => "rp-2geo",
+            Self::Rp2A => "rp-2a",
+        }
+    }
+
+    /// Its title in a text.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Rp2Geo => "API RP 2GEO",
+            Self::Rp2A => "API RP 2A",
+        }
+    }
+}
+
 /// A model of the springs along the axis of a pile, by its shaft and its tip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum AxialModel {
-    /// API RP 2GEO: first points of the t-z curves of clay and sand, and of the Q-z curve.
+    /// API: first points of the t-z curves of clay and sand, and of the Q-z curve.
     Api,
     /// Kraft, Ray & Kagawa (1981): from the shear modulus.
     Kraft,

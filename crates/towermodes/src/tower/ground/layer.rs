@@ -27,6 +27,9 @@ pub struct GroundLayer {
     pub shaft_friction_pa: Option<[f64; 2]>,
     /// Largest pressure under the tip, q, Pa, for the axial springs of API.
     pub end_bearing_pa: Option<f64>,
+    /// Multiplies every spring of the layer, those under the tip too; 1 for the springs of the
+    /// model.
+    pub factor: f64,
 }
 
 /// The kind of soil of a layer.
@@ -49,7 +52,7 @@ pub enum LayerSoil {
 pub struct Sand {
     /// Effective friction angle φ′, degrees.
     pub friction_angle_deg: Option<f64>,
-    /// Modulus k of the springs k z of API, N/m³; none: from the friction angle.
+    /// Modulus k of the springs k z of API, N/m³, in place of that by the friction angle.
     pub subgrade_modulus_n_per_m3: Option<f64>,
     /// Relative density D_r as a fraction.
     pub relative_density: Option<f64>,
@@ -62,7 +65,7 @@ pub struct Clay {
     pub undrained_strength_pa: Option<[f64; 2]>,
     /// ε₅₀: the strain at half the strength in undrained compression.
     pub strain_at_half_strength: Option<f64>,
-    /// Matlock's factor J of the strength near the surface.
+    /// Matlock's factor J of the strength near the surface: 0.5 for soft, 0.25 for stiff clay.
     pub strength_factor: Option<f64>,
     /// The factor ξ of the initial stiffness of DNV: 10 for normally consolidated clay, 30 for
     /// overconsolidated clay.

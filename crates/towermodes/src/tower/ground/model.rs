@@ -3,12 +3,13 @@
 /// A model of the springs that a layer of soil gives to a pile at small displacements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SoilModel {
-    /// API RP 2GEO. Sand: k z, the initial stiffness of the curve. Clay (Matlock 1970), whose curve
-    /// has no initial stiffness: the secant to 0.23 of the strength, at 0.1 y₅₀.
+    /// API, by the edition of the ground. Sand: k z, the initial stiffness of the curve. Clay
+    /// (Matlock 1970), whose curve has no initial stiffness: the secant to 0.23 of the strength, at
+    /// 0.1 y₅₀.
     Api,
     /// DNV. Sand as API; clay: ξ p_u/(D ε₅₀^0.25).
     Dnv,
-    /// Reese, Cox & Koop (1975), stiff clay: the secant of COSPIN.
+    /// Reese, Cox & Koop (1975), stiff clay: the secant of COSPIN, at 0.1 ε₅₀ D.
     ReeseStiffClay,
     /// Kallehave, Le Blanc Thilsted & Liingaard (2012), sand and large diameters.
     Kallehave,
@@ -16,7 +17,7 @@ pub enum SoilModel {
     Sorensen,
     /// PISA, stiff clay (Cowden till): Byrne et al. (2020).
     PisaCowden,
-    /// PISA, soft clay (Bothkennar): Byrne et al. (2020).
+    /// PISA, soft clay (Bothkennar): Burd et al. (2020), layered soils.
     PisaBothkennar,
     /// PISA, sand (Dunkirk): Burd et al. (2020).
     PisaDunkirk,
@@ -46,6 +47,54 @@ impl SoilModel {
             Self::Vesic => "vesic",
             Self::WeakRock => "weak-rock",
             Self::Table => "py",
+        }
+    }
+
+    /// Whether it is one of PISA.
+    pub(in crate::tower) fn is_pisa(self) -> bool {
+        match self {
+            Self::PisaCowden | Self::PisaBothkennar | Self::PisaDunkirk => true,
+            Self::Api
+            | Self::Dnv
+            | Self::ReeseStiffClay
+            | Self::Kallehave
+            | Self::Sorensen
+            | Self::Winkler
+            | Self::Vesic
+            | Self::WeakRock
+            | Self::Table => false,
+        }
+    }
+
+    /// Whether the springs of sand are in proportion to the modulus k of API.
+    pub(in crate::tower) fn has_modulus_of_sand(self) -> bool {
+        match self {
+            Self::Api | Self::Dnv | Self::Kallehave => true,
+            Self::ReeseStiffClay
+            | Self::Sorensen
+            | Self::PisaCowden
+            | Self::PisaBothkennar
+            | Self::PisaDunkirk
+            | Self::Winkler
+            | Self::Vesic
+            | Self::WeakRock
+            | Self::Table => false,
+        }
+    }
+
+    /// Whether the springs of clay are in proportion to its lateral resistance.
+    pub(in crate::tower) fn has_resistance_of_clay(self) -> bool {
+        match self {
+            Self::Api | Self::Dnv | Self::ReeseStiffClay => true,
+            Self::Kallehave
+            | Self::Sorensen
+            | Self::PisaCowden
+            | Self::PisaBothkennar
+            | Self::PisaDunkirk
+            | Self::Winkler
+            | Self::Vesic
+            | Self::WeakRock
+            | Self::Table => false,
         }
     }
 }

@@ -5,7 +5,8 @@ use super::layer::{GroundLayer, LayerSoil};
 use crate::tower::description::TowerDescription;
 use crate::tower::section::Tube;
 
-/// The effective stress is the unreduced one from this many diameters below a hole of local scour.
+/// The effective stress is the unreduced one from this many diameters below the surface around a
+/// hole of local scour.
 const OVERBURDEN_DIAMETERS: f64 = 6.0;
 
 /// A tower in the ground: heights, depths, the sections of the pile, the weight of the soil.
@@ -50,27 +51,33 @@ impl<'a> Pile<'a> {
         self.hole_m - height_m
     }
 
-    /// The depth at which undisturbed soil has the same effective stress, m: in a hole of depth S
-    /// min(z, (z − S)(S + 6D)/(6D)), with z below the surface around the hole.
+    /// The factor on the springs of a layer.
+    pub(super) fn factor(&self, index: usize) -> f64 {
+        self.ground.factor * self.ground.layers[index].factor
+    }
+
+    /// The depth at which undisturbed soil has the same effective stress, m: below a hole of depth S
+    /// min(z, (z − S) 6D/(6D − S)), with z below the surface around the hole.
     ///
-    /// Source: API RP 2GEO, commentary on scour: no stress at the bottom of the hole, the full one
-    /// six diameters deeper (not checked against the original).
+    /// Source: API RP 2A and RP 2GEO, commentary on scour, as programmed in COSPIN: no stress at the
+    /// bottom of the hole, the full one six diameters below the surface around it.
     pub(super) fn overburden_depth_m(&self, height_m: f64) -> f64 {
-        let (depth_m, local_m) = (self.bed_m - height_m, self.ground.scour.local_m);
-        if local_m == 0.0 || height_m <= self.full_overburden_m() {
+        let (depth_m, full_m) = (self.bed_m - height_m, self.full_overburden_m());
+        if self.ground.scour.local_m == 0.0 || height_m <= full_m {
             return depth_m;
         }
-        let reach_m = self.overburden_reach_m();
-        (depth_m - local_m) * (local_m + reach_m) / reach_m
+        self.depth_m(height_m) * (self.bed_m - full_m) / (self.hole_m - full_m)
     }
 
-    /// Height below which the hole does not reduce the effective stress, m.
+    /// Height below which the hole does not reduce the effective stress, m: its bottom, if it is
+    /// deeper than six diameters.
     pub(super) fn full_overburden_m(&self) -> f64 {
-        self.hole_m - self.overburden_reach_m()
-    }
-
-    fn overburden_reach_m(&self) -> f64 {
-        OVERBURDEN_DIAMETERS * self.diameter_m(self.hole_m)
+        let full_m = self.bed_m - OVERBURDEN_DIAMETERS * self.diameter_m(self.hole_m);
+        if full_m > self.hole_m {
+            self.hole_m
+        } else {
+            full_m
+        }
     }
 
     /// Vertical effective stress in the undisturbed soil before scour, Pa.
@@ -81,13 +88,53 @@ impl<'a> Pile<'a> {
     /// Vertical effective stress with scour, Pa.
     pub(super) fn effective_stress_pa(&self, height_m: f64) -> f64 {
         let unreduced_pa = self.weight_above_pa(height_m, self.bed_m);
+        match self.overburden_excess_pa(height_m) {
+            Some(excess_pa) if excess_pa < 0.0 => unreduced_pa + excess_pa,
+            _ => unreduced_pa,
+        }
+    }
+
+    /// By how much the stress that local scour leaves, on a line from zero to the full one, exceeds
+    /// the stress without scour, Pa; none where local scour does not reduce it. Under heavy layers
+    /// above light ones it does, and the line does not count.
+    pub(super) fn overburden_excess_pa(&self, height_m: f64) -> Option<f64> {
         let full_m = self.full_overburden_m();
         if self.ground.scour.local_m == 0.0 || height_m <= full_m {
-            return unreduced_pa;
+            return None;
         }
-        let share = self.depth_m(height_m) / self.overburden_reach_m();
+        let share = self.depth_m(height_m) / (self.hole_m - full_m);
         let reduced_pa = share * self.weight_above_pa(full_m, self.bed_m);
-        reduced_pa.min(unreduced_pa)
+        Some(reduced_pa - self.weight_above_pa(height_m, self.bed_m))
+    }
+
+    /// The mean undrained strength of the clay from the top of the soil down to a height in a layer
+    /// of clay, Pa.
+    pub(super) fn mean_strength_pa(&self, index: usize, height_m: f64) -> f64 {
+        let (mut sum, mut length_m) = (0.0, 0.0);
+        for (above, layer) in self.ground.layers[..=index].iter().enumerate() {
+            let LayerSoil::Clay(clay) = &layer.soil else {
+                continue;
+            };
+            let Some([top_pa, bottom_pa]) = clay.undrained_strength_pa else {
+                continue;
+            };
+            let upper_m = layer.top_m.min(self.hole_m);
+            let lower_m = if above == index {
+                height_m
+            } else {
+                layer.bottom_m
+            };
+            let at_pa = |at_m: f64| top_pa + self.layer(above, at_m).1 * (bottom_pa - top_pa);
+            let part_m = upper_m - lower_m;
+            if part_m > 0.0 {
+                sum += 0.5 * (at_pa(upper_m) + at_pa(lower_m)) * part_m;
+                length_m += part_m;
+            }
+        }
+        match length_m > 0.0 {
+            true => sum / length_m,
+            false => f64::NAN,
+        }
     }
 
     /// Weight of the soil between a height and the surface with or without scour, Pa.

@@ -1,39 +1,59 @@
 //! Where the springs of the ground are cut into rows: the same for a tower and for those near it.
 
-use super::description::Ground;
-use super::layer::LayerSoil;
+use super::description::{ApiEdition, AxialModel, Ground};
+use super::kink::Kink;
+use super::layer::{GroundLayer, LayerSoil};
+use super::lines::Part;
+use super::model::SoilModel;
 use super::pile::Pile;
-use super::reaction::{are_linear, ignore_diameter};
-use super::rock::GROWS_DIAMETERS;
 use crate::tower::description::TowerDescription;
+use crate::tower::surroundings::SoilStiffness;
 
-/// Parts of a pile in soil whose springs are not linear in height, at equal steps of the root of
-/// the depth: springs that grow with a power of the depth bend most near the surface. Straight
-/// lines with the force and the moment of the springs of each part then change no first frequency
-/// by more than 1e-6.
-const PARTS: f64 = 16.0;
+/// Every pile has at least this many parts where its springs are not linear in height, so that the
+/// derivatives with respect to its numbers are right too.
+const LEAST_PARTS: f64 = 4.0;
+/// The most parts of one section.
+const MOST_PARTS: usize = 32;
+/// The lines may change a frequency by this fraction.
+const TOLERANCE: f64 = 1e-9;
+/// The stated error is the estimate times this: of 80 random sites none is changed by more than 9
+/// times the estimate, which takes the first terms of a series at their size.
+const SAFETY: f64 = 10.0;
 
 /// The sections of the pile within which springs are smooth, and how they are divided.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(in crate::tower) struct Plan {
+    /// The ends of sections; each depends only on those before it.
+    ends: Vec<End>,
     pub(super) sections: Vec<Section>,
     /// The layer under the tip.
     pub(super) tip_layer: usize,
+    /// By which fraction the lines may change a frequency.
+    pub(in crate::tower) error: f64,
 }
 
 /// A section of the pile in one layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Section {
     pub(super) layer: usize,
-    pub(super) lower: Guide,
-    pub(super) upper: Guide,
-    /// Into how many parts it is divided.
-    pub(super) parts: usize,
+    /// The number of its lower end.
+    lower: usize,
+    upper: usize,
+    pub(super) lines: Lines,
+}
+
+/// What takes the place of the springs of a section.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Lines {
+    /// One straight line: the springs are linear in height.
+    One,
+    /// Two in each of so many parts.
+    Pairs(usize),
 }
 
 /// What the end of a section moves with.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Guide {
+enum End {
     Tip,
     /// The bottom of the hole of local scour, or the surface.
     Hole,
@@ -43,10 +63,15 @@ pub(super) enum Guide {
     Row(usize),
     /// The depth below which local scour does not reduce the effective stress.
     FullOverburden,
-    /// The depth below which weak rock does not get stiffer.
-    FullRock(usize),
     /// A row of a table of p-y curves.
     TableRow(usize, usize),
+    /// A kink between two other ends.
+    Kink {
+        kink: Kink,
+        layer: usize,
+        lower: usize,
+        upper: usize,
+    },
 }
 
 impl Plan {
@@ -55,13 +80,218 @@ impl Plan {
         let Some(pile) = Pile::of(description) else {
             return Self::default();
         };
-        let layers = 0..pile.ground.layers.len();
-        Self {
-            sections: layers
-                .flat_map(|layer| sections_of(description, &pile, layer))
-                .collect(),
+        let mut plan = Self {
             tip_layer: tip_layer(pile.ground, pile.tip_m),
+            ..Self::default()
+        };
+        for layer in 0..pile.ground.layers.len() {
+            plan.add_sections(description, &pile, layer);
         }
+        plan.divide(description, &pile);
+        plan
+    }
+
+    /// Adds the sections of one layer by rising height.
+    fn add_sections(&mut self, description: &TowerDescription, pile: &Pile<'_>, layer: usize) {
+        let own = &pile.ground.layers[layer];
+        let upper = match own.top_m >= pile.hole_m {
+            true => End::Hole,
+            false => End::LayerTop(layer),
+        };
+        let lower = match own.bottom_m <= pile.tip_m {
+            true => End::Tip,
+            false => End::LayerBottom(layer),
+        };
+        let height = |end: &End| end.height_m(description, pile, &[]);
+        let (lower_m, upper_m) = (height(&lower), height(&upper));
+        if lower_m.partial_cmp(&upper_m) != Some(std::cmp::Ordering::Less) {
+            return;
+        }
+        let mut ends = knees(description, pile, layer);
+        ends.retain(|end| (lower_m..=upper_m).contains(&height(end)));
+        ends.retain(|end| height(end) != lower_m && height(end) != upper_m);
+        ends.extend([lower, upper]);
+        ends.sort_by(|a, b| height(a).total_cmp(&height(b)));
+        ends.dedup_by(|a, b| height(a) == height(b));
+        let first = self.ends.len();
+        self.ends.extend(&ends);
+        let mut borders: Vec<usize> = (first..self.ends.len()).collect();
+        for kink in Kink::ALL {
+            borders = self.with_kinks(description, pile, layer, kink, &borders);
+        }
+        for pair in borders.windows(2) {
+            self.sections.push(Section {
+                layer,
+                lower: pair[0],
+                upper: pair[1],
+                lines: Lines::One,
+            });
+        }
+    }
+
+    /// The numbers of the ends, and of those at kinks of one kind between them.
+    fn with_kinks(
+        &mut self,
+        description: &TowerDescription,
+        pile: &Pile<'_>,
+        layer: usize,
+        kink: Kink,
+        borders: &[usize],
+    ) -> Vec<usize> {
+        let heights_m = self.heights_m(description, pile);
+        let mut cut = Vec::with_capacity(borders.len());
+        for pair in borders.windows(2) {
+            cut.push(pair[0]);
+            let ends_m = [heights_m[pair[0]], heights_m[pair[1]]];
+            if kink.share(pile, layer, ends_m).is_some() {
+                cut.push(self.ends.len());
+                self.ends.push(End::Kink {
+                    kink,
+                    layer,
+                    lower: pair[0],
+                    upper: pair[1],
+                });
+            }
+        }
+        cut.extend(borders.last());
+        cut
+    }
+
+    /// Divides the sections until straight lines change no frequency.
+    fn divide(&mut self, description: &TowerDescription, pile: &Pile<'_>) {
+        let heights_m = self.heights_m(description, pile);
+        let weight = Weight::of(pile, self, &heights_m);
+        let sections = self.sections.len().max(1) as f64;
+        let mut error = 0.0;
+        for section in &mut self.sections {
+            if are_linear(pile.ground, &pile.ground.layers[section.layer]) {
+                continue;
+            }
+            let ends_m = [heights_m[section.lower], heights_m[section.upper]];
+            let root = |height_m: f64| (pile.depth_m(height_m) / pile.length_m()).max(0.0).sqrt();
+            let least = (LEAST_PARTS * (root(ends_m[0]) - root(ends_m[1]))).ceil();
+            let mut parts = least.clamp(1.0, LEAST_PARTS) as usize;
+            let mut missed = weight.missed(pile, section.layer, ends_m, parts);
+            while missed > TOLERANCE / sections && 2 * parts <= MOST_PARTS {
+                parts *= 2;
+                missed = weight.missed(pile, section.layer, ends_m, parts);
+            }
+            section.lines = Lines::Pairs(parts);
+            if missed.is_finite() {
+                error += SAFETY * missed;
+            }
+        }
+        self.error = error;
+    }
+
+    /// The heights of all ends on a tower, m.
+    pub(super) fn heights_m(&self, description: &TowerDescription, pile: &Pile<'_>) -> Vec<f64> {
+        let mut heights_m = Vec::with_capacity(self.ends.len());
+        for end in &self.ends {
+            heights_m.push(end.height_m(description, pile, &heights_m));
+        }
+        heights_m
+    }
+}
+
+impl Section {
+    /// Its parts on a tower with these heights of the ends, by rising height.
+    pub(super) fn parts<'p>(
+        &self,
+        pile: &'p Pile<'_>,
+        heights_m: &[f64],
+    ) -> impl Iterator<Item = Part> + use<'p> {
+        let count = match self.lines {
+            Lines::One => 1,
+            Lines::Pairs(parts) => parts,
+        };
+        let ends_m = [heights_m[self.lower], heights_m[self.upper]];
+        parts(pile, self.layer, ends_m, count)
+    }
+}
+
+/// A part of a layer cut at equal steps of the root of the depth: springs that grow with a power of
+/// the depth bend most near the surface.
+fn parts<'p>(
+    pile: &'p Pile<'_>,
+    layer: usize,
+    [lower_m, upper_m]: [f64; 2],
+    count: usize,
+) -> impl Iterator<Item = Part> + use<'p> {
+    let [deep, shallow] = [lower_m, upper_m].map(|end_m| pile.depth_m(end_m).max(0.0).sqrt());
+    let hole_m = pile.hole_m;
+    let border_m = move |part: usize| match part {
+        0 => lower_m,
+        part if part == count => upper_m,
+        part => {
+            let share = part as f64 / count as f64;
+            hole_m - (deep + share * (shallow - deep)).powi(2)
+        }
+    };
+    (0..count).map(move |part| Part {
+        layer,
+        lower_m: border_m(part),
+        upper_m: border_m(part + 1),
+    })
+}
+
+/// What an error of the springs does to a frequency, by the work of the springs on a pile that
+/// bends over the length l = (4 EI/k̄)^¼: its deflection fades at least as e^(−z/2l).
+#[derive(Debug, Clone, Copy)]
+struct Weight {
+    length_m: f64,
+    /// ∫ k e^(−z/l) dz of each spring.
+    work: [f64; SoilStiffness::SPRINGS],
+}
+
+impl Weight {
+    fn of(pile: &Pile<'_>, plan: &Plan, heights_m: &[f64]) -> Self {
+        let parts = || {
+            let sections = plan.sections.iter();
+            sections.flat_map(|section| {
+                let ends_m = [heights_m[section.lower], heights_m[section.upper]];
+                parts(pile, section.layer, ends_m, LEAST_PARTS as usize)
+            })
+        };
+        let sums: Vec<_> = parts().map(|part| (part, part.sum(pile))).collect();
+        let lateral = sums.iter().map(|(_, sums)| sums[0]).sum::<f64>() / pile.length_m();
+        let bending_n_m2 = pile.bending_n_m2(pile.hole_m - 0.5 * pile.length_m());
+        let length_m = (4.0 * bending_n_m2 / lateral).powf(0.25);
+        let mut weight = Self {
+            length_m,
+            work: [0.0; SoilStiffness::SPRINGS],
+        };
+        for (part, sums) in &sums {
+            let fade = weight.fade(pile, part);
+            for (work, sum) in weight.work.iter_mut().zip(sums) {
+                *work += fade * sum;
+            }
+        }
+        weight
+    }
+
+    fn fade(&self, pile: &Pile<'_>, part: &Part) -> f64 {
+        (-pile.depth_m(0.5 * (part.lower_m + part.upper_m)) / self.length_m).exp()
+    }
+
+    /// The largest fraction by which lines in a section change a frequency.
+    fn missed(&self, pile: &Pile<'_>, layer: usize, ends_m: [f64; 2], count: usize) -> f64 {
+        let mut sum = [0.0; SoilStiffness::SPRINGS];
+        for part in parts(pile, layer, ends_m, count) {
+            let fade = self.fade(pile, &part);
+            let missed = part.missed(pile, self.length_m);
+            for (sum, missed) in sum.iter_mut().zip(missed) {
+                *sum += fade * missed;
+            }
+        }
+        let shares = sum
+            .iter()
+            .zip(self.work)
+            .map(|(missed, work)| match work > 0.0 {
+                true => 0.5 * missed / work,
+                false => 0.0,
+            });
+        shares.fold(0.0, f64::max)
     }
 }
 
@@ -74,71 +304,61 @@ fn tip_layer(ground: &Ground, tip_m: f64) -> usize {
     below.unwrap_or(ground.layers.len().saturating_sub(1))
 }
 
-/// The sections of one layer by rising height.
-fn sections_of(description: &TowerDescription, pile: &Pile<'_>, layer: usize) -> Vec<Section> {
-    let own = &pile.ground.layers[layer];
-    let upper = match own.top_m >= pile.hole_m {
-        true => Guide::Hole,
-        false => Guide::LayerTop(layer),
-    };
-    let lower = match own.bottom_m <= pile.tip_m {
-        true => Guide::Tip,
-        false => Guide::LayerBottom(layer),
-    };
-    let height = |guide: &Guide| guide.height_m(description, pile);
-    let (lower_m, upper_m) = (height(&lower), height(&upper));
-    if lower_m.partial_cmp(&upper_m) != Some(std::cmp::Ordering::Less) {
-        return Vec::new();
-    }
-    let mut ends = knees(description, pile, layer);
-    ends.retain(|guide| (lower_m..=upper_m).contains(&height(guide)));
-    ends.retain(|guide| height(guide) != lower_m && height(guide) != upper_m);
-    ends.extend([lower, upper]);
-    ends.sort_by(|a, b| height(a).total_cmp(&height(b)));
-    ends.dedup_by(|a, b| height(a) == height(b));
-    let pairs = ends.windows(2).map(|pair| (pair[0], pair[1]));
-    let section = |(lower, upper): (Guide, Guide)| Section {
-        layer,
-        lower,
-        upper,
-        parts: parts(pile, layer, [height(&lower), height(&upper)]),
-    };
-    pairs.map(section).collect()
-}
-
-/// Into how many parts a section between two heights is divided.
-fn parts(pile: &Pile<'_>, layer: usize, [lower_m, upper_m]: [f64; 2]) -> usize {
-    let (own, axial) = (&pile.ground.layers[layer], pile.ground.axial);
-    let inside = |s: f64| pile.diameter_m(lower_m + s * (upper_m - lower_m));
-    let is_prism = inside(0.25) == inside(0.75) || ignore_diameter(own, axial);
-    if is_prism && are_linear(own, axial) {
-        return 1;
-    }
-    let root = |height_m: f64| (pile.depth_m(height_m) / pile.length_m()).sqrt();
-    let steps = PARTS * (root(lower_m) - root(upper_m));
-    steps.ceil().clamp(2.0, PARTS) as usize
-}
-
-/// Where the springs of a layer may change their slope.
-fn knees(description: &TowerDescription, pile: &Pile<'_>, layer: usize) -> Vec<Guide> {
+/// Where the springs of a layer may change their slope, besides the kinks of their formulas.
+fn knees(description: &TowerDescription, pile: &Pile<'_>, layer: usize) -> Vec<End> {
     let rows = description.stations.len().max(description.properties.len());
-    let mut knees: Vec<Guide> = (0..rows).map(Guide::Row).collect();
+    let mut knees: Vec<End> = (0..rows).map(End::Row).collect();
     if pile.ground.scour.local_m > 0.0 {
-        knees.push(Guide::FullOverburden);
+        knees.push(End::FullOverburden);
     }
     match &pile.ground.layers[layer].soil {
-        LayerSoil::Rock(_) => knees.push(Guide::FullRock(layer)),
         LayerSoil::Table(rows) => {
-            knees.extend((0..rows.len()).map(|row| Guide::TableRow(layer, row)));
+            knees.extend((0..rows.len()).map(|row| End::TableRow(layer, row)));
         }
-        LayerSoil::Sand(_) | LayerSoil::Clay(_) | LayerSoil::Elastic => {}
+        LayerSoil::Sand(_) | LayerSoil::Clay(_) | LayerSoil::Elastic | LayerSoil::Rock(_) => {}
     }
     knees
 }
 
-impl Guide {
-    /// The height that it has on a tower, m.
-    pub(super) fn height_m(&self, description: &TowerDescription, pile: &Pile<'_>) -> f64 {
+/// Whether the springs of a layer are linear in height between knees, for any numbers of the layer
+/// and any taper of the pile.
+fn are_linear(ground: &Ground, layer: &GroundLayer) -> bool {
+    let has_linear_modulus = layer
+        .shear_modulus
+        .is_none_or(|modulus| modulus.is_linear());
+    let lateral = match &layer.soil {
+        LayerSoil::Table(_) => true,
+        LayerSoil::Sand(_) | LayerSoil::Clay(_) | LayerSoil::Elastic | LayerSoil::Rock(_) => {
+            match layer.model {
+                SoilModel::Api | SoilModel::Dnv => matches!(layer.soil, LayerSoil::Sand(_)),
+                SoilModel::Winkler => has_linear_modulus,
+                SoilModel::ReeseStiffClay
+                | SoilModel::Kallehave
+                | SoilModel::Sorensen
+                | SoilModel::PisaCowden
+                | SoilModel::PisaBothkennar
+                | SoilModel::PisaDunkirk
+                | SoilModel::Vesic
+                | SoilModel::WeakRock
+                | SoilModel::Table => false,
+            }
+        }
+    };
+    let vertical = match ground.axial {
+        None => true,
+        Some(AxialModel::Api) => match ground.edition {
+            ApiEdition::Rp2Geo => true,
+            ApiEdition::Rp2A => matches!(layer.soil, LayerSoil::Clay(_)),
+        },
+        Some(AxialModel::Kraft) => has_linear_modulus,
+        Some(AxialModel::RandolphWroth) => false,
+    };
+    lateral && vertical
+}
+
+impl End {
+    /// The height that it has on a tower, m, with the heights of the ends before it.
+    fn height_m(&self, description: &TowerDescription, pile: &Pile<'_>, heights_m: &[f64]) -> f64 {
         let layers = &pile.ground.layers;
         match *self {
             Self::Tip => pile.tip_m,
@@ -151,14 +371,23 @@ impl Guide {
                 station.or_else(of_table).unwrap_or(f64::NAN)
             }
             Self::FullOverburden => pile.full_overburden_m(),
-            Self::FullRock(layer) => {
-                let surface_m = pile.rock_surface_m(layer);
-                surface_m - GROWS_DIAMETERS * pile.diameter_m(surface_m)
-            }
             Self::TableRow(layer, row) => match &layers[layer].soil {
                 LayerSoil::Table(rows) => rows.get(row).map_or(f64::NAN, |row| row.height_m),
-                _ => f64::NAN,
+                LayerSoil::Sand(_)
+                | LayerSoil::Clay(_)
+                | LayerSoil::Elastic
+                | LayerSoil::Rock(_) => f64::NAN,
             },
+            Self::Kink {
+                kink,
+                layer,
+                lower,
+                upper,
+            } => {
+                let [lower_m, upper_m] = [heights_m[lower], heights_m[upper]];
+                let share = kink.share(pile, layer, [lower_m, upper_m]);
+                lower_m + share.unwrap_or(f64::NAN) * (upper_m - lower_m)
+            }
         }
     }
 }

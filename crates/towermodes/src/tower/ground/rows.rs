@@ -3,14 +3,13 @@
 use super::axial::axial_at_tip;
 use super::pile::Pile;
 use super::pisa::Pisa;
-use super::plan::{Plan, Section};
-use super::reaction::{shear_modulus_pa, springs};
+use super::plan::{Lines, Plan};
+use super::reaction::shear_modulus_pa;
 use crate::space::SpatialMatrix;
 use crate::tower::base::Base;
 use crate::tower::description::TowerDescription;
 use crate::tower::foundation::{Foundation, StiffnessFoundation};
-use crate::tower::integrals::GAUSS_5;
-use crate::tower::surroundings::{SoilRow, SoilStiffness};
+use crate::tower::surroundings::SoilRow;
 
 impl TowerDescription {
     /// Whether soil surrounds the tower, as rows or in layers.
@@ -69,61 +68,20 @@ pub(in crate::tower) fn with_rows(
 
 /// The rows of each layer that touches the pile, by rising height.
 fn soil(description: &TowerDescription, pile: &Pile<'_>, plan: &Plan) -> Vec<Vec<SoilRow>> {
+    let heights_m = plan.heights_m(description, pile);
     let of_one_layer = plan.sections.chunk_by(|a, b| a.layer == b.layer);
-    let rows = |section: &Section| rows_of(description, pile, section);
-    of_one_layer
-        .map(|sections| sections.iter().flat_map(rows).collect())
-        .collect()
-}
-
-/// Two rows for each part of a section; the parts are equal steps of the root of the depth.
-fn rows_of(description: &TowerDescription, pile: &Pile<'_>, section: &Section) -> Vec<SoilRow> {
-    let [lower_m, upper_m] =
-        [section.lower, section.upper].map(|guide| guide.height_m(description, pile));
-    let [deep, shallow] = [lower_m, upper_m].map(|end_m| pile.depth_m(end_m).max(0.0).sqrt());
-    let border_m = |part: usize| match part {
-        0 => lower_m,
-        part if part == section.parts => upper_m,
-        part => {
-            let share = part as f64 / section.parts as f64;
-            pile.hole_m - (deep + share * (shallow - deep)).powi(2)
+    let rows = of_one_layer.map(|sections| {
+        let mut rows = Vec::new();
+        for section in sections {
+            let parts = section.parts(pile, &heights_m);
+            match section.lines {
+                Lines::One => rows.extend(parts.flat_map(|part| part.line(pile))),
+                Lines::Pairs(_) => rows.extend(parts.flat_map(|part| part.pair(pile))),
+            }
         }
-    };
-    let parts = 0..section.parts;
-    parts
-        .flat_map(|part| line(pile, section.layer, [border_m(part), border_m(part + 1)]))
-        .collect()
-}
-
-/// The springs of a part as a straight line with the same sum and the same first moment.
-fn line(pile: &Pile<'_>, layer: usize, [lower_m, upper_m]: [f64; 2]) -> [SoilRow; 2] {
-    const SPRINGS: usize = SoilStiffness::SPRINGS;
-    let (middle_m, half_m) = (0.5 * (lower_m + upper_m), 0.5 * (upper_m - lower_m));
-    let (mut mean, mut moment) = ([0.0; SPRINGS], [0.0; SPRINGS]);
-    for (node, weight) in GAUSS_5 {
-        let values = springs(pile, layer, middle_m + half_m * node).values();
-        for spring in 0..SPRINGS {
-            mean[spring] += 0.5 * weight * values[spring];
-            moment[spring] += 1.5 * weight * node * values[spring];
-        }
-    }
-    let end = |sign: f64| {
-        let value = |spring: usize| {
-            // No spring is negative: the sum is more important than the moment.
-            let (mean, half) = (mean[spring], moment[spring]);
-            mean + sign
-                * if half.abs() > mean {
-                    mean.copysign(half)
-                } else {
-                    half
-                }
-        };
-        SoilStiffness::from_values(std::array::from_fn(value))
-    };
-    [(lower_m, -1.0), (upper_m, 1.0)].map(|(height_m, sign)| SoilRow {
-        height_m,
-        stiffness: end(sign),
-    })
+        rows
+    });
+    rows.collect()
 }
 
 /// Stiffness of the soil under the tip against x, y, z and the rotations about them: N/m, N m.
@@ -135,10 +93,10 @@ pub(super) fn tip_stiffness(pile: &Pile<'_>, plan: &Plan) -> [f64; 6] {
         let diameter_m = pile.diameter_m(pile.tip_m);
         let modulus_pa = shear_modulus_pa(pile, layer, pile.tip_m);
         let length = pile.length_m() / diameter_m;
-        shear = pisa.shear(length) * modulus_pa * diameter_m;
-        moment = pisa.moment(length) * modulus_pa * diameter_m.powi(3);
+        shear = pisa.shear.positive_at(length) * modulus_pa * diameter_m;
+        moment = pisa.moment.positive_at(length) * modulus_pa * diameter_m.powi(3);
     }
-    [shear, shear, vertical, moment, moment, torsion].map(|spring| spring * pile.ground.factor)
+    [shear, shear, vertical, moment, moment, torsion].map(|spring| spring * pile.factor(layer))
 }
 
 /// A foundation with springs on the diagonal of its stiffness; they have no effect where it is

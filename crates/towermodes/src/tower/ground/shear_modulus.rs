@@ -3,9 +3,12 @@
 use super::layer::GroundLayer;
 use super::pile::Pile;
 use super::reaction::at;
+use crate::tower::description::TowerDescription;
 
-/// Reference pressure of Hardin's formula and atmospheric pressure, Pa.
+/// Reference pressure of Hardin's formula, Pa.
 const REFERENCE_PA: f64 = 101.3e3;
+/// The pressure p_a of Robertson & Cabal, Pa.
+const ROBERTSON_PA: f64 = 100e3;
 /// Unit weight of water, for the total stress that a cone resistance is reduced by, N/m³.
 const WATER_N_PER_M3: f64 = 1.0e4;
 const KILO: f64 = 1e3;
@@ -75,7 +78,7 @@ impl ShearModulus {
     /// | wave velocity | ρ V_s² | |
     /// | cone, sand | 1634 q_c^0.25 σ′_v^0.375, all in kPa | Rix & Stokoe (1991) |
     /// | cone, clay | 2.78 q_c^1.335, in kPa | Mayne & Rix (1993) |
-    /// | cone, any soil | V_s² = 10^(0.55 I_c + 1.68) (q_t − σ_v)/p_a | Robertson & Cabal (2015) |
+    /// | cone, any soil | V_s² = 10^(0.55 I_c + 1.68) (q_t − σ_v)/p_a, p_a = 100 kPa | Robertson & Cabal (2015) |
     /// | void ratio | 875 p_ref/(0.3 + 0.7 e²) √(p′/p_ref), p_ref = 101.3 kPa | Hardin, PISA |
     /// | blow count | V_s = 97 N^0.314 | Imai & Tonouchi (1982) |
     ///
@@ -114,7 +117,7 @@ impl ShearModulus {
             } => {
                 let net_pa = at(cone_resistance_pa, share) - total_stress_pa(pile, height_m);
                 let factor = 10_f64.powf(0.55 * behaviour_index + 1.68);
-                density_kg_per_m3 * factor * net_pa.max(0.0) / REFERENCE_PA
+                density_kg_per_m3 * factor * net_pa / ROBERTSON_PA
             }
             Self::Hardin {
                 void_ratio,
@@ -132,35 +135,52 @@ impl ShearModulus {
         }
     }
 
-    /// Whether it is linear in height.
+    /// Whether it is linear in height between any values at top and bottom.
     pub(super) fn is_linear(&self) -> bool {
-        matches!(self, Self::Given { .. } | Self::Youngs { .. }) || self.is_constant()
+        match self {
+            Self::Given { .. } | Self::Youngs { .. } => true,
+            Self::WaveVelocity { .. }
+            | Self::RixStokoe { .. }
+            | Self::MayneRix { .. }
+            | Self::RobertsonCabal { .. }
+            | Self::Hardin { .. }
+            | Self::BlowCount { .. } => false,
+        }
     }
 
-    /// Whether it is the same at all heights of the layer.
-    pub(super) fn is_constant(&self) -> bool {
-        let pair = match self {
-            Self::Given { shear_modulus_pa } => shear_modulus_pa,
-            Self::Youngs { youngs_modulus_pa } => youngs_modulus_pa,
-            Self::WaveVelocity {
-                velocity_m_per_s, ..
-            } => velocity_m_per_s,
-            Self::MayneRix { cone_resistance_pa } => cone_resistance_pa,
-            Self::BlowCount { blow_count, .. } => blow_count,
-            Self::RixStokoe { .. } | Self::RobertsonCabal { .. } | Self::Hardin { .. } => {
-                return false;
-            }
-        };
-        pair[0] == pair[1]
+    /// The soil that the correlation was made for; none for a measurement, and for a correlation of
+    /// any soil.
+    pub(in crate::tower) fn own_soil(&self) -> Option<CorrelatedSoil> {
+        match self {
+            Self::RixStokoe { .. } => Some(CorrelatedSoil::Sand("rix-stokoe")),
+            Self::Hardin { .. } => Some(CorrelatedSoil::Sand("Hardin's formula (void_ratio)")),
+            Self::MayneRix { .. } => Some(CorrelatedSoil::Clay("mayne-rix")),
+            Self::Given { .. }
+            | Self::Youngs { .. }
+            | Self::WaveVelocity { .. }
+            | Self::RobertsonCabal { .. }
+            | Self::BlowCount { .. } => None,
+        }
     }
 
     /// Whether it depends on the weight of the soil above.
     pub(in crate::tower) fn needs_stress(&self) -> bool {
-        matches!(
-            self,
-            Self::RixStokoe { .. } | Self::RobertsonCabal { .. } | Self::Hardin { .. }
-        )
+        match self {
+            Self::RixStokoe { .. } | Self::RobertsonCabal { .. } | Self::Hardin { .. } => true,
+            Self::Given { .. }
+            | Self::Youngs { .. }
+            | Self::WaveVelocity { .. }
+            | Self::MayneRix { .. }
+            | Self::BlowCount { .. } => false,
+        }
     }
+}
+
+/// The soil of a correlation, with the name of the correlation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::tower) enum CorrelatedSoil {
+    Sand(&'static str),
+    Clay(&'static str),
 }
 
 /// Stress of soil and pore water before scour, Pa.
@@ -170,4 +190,39 @@ fn total_stress_pa(pile: &Pile<'_>, height_m: f64) -> f64 {
         false => 0.0,
     };
     pile.stress_before_scour_pa(height_m) + water_pa
+}
+
+/// A cone resistance q_t at an end of a layer that is smaller than the stress there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::tower) struct ConeBelowStress {
+    pub(in crate::tower) layer: usize,
+    pub(in crate::tower) height_m: f64,
+    pub(in crate::tower) cone_pa: f64,
+    pub(in crate::tower) stress_pa: f64,
+}
+
+/// The first cone resistance of Robertson & Cabal that the stress of soil and water exceeds; both
+/// are linear in a layer.
+pub(in crate::tower) fn cone_below_stress(
+    description: &TowerDescription,
+) -> Option<ConeBelowStress> {
+    let pile = Pile::of(description)?;
+    let of_layer = |(index, layer): (usize, &GroundLayer)| {
+        let Some(ShearModulus::RobertsonCabal {
+            cone_resistance_pa, ..
+        }) = layer.shear_modulus
+        else {
+            return None;
+        };
+        let ends_m = [layer.top_m, layer.bottom_m];
+        let ends = ends_m.into_iter().zip(cone_resistance_pa);
+        let mut ends = ends.map(|(height_m, cone_pa)| ConeBelowStress {
+            layer: index,
+            height_m,
+            cone_pa,
+            stress_pa: total_stress_pa(&pile, height_m),
+        });
+        ends.find(|end| end.cone_pa < end.stress_pa)
+    };
+    pile.ground.layers.iter().enumerate().find_map(of_layer)
 }

@@ -107,16 +107,19 @@ fn no_coupling(tower: &Tower, given: &Given<'_>, key: &'static str, warnings: &m
     }
 }
 
-/// Springs that alone hold the tower, against its own stiffness and mass; soil and wires may do
-/// their work.
+/// Springs that alone hold the tower, against its own stiffness and mass; wires may do their work.
+/// Beside soil along the tower they are those of the tip of a pile, of any size.
 fn springs(
     tower: &Tower,
     given: &Given<'_>,
     [lateral, rocking, vertical, torsion]: [&'static str; 4],
     warnings: &mut Vec<Warning>,
 ) {
+    if has_soil(given) {
+        return;
+    }
     let k = &tower.base().stiffness;
-    let is_alone = given.soil.is_empty() && given.wires.is_empty();
+    let is_alone = given.wires.is_empty();
     let before = warnings.len();
     if is_alone {
         against_rotation(tower, [rocking, torsion], warnings);

@@ -15,7 +15,15 @@ const SHEAR_MODULUS: Usual = Usual::new(Quantity::SoilShearModulus, 5e5, 5e10);
 const YOUNGS_MODULUS: Usual = Usual::new(Quantity::SoilYoungsModulus, 1e6, 5e10);
 const WAVES: Usual = Usual::new(Quantity::SoilWaveVelocity, 30.0, 4000.0);
 const DENSITY: Usual = Usual::new(Quantity::SoilDensity, 1000.0, 3000.0);
-const CONE: Usual = Usual::new(Quantity::ConeResistance, 2e4, 1.5e8);
+const CONE_IN_SAND: Usual = Usual::new(Quantity::ConeResistance, 5e5, 1.5e8);
+const CONE_IN_CLAY: Usual = Usual::new(Quantity::ConeResistance, 5e4, 3e7);
+const CONE: Usual = Usual::new(Quantity::ConeResistance, 5e4, 1.5e8);
+const BEHAVIOUR_INDEX: Usual = Usual::new(Quantity::BehaviourIndex, 1.0, 4.0);
+const VOID_RATIO: Usual = Usual::new(Quantity::VoidRatio, 0.25, 2.0);
+const EARTH_PRESSURE: Usual = Usual::new(Quantity::EarthPressure, 0.2, 3.0);
+const STRENGTH_FACTOR: Usual = Usual::new(Quantity::StrengthFactor, 0.1, 1.0);
+const STIFFNESS_FACTOR: Usual = Usual::new(Quantity::StiffnessFactor, 5.0, 60.0);
+const BEARING: Usual = Usual::new(Quantity::EndBearing, 2e4, 1e8);
 const BLOWS: Usual = Usual::new(Quantity::BlowCount, 1.0, 100.0);
 const FRICTION: Usual = Usual::new(Quantity::ShaftFriction, 1e3, 5e5);
 
@@ -35,15 +43,28 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
         if let Some(modulus) = &layer.shear_modulus {
             shear_modulus(modulus, at, warnings);
         }
-        for friction_pa in layer.shaft_friction_pa.into_iter().flatten() {
-            FRICTION.check(friction_pa, at("shaft_friction"), warnings);
+        if let Some(friction_pa) = layer.shaft_friction_pa {
+            profile(FRICTION, friction_pa, at("shaft_friction"), warnings);
+        }
+        if let Some(bearing_pa) = layer.end_bearing_pa {
+            BEARING.check(bearing_pa, at("end_bearing"), warnings);
         }
         match &layer.soil {
-            LayerSoil::Sand(values) => sand(values, at, warnings),
-            LayerSoil::Clay(values) => clay(values, at, warnings),
+            LayerSoil::Sand(values) => {
+                sand(values, at, warnings);
+                angle_beside_modulus(values, layer.model, at("friction_angle"), warnings);
+            }
+            LayerSoil::Clay(values) => {
+                clay(values, at, warnings);
+                let is_useless = values.strength_factor.is_some();
+                if is_useless && layer.model == SoilModel::ReeseStiffClay {
+                    let (site, what) = (at("strength_factor"), Ineffective::FactorOfMatlock);
+                    warnings.push(Warning::NoEffect { site, what });
+                }
+            }
             LayerSoil::Rock(values) => {
-                for modulus_pa in values.youngs_modulus_pa.into_iter().flatten() {
-                    YOUNGS_MODULUS.check(modulus_pa, at("youngs_modulus"), warnings);
+                if let Some(modulus_pa) = values.youngs_modulus_pa {
+                    profile(YOUNGS_MODULUS, modulus_pa, at("youngs_modulus"), warnings);
                 }
             }
             LayerSoil::Table(_) | LayerSoil::Elastic => {}
@@ -109,15 +130,41 @@ fn sand(sand: &Sand, at: impl Fn(&'static str) -> Site, warnings: &mut Vec<Warni
     }
 }
 
+/// The modulus k that is given takes the place of that by the friction angle.
+fn angle_beside_modulus(sand: &Sand, model: SoilModel, site: Site, warnings: &mut Vec<Warning>) {
+    let both = sand
+        .friction_angle_deg
+        .zip(sand.subgrade_modulus_n_per_m3)
+        .is_some();
+    if model.has_modulus_of_sand() && both {
+        let what = Ineffective::AngleBesideModulus;
+        warnings.push(Warning::NoEffect { site, what });
+    }
+}
+
 fn clay(clay: &Clay, at: impl Fn(&'static str) -> Site, warnings: &mut Vec<Warning>) {
-    for strength_pa in clay.undrained_strength_pa.into_iter().flatten() {
-        if STRENGTH.check(strength_pa, at("undrained_strength"), warnings) {
-            break;
+    if let Some(strength_pa) = clay.undrained_strength_pa {
+        profile(STRENGTH, strength_pa, at("undrained_strength"), warnings);
+    }
+    let values = [
+        (
+            STRAIN,
+            "strain_at_half_strength",
+            clay.strain_at_half_strength,
+        ),
+        (STRENGTH_FACTOR, "strength_factor", clay.strength_factor),
+        (STIFFNESS_FACTOR, "stiffness_factor", clay.stiffness_factor),
+    ];
+    for (usual, key, value) in values {
+        if let Some(value) = value {
+            usual.check(value, at(key), warnings);
         }
     }
-    if let Some(strain) = clay.strain_at_half_strength {
-        STRAIN.check(strain, at("strain_at_half_strength"), warnings);
-    }
+}
+
+/// The larger one of the values at top and bottom: the other may be zero.
+fn profile(usual: Usual, [top, bottom]: [f64; 2], site: Site, warnings: &mut Vec<Warning>) {
+    usual.check(top.max(bottom), site, warnings);
 }
 
 fn shear_modulus(
@@ -125,55 +172,61 @@ fn shear_modulus(
     at: impl Fn(&'static str) -> Site,
     warnings: &mut Vec<Warning>,
 ) {
-    let density = match *modulus {
-        ShearModulus::WaveVelocity {
-            density_kg_per_m3, ..
-        }
-        | ShearModulus::RobertsonCabal {
-            density_kg_per_m3, ..
-        }
-        | ShearModulus::BlowCount {
-            density_kg_per_m3, ..
-        } => Some(density_kg_per_m3),
-        _ => None,
-    };
-    if let Some(density) = density {
-        DENSITY.check(density, at("density"), warnings);
-    }
-    let (usual, key, values) = match *modulus {
+    let mut check = |usual, pair, key| profile(usual, pair, at(key), warnings);
+    let mut density = None;
+    match *modulus {
         ShearModulus::Given { shear_modulus_pa } => {
-            (SHEAR_MODULUS, "shear_modulus", shear_modulus_pa)
+            check(SHEAR_MODULUS, shear_modulus_pa, "shear_modulus");
         }
         ShearModulus::Youngs { youngs_modulus_pa } => {
-            (YOUNGS_MODULUS, "youngs_modulus", youngs_modulus_pa)
+            check(YOUNGS_MODULUS, youngs_modulus_pa, "youngs_modulus");
         }
         ShearModulus::WaveVelocity {
-            velocity_m_per_s, ..
-        } => (WAVES, "shear_wave_velocity", velocity_m_per_s),
-        ShearModulus::RixStokoe { cone_resistance_pa }
-        | ShearModulus::MayneRix { cone_resistance_pa }
-        | ShearModulus::RobertsonCabal {
-            cone_resistance_pa, ..
-        } => (CONE, "cone_resistance", cone_resistance_pa),
-        ShearModulus::BlowCount { blow_count, .. } => (BLOWS, "blow_count", blow_count),
-        ShearModulus::Hardin { .. } => return,
-    };
-    for value in values {
-        if usual.check(value, at(key), warnings) {
-            break;
+            velocity_m_per_s,
+            density_kg_per_m3,
+        } => {
+            check(WAVES, velocity_m_per_s, "shear_wave_velocity");
+            density = Some(density_kg_per_m3);
         }
+        ShearModulus::RixStokoe { cone_resistance_pa } => {
+            check(CONE_IN_SAND, cone_resistance_pa, "cone_resistance");
+        }
+        ShearModulus::MayneRix { cone_resistance_pa } => {
+            check(CONE_IN_CLAY, cone_resistance_pa, "cone_resistance");
+        }
+        ShearModulus::RobertsonCabal {
+            cone_resistance_pa,
+            behaviour_index,
+            density_kg_per_m3,
+        } => {
+            check(CONE, cone_resistance_pa, "cone_resistance");
+            check(BEHAVIOUR_INDEX, [behaviour_index; 2], "behaviour_index");
+            density = Some(density_kg_per_m3);
+        }
+        ShearModulus::Hardin {
+            void_ratio,
+            earth_pressure_at_rest,
+        } => {
+            check(VOID_RATIO, [void_ratio; 2], "void_ratio");
+            let key = "earth_pressure_at_rest";
+            check(EARTH_PRESSURE, [earth_pressure_at_rest; 2], key);
+        }
+        ShearModulus::BlowCount {
+            blow_count,
+            density_kg_per_m3,
+        } => {
+            check(BLOWS, blow_count, "blow_count");
+            density = Some(density_kg_per_m3);
+        }
+    }
+    if let Some(density) = density {
+        DENSITY.check(density, at("density"), warnings);
     }
 }
 
 /// A pile or a sand for which the models of PISA were not derived.
 fn range_of_pisa(tower: &Tower, ground: &Ground, warnings: &mut Vec<Warning>) {
-    let is_pisa = |layer: &GroundLayer| {
-        let model = layer.model;
-        matches!(
-            model,
-            SoilModel::PisaCowden | SoilModel::PisaBothkennar | SoilModel::PisaDunkirk
-        )
-    };
+    let is_pisa = |layer: &GroundLayer| layer.model.is_pisa();
     let Some(index) = ground.layers.iter().position(is_pisa) else {
         return;
     };
@@ -181,6 +234,9 @@ fn range_of_pisa(tower: &Tower, ground: &Ground, warnings: &mut Vec<Warning>) {
         index,
         key: "model",
     });
+    if !tower.shears() {
+        warnings.push(Warning::PisaWithoutShear { site });
+    }
     let first = tower
         .stations()
         .first()

@@ -20,6 +20,10 @@ pub enum Ineffective {
     SoilOfZeros,
     /// A layer of soil below the tip of the pile.
     LayerBelowTip,
+    /// A friction angle of sand beside the modulus k that takes its place.
+    AngleBesideModulus,
+    /// Matlock's factor J in a layer with the model of Reese.
+    FactorOfMatlock,
     /// A table of added mass that is all zero.
     AddedMassOfZeros,
     /// Water that adds no mass outside and is not inside.
@@ -49,6 +53,12 @@ impl fmt::Display for Ineffective {
             Self::SoilOfZeros => "all springs of this soil layer are zero, so it has no effect",
             Self::LayerBelowTip => {
                 "this layer is below the tip of the pile and not next to it, so it has no effect"
+            }
+            Self::AngleBesideModulus => {
+                "subgrade_modulus takes the place of the friction angle, which has no effect; keep one of the two"
+            }
+            Self::FactorOfMatlock => {
+                "the strength factor J is of Matlock's resistance and has no effect on reese-stiff-clay, which has a resistance of its own"
             }
             Self::AddedMassOfZeros => "all masses of this table are zero, so it has no effect",
             Self::WaterOfZeros => {

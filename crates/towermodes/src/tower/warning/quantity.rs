@@ -98,6 +98,18 @@ pub enum Quantity {
     BlowCount,
     /// Friction on the shaft of a pile, Pa.
     ShaftFriction,
+    /// Pressure under the tip of a pile, Pa.
+    EndBearing,
+    /// Soil behaviour type index I_c.
+    BehaviourIndex,
+    /// Void ratio of sand.
+    VoidRatio,
+    /// Coefficient of earth pressure at rest K₀.
+    EarthPressure,
+    /// Matlock's factor J.
+    StrengthFactor,
+    /// The factor ξ of the initial stiffness of clay after DNV.
+    StiffnessFactor,
     /// Diameter of a steel wire with the stiffness given, m.
     WireDiameter,
     /// Number of wires in a set.
@@ -223,11 +235,23 @@ impl Quantity {
             Self::SoilDensity => ("the density of the soil", " kg/m3",
                 "soil with its water has 1600 to 2200; the unit is kg/m3"),
             Self::ConeResistance => ("the cone resistance", " Pa",
-                "clay has 3e5 to 3e6, dense sand 2e7 to 6e7; the unit is Pa, not MPa"),
+                "clay has 3e5 to 3e6, dense sand 2e7 to 6e7; the unit is Pa, not kPa or MPa"),
             Self::BlowCount => ("the blow count", "",
                 "typical: 2 to 60 blows per 0.3 m"),
             Self::ShaftFriction => ("the shaft friction", " Pa",
                 "typical: 1e4 to 1.2e5; the unit is Pa, not kPa"),
+            Self::EndBearing => ("the end bearing", " Pa",
+                "typical: 1e5 to 1.2e7; the unit is Pa, not kPa"),
+            Self::BehaviourIndex => ("the soil behaviour type index", "",
+                "clean sand has about 1.5, clay 3"),
+            Self::VoidRatio => ("the void ratio", "",
+                "dense sand has about 0.5, loose sand 0.8; it is a fraction, not percent"),
+            Self::EarthPressure => ("the coefficient of earth pressure at rest", "",
+                "normally consolidated sand has about 0.4, overconsolidated soil up to 2; it is a fraction, not percent"),
+            Self::StrengthFactor => ("the strength factor J", "",
+                "soft clay has 0.5, stiff clay 0.25"),
+            Self::StiffnessFactor => ("the stiffness factor xi", "",
+                "normally consolidated clay has 10, overconsolidated clay 30"),
             Self::WireDiameter => ("the diameter of a steel wire with this stiffness and length", " m",
                 "typical: 0.01 to 0.1 m; the unit of the stiffness EA/L is N/m, not kN/m"),
             Self::WireCount => ("the number of guy wires in the set", "",

@@ -6,7 +6,7 @@ mod values;
 use super::scale::{coordinate, error, length, not_negative, positive};
 use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
-use crate::tower::ground::{Ground, GroundLayer, LayerSoil, SoilModel};
+use crate::tower::ground::{ConeBelowStress, Ground, GroundLayer, LayerSoil, cone_below_stress};
 
 type Checked = Result<(), TowerError>;
 
@@ -39,7 +39,29 @@ pub(in crate::tower::validate) fn check_ground(
         layer.check_model()?;
         layer.check_axial(ground.axial)?;
     }
-    check_weights(ground)
+    check_weights(ground)?;
+    check_cones(description)
+}
+
+/// A cone resistance q_t that the stress of soil and water above exceeds gives no shear modulus.
+fn check_cones(description: &TowerDescription) -> Checked {
+    match cone_below_stress(description) {
+        None => Ok(()),
+        Some(ConeBelowStress {
+            layer,
+            height_m,
+            cone_pa,
+            stress_pa,
+        }) => {
+            let (index, key) = (layer, "cone_resistance");
+            let problem = Problem::ConeBelowStress {
+                height_m,
+                cone_pa,
+                stress_pa,
+            };
+            error(Place::GroundLayer { index, key }, problem)
+        }
+    }
 }
 
 fn check_heights(ground: &Ground, base_m: f64, top_m: f64) -> Checked {
@@ -154,15 +176,11 @@ impl Layer<'_> {
 /// Every layer above one that depends on the weight of the soil, and this one, has a unit weight.
 fn check_weights(ground: &Ground) -> Checked {
     let needs_weight = |layer: &GroundLayer| {
-        let is_clay = matches!(layer.soil, LayerSoil::Clay(_));
-        let by_model = matches!(
-            layer.model,
-            SoilModel::Api | SoilModel::Dnv | SoilModel::ReeseStiffClay
-        );
         let by_modulus = layer
             .shear_modulus
             .is_some_and(|modulus| modulus.needs_stress());
-        (is_clay && by_model) || by_modulus
+        let is_clay = matches!(layer.soil, LayerSoil::Clay(_));
+        (is_clay && layer.model.has_resistance_of_clay()) || by_modulus
     };
     let Some(deepest) = ground.layers.iter().rposition(needs_weight) else {
         return Ok(());

@@ -81,7 +81,7 @@ impl Layer<'_> {
         let strain = clay.strain_at_half_strength.is_some();
         let value = "the strain at half the strength";
         self.needs("strain_at_half_strength", value, user, strain)?;
-        let factor = clay.strength_factor.is_some();
+        let factor = self.own.model == SoilModel::ReeseStiffClay || clay.strength_factor.is_some();
         self.needs(
             "strength_factor",
             "the factor J (0.5 for soft, 0.25 for stiff clay)",
@@ -102,30 +102,44 @@ impl Layer<'_> {
     }
 
     pub(super) fn check_axial(&self, axial: Option<AxialModel>) -> Checked {
-        let modulus = self.own.shear_modulus.is_some();
-        match axial {
-            None => Ok(()),
-            Some(model @ AxialModel::Api) => {
-                if !matches!(self.own.soil, LayerSoil::Sand(_) | LayerSoil::Clay(_)) {
-                    let (model, soil) = (model.name(), self.own.soil.noun());
-                    return error(self.at("type"), Problem::ModelOfOtherSoil { model, soil });
+        let Some(model) = axial else {
+            return Ok(());
+        };
+        let user = model.name();
+        match model {
+            AxialModel::Api => {
+                match &self.own.soil {
+                    LayerSoil::Sand(_) | LayerSoil::Clay(_) => {}
+                    LayerSoil::Elastic | LayerSoil::Rock(_) | LayerSoil::Table(_) => {
+                        let (model, soil) = (user, self.own.soil.noun());
+                        return error(self.at("type"), Problem::AxialOfOtherSoil { model, soil });
+                    }
                 }
                 let is_there = self.own.shaft_friction_pa.is_some();
-                self.needs(
-                    "shaft_friction",
-                    "the shaft friction",
-                    model.name(),
-                    is_there,
-                )
+                self.needs("shaft_friction", "the shaft friction", user, is_there)
             }
-            Some(model @ AxialModel::Kraft) => {
-                self.needs("shear_modulus", "the shear modulus", model.name(), modulus)
-            }
-            Some(model @ AxialModel::RandolphWroth) => {
-                self.needs("shear_modulus", "the shear modulus", model.name(), modulus)?;
-                let is_there = self.own.poissons_ratio.is_some();
-                self.needs("poissons_ratio", "Poisson's ratio", model.name(), is_there)
-            }
+            AxialModel::Kraft => self.needs_axial_modulus(user, false),
+            AxialModel::RandolphWroth => self.needs_axial_modulus(user, true),
         }
+    }
+
+    /// That of rock is its Young's modulus over 2 (1 + ν).
+    fn needs_axial_modulus(&self, user: &'static str, and_ratio: bool) -> Checked {
+        let is_rock = match &self.own.soil {
+            LayerSoil::Rock(_) => true,
+            LayerSoil::Sand(_) | LayerSoil::Clay(_) | LayerSoil::Elastic | LayerSoil::Table(_) => {
+                let is_there = self.own.shear_modulus.is_some();
+                self.needs("shear_modulus", "the shear modulus", user, is_there)?;
+                false
+            }
+        };
+        let value = match is_rock {
+            true => {
+                "Poisson's ratio, by which the shear modulus of rock follows from youngs_modulus"
+            }
+            false => "Poisson's ratio",
+        };
+        let is_there = !(is_rock || and_ratio) || self.own.poissons_ratio.is_some();
+        self.needs("poissons_ratio", value, user, is_there)
     }
 }

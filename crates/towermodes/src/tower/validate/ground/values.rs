@@ -2,7 +2,7 @@
 
 use super::{Checked, Layer};
 use crate::tower::error::{Place, Problem};
-use crate::tower::ground::{Clay, LayerSoil, PyRow, Rock, Sand, ShearModulus};
+use crate::tower::ground::{Clay, CorrelatedSoil, LayerSoil, PyRow, Rock, Sand, ShearModulus};
 use crate::tower::validate::scale::{coordinate, error, length, not_negative, positive};
 
 impl Layer<'_> {
@@ -16,6 +16,7 @@ impl Layer<'_> {
         positive(self.at(key), what, value, unit)
     }
 
+    /// A value at the top and one at the bottom of the layer, one of which may be zero.
     fn both(
         &self,
         key: &'static str,
@@ -23,6 +24,14 @@ impl Layer<'_> {
         pair: [f64; 2],
         unit: &'static str,
     ) -> Checked {
+        // Strength and stiffness can begin with zero, as those of normally consolidated clay do.
+        let [top, bottom] = pair;
+        if top == 0.0 && bottom > 0.0 {
+            return self.positive(key, what, bottom, unit);
+        }
+        if bottom == 0.0 && top > 0.0 {
+            return self.positive(key, what, top, unit);
+        }
         pair.into_iter()
             .try_for_each(|value| self.positive(key, what, value, unit))
     }
@@ -60,6 +69,7 @@ impl Layer<'_> {
                 " N/m3",
             )?;
         }
+        self.positive("factor", "the factor on the layer", own.factor, "")?;
         if let Some(ratio) = own.poissons_ratio {
             let what = "Poisson's ratio of the soil";
             self.within("poissons_ratio", what, ratio, "", [0.0, 0.5])?;
@@ -182,7 +192,42 @@ impl Layer<'_> {
         error(at(0, "height"), problem)
     }
 
+    /// A correlation of one soil has no meaning for another. What the soil of an elastic layer and of
+    /// a table is, only its user knows.
+    fn check_correlation(&self, modulus: &ShearModulus) -> Checked {
+        let (correlation, own, is_right) = match modulus.own_soil() {
+            None => return Ok(()),
+            Some(CorrelatedSoil::Sand(name)) => {
+                (name, "sand", !matches!(self.own.soil, LayerSoil::Clay(_)))
+            }
+            Some(CorrelatedSoil::Clay(name)) => {
+                (name, "clay", !matches!(self.own.soil, LayerSoil::Sand(_)))
+            }
+        };
+        if is_right {
+            return Ok(());
+        }
+        let key = match modulus {
+            ShearModulus::Hardin { .. } => "void_ratio",
+            ShearModulus::Given { .. }
+            | ShearModulus::Youngs { .. }
+            | ShearModulus::WaveVelocity { .. }
+            | ShearModulus::RixStokoe { .. }
+            | ShearModulus::MayneRix { .. }
+            | ShearModulus::RobertsonCabal { .. }
+            | ShearModulus::BlowCount { .. } => "correlation",
+        };
+        let soil = self.own.soil.noun();
+        let problem = Problem::CorrelationOfOtherSoil {
+            correlation,
+            own,
+            soil,
+        };
+        error(self.at(key), problem)
+    }
+
     fn check_shear_modulus(&self, modulus: &ShearModulus) -> Checked {
+        self.check_correlation(modulus)?;
         let cone = |pair| self.both("cone_resistance", "the cone resistance", pair, " Pa");
         let density = |value| self.positive("density", "the density of the soil", value, " kg/m3");
         match *modulus {
