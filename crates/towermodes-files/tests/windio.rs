@@ -134,17 +134,18 @@ fn tower_and_monopile_are_joined() {
     input.tower().expect("a tower");
 }
 
+/// A monopile below the mudline stands in the soil of the file.
 #[test]
-fn version_1_is_cut_at_the_mudline() {
+fn version_1_stands_in_the_soil_of_the_file() {
     let input = read(VERSION_1);
-    let expected = [(-20.0, 6.0, 0.05), (10.0, 6.0, 0.05), (90.0, 4.0, 0.02)];
+    let expected = [(-50.0, 6.0, 0.05), (10.0, 6.0, 0.05), (90.0, 4.0, 0.02)];
     // The monopile's top is the tower's base: one station.
     assert_rows(&input.description.stations, &expected);
     assert!(has_note(
         &input,
-        "the 30 m of the monopile below the mudline at z = -20 m"
+        "the 30 m of the monopile below the mudline at z = -20 m stand in elastic soil"
     ));
-    assert!(missing_parts(&input).contains("below the mudline"));
+    assert!(!missing_parts(&input).contains("below the mudline"));
     assert!(!missing_parts(&input).contains("those in air"));
     assert!(has_note(
         &input,
@@ -152,9 +153,26 @@ fn version_1_is_cut_at_the_mudline() {
     ));
     assert!(has_note(&input, "bed = -20.0"));
     assert_eq!(input.description.water, None);
+    // 1.2 E = 1.2 · 2 (1 + ν) G, from the mudline down.
+    let tower = input.tower().expect("a tower");
+    let springs = tower.springs_of_soil();
+    let ends = springs.iter().map(|at| (at.height_m, at.lateral_n_per_m2));
+    for ((height_m, spring), expected_m) in ends.zip([-50.0, -20.0]) {
+        near(height_m, expected_m, 1e-15);
+        near(spring, 1.2 * 2.0 * 1.4 * 1.4e8, 1e-12);
+    }
     let alone = read_part(VERSION_1, TowerPart::Monopile).expect("a monopile");
     assert_rows(&alone.description.stations, &expected[..2]);
     assert_eq!(alone.description.rna, Rna::default());
+}
+
+#[test]
+fn version_1_is_cut_at_the_mudline_without_soil() {
+    let input = read(&VERSION_1.replace(", soil_shear_modulus: 140.e+6, soil_poisson: 0.4", ""));
+    let expected = [(-20.0, 6.0, 0.05), (10.0, 6.0, 0.05), (90.0, 4.0, 0.02)];
+    assert_rows(&input.description.stations, &expected);
+    assert!(missing_parts(&input).contains("below the mudline"));
+    assert_eq!(input.description.ground, None);
 }
 
 #[test]

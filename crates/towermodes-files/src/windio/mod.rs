@@ -22,6 +22,7 @@ mod rna;
 mod rotor;
 mod sections;
 mod shaft;
+mod soil;
 mod speeds;
 mod structure;
 mod turbine;
@@ -57,7 +58,8 @@ pub(crate) fn is_windio(text: &str, name: &str) -> bool {
 
 /// Reads the tower of a turbine, on its monopile if there is one, from a file in windIO 1 or 2.
 ///
-/// The base is clamped: at the mudline if the file gives the water depth, or else at the lowest
+/// A monopile of tubes stands in the elastic soil of the file below the mudline. Without such soil
+/// the base is clamped: at the mudline if the file gives the water depth, or else at the lowest
 /// height. The rotor-nacelle assembly is combined from the bodies in the file; notes list the
 /// missing ones.
 ///
@@ -107,15 +109,18 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     let structure = Structure::read(&outline, version, options.part, reading);
     let (rna, mut structure) = (rna?, structure?);
     note_platform(&outline, reading);
-    let mudline = water::stand(&mut structure, &outline, options.part, reading);
-    reading.keep(mudline)?;
+    let in_soil = water::stand(&mut structure, &outline, options.part, reading);
+    let in_soil = reading.keep(in_soil)?;
     comparison::compare(&structure, reading);
     let joint_m = structure.joint_m();
     // A mistake in it is reported where it matters.
     let blades = speeds::blade_count(&outline).ok().flatten();
     let blades = blades.filter(|_| options.part != TowerPart::Monopile);
     let description = structure.describe(reading);
-    let description = reading.keep(description)?;
+    let mut description = reading.keep(description)?;
+    if let Some((soil, mudline_m)) = in_soil {
+        soil.surround(mudline_m, &mut description, reading);
+    }
     let name = outline.name.as_ref();
     let name = name.map(|name| name.name(&reading.source.text));
     let has_rotor = options.part != TowerPart::Monopile;

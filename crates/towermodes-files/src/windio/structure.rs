@@ -150,6 +150,12 @@ impl Structure {
         });
     }
 
+    /// Whether all its sections are tubes.
+    pub(super) fn is_of_tubes(&self) -> bool {
+        let mut parts = self.parts.iter();
+        parts.all(|part| part.tubes().is_some() && !part.layers.is_empty())
+    }
+
     /// The sections as tubes if they all are, or else as rows of properties.
     pub(super) fn describe(
         mut self,

@@ -1,8 +1,10 @@
-//! The height at which the structure is clamped: the mudline, if the water depth is known.
+//! The height at which the structure is clamped, or enters the soil: the mudline, if the water depth is
+//! known.
 
 use super::outline::Outline;
 use super::part::SAME_M;
 use super::reading::Reading;
+use super::soil::Soil;
 use super::structure::Structure;
 use super::yaml::Node;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
@@ -10,16 +12,20 @@ use crate::input::TowerPart;
 use crate::note::Note;
 use crate::number::Rounded;
 
-/// Removes the part below the mudline, with a note.
+/// The soil around a monopile, from the mudline (m) down.
+pub(super) type InSoil = (Soil, f64);
+
+/// The soil that surrounds a monopile of tubes below the mudline. Where the file has none, removes
+/// the part below the mudline. Both with a note.
 pub(super) fn stand(
     structure: &mut Structure,
     outline: &Outline,
     part: TowerPart,
     reading: &mut Reading<'_>,
-) -> Result<(), Diagnostic> {
+) -> Result<Option<InSoil>, Diagnostic> {
     let has_monopile = structure.parts.iter().any(|part| part.what == "monopile");
     if part == TowerPart::Tower || !has_monopile {
-        return Ok(());
+        return Ok(None);
     }
     let base_m = structure.base_m();
     let environment = outline.environment.as_ref();
@@ -29,27 +35,38 @@ pub(super) fn stand(
             "the file does not give the water depth, so the mudline is not known: the monopile is clamped at its lowest height, z = {} m, without soil above",
             Rounded(base_m)
         )));
-        return Ok(());
+        return Ok(None);
     };
     let mudline_m = mudline(structure, depth)?;
-    if base_m < mudline_m - SAME_M {
+    let is_embedded = base_m < mudline_m - SAME_M;
+    let soil = Soil::of(environment).filter(|_| is_embedded);
+    let around = soil.clone().filter(|_| structure.is_of_tubes());
+    if is_embedded && around.is_none() {
         structure.cut_below(mudline_m);
     }
-    for note in mudline_notes(base_m, mudline_m, environment) {
+    for note in mudline_notes(base_m, mudline_m, soil.as_ref(), around.is_some()) {
         reading.note_at(depth.span.start, note);
     }
-    Ok(())
+    Ok(around.map(|soil| (soil, mudline_m)))
 }
 
 /// The notes on a base below or above the mudline, and on the water above it.
-fn mudline_notes(base_m: f64, mudline_m: f64, environment: Option<&Node>) -> Vec<Note> {
+fn mudline_notes(base_m: f64, mudline_m: f64, soil: Option<&Soil>, is_kept: bool) -> Vec<Note> {
     let mut notes = Vec::new();
     let (base, mudline) = (Rounded(base_m), Rounded(mudline_m));
-    if base_m < mudline_m - SAME_M {
+    let words = soil.map(Soil::words);
+    if is_kept {
+        notes.push(Note::assumption(format!(
+            "the {} m of the monopile below the mudline at z = {mudline} m stand in elastic soil ({}) with lateral springs of 1.2 E per metre; the tip is free to move \
+             sideways and to rotate, and rigid along and about the axis",
+            Rounded(mudline_m - base_m),
+            words.unwrap_or_default()
+        )));
+    } else if base_m < mudline_m - SAME_M {
         notes.push(Note::missing_part(format!(
             "the {} m of the monopile below the mudline at z = {mudline} m are left out and the tower is clamped there: flexible soil lowers the frequencies; add [[soil]] after `convert --to toml`{}",
             Rounded(mudline_m - base_m),
-            soil(environment)
+            words.map_or(String::new(), |words| format!(" (soil in the file: {words})"))
         )));
     } else if base_m > mudline_m + SAME_M {
         notes.push(Note::suspicious(format!(
@@ -79,18 +96,4 @@ fn mudline(structure: &Structure, depth: &Node) -> Result<f64, Diagnostic> {
         return Ok(0.0 - depth_m);
     };
     Err(Diagnostic::new(depth.span.clone(), kind))
-}
-
-/// The soil properties in the file, for the note.
-fn soil(environment: Option<&Node>) -> String {
-    let value = |key: &str| environment.and_then(|e| e.get(key)?.number(key).ok());
-    match (value("soil_shear_modulus"), value("soil_poisson")) {
-        (Some(g), Some(nu)) => {
-            format!(
-                " (soil in the file: shear modulus {} Pa, Poisson's ratio {nu})",
-                Rounded(g)
-            )
-        }
-        _ => String::new(),
-    }
 }

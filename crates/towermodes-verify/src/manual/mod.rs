@@ -3,6 +3,7 @@
 mod bmodes;
 mod elements;
 mod gravity;
+mod ground;
 mod paper;
 mod real;
 mod springs;
@@ -17,7 +18,7 @@ use crate::case::Case;
 use crate::chapter::Chapter;
 
 /// The chapters in their order.
-pub const CHAPTERS: [Chapter; 12] = [
+pub const CHAPTERS: [Chapter; 13] = [
     paper::CHAPTER,
     elements::CHAPTER,
     bmodes::CHAPTER,
@@ -27,6 +28,7 @@ pub const CHAPTERS: [Chapter; 12] = [
     tower::CHAPTER,
     springs::CHAPTER,
     winkler::CHAPTER,
+    ground::CHAPTER,
     gravity::CHAPTER,
     real::CHAPTER,
     turbine::CHAPTER,
@@ -44,6 +46,7 @@ pub fn manual() -> Vec<Case> {
         tower::cases(),
         springs::cases(),
         winkler::cases(),
+        ground::cases(),
         gravity::cases(),
         real::cases(),
         turbine::cases(),

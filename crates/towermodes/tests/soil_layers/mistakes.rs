@@ -401,3 +401,225 @@ fn no_number_makes_the_ground_panic() {
         }
     }
 }
+
+/// Numbers that give springs, but not those of the soil that was meant.
+#[test]
+fn silent_nonsense_is_refused_or_warned_of() {
+    let cone = |pair: [f64; 2]| ShearModulus::RobertsonCabal {
+        cone_resistance_pa: pair,
+        behaviour_index: 2.8,
+        density_kg_per_m3: 1800.0,
+    };
+    let refused = |shear_modulus, soil: LayerSoil, key| {
+        let mut description = oc3(SoilModel::Api);
+        let mut own = layer([-25.0, -34.0], soil, SoilModel::Winkler);
+        own.shear_modulus = Some(shear_modulus);
+        own.poissons_ratio = Some(0.4);
+        ground_of(&mut description).layers[1] = own;
+        let error = Tower::new(description).expect_err("refused");
+        assert_eq!(error.place, of(1, key));
+        assert!(error.hint().is_some());
+        error.problem
+    };
+    let of_clay = || LayerSoil::Clay(clay());
+    let of_sand = || LayerSoil::Sand(Sand::default());
+    // 14 m below the surface: 140 kPa of soil and 140 kPa of water.
+    match refused(cone([2e5, 2.7e5]), of_clay(), "cone_resistance") {
+        Problem::ConeBelowStress {
+            height_m,
+            stress_pa,
+            ..
+        } => assert_eq!((height_m, stress_pa), (-34.0, 2.8e5)),
+        other => panic!("{other}"),
+    }
+    let cone_resistance_pa = [2e7; 2];
+    let hardin = ShearModulus::Hardin {
+        void_ratio: 0.6,
+        earth_pressure_at_rest: 0.4,
+    };
+    let others = [
+        (
+            ShearModulus::RixStokoe { cone_resistance_pa },
+            of_clay(),
+            "correlation",
+        ),
+        (
+            ShearModulus::MayneRix { cone_resistance_pa },
+            of_sand(),
+            "correlation",
+        ),
+        (hardin, of_clay(), "void_ratio"),
+    ];
+    for (modulus, soil, key) in others {
+        let problem = refused(modulus, soil, key);
+        assert!(
+            matches!(problem, Problem::CorrelationOfOtherSoil { .. }),
+            "{problem}"
+        );
+    }
+    let factors: [(fn(&mut towermodes::Clay), Quantity, &str); 4] = [
+        (
+            |c| c.strength_factor = Some(5.0),
+            Quantity::StrengthFactor,
+            "strength_factor",
+        ),
+        (
+            |c| c.stiffness_factor = Some(0.3),
+            Quantity::StiffnessFactor,
+            "stiffness_factor",
+        ),
+        (
+            |c| c.stiffness_factor = Some(3000.0),
+            Quantity::StiffnessFactor,
+            "stiffness_factor",
+        ),
+        (
+            |c| c.strain_at_half_strength = Some(0.5),
+            Quantity::StrainAtHalfStrength,
+            "strain_at_half_strength",
+        ),
+    ];
+    for (change, expected, key) in factors {
+        let mut description = oc3(SoilModel::Api);
+        clay_layer(&mut description, change);
+        let warnings = Tower::new(description).expect("possible");
+        let warnings = warnings.warnings();
+        assert!(
+            matches!(warnings, [Warning::Unusual { quantity, site, .. }]
+                if *quantity == expected && site.place == Some(of(1, key))),
+            "{warnings:?}"
+        );
+    }
+    let moduli = [
+        (
+            ShearModulus::RixStokoe {
+                cone_resistance_pa: [2e4, 6e4],
+            },
+            Quantity::ConeResistance,
+        ),
+        (
+            ShearModulus::Hardin {
+                void_ratio: 0.6,
+                earth_pressure_at_rest: 50.0,
+            },
+            Quantity::EarthPressure,
+        ),
+        (
+            ShearModulus::Hardin {
+                void_ratio: 60.0,
+                earth_pressure_at_rest: 0.5,
+            },
+            Quantity::VoidRatio,
+        ),
+    ];
+    for (modulus, expected) in moduli {
+        let mut description = oc3(SoilModel::Api);
+        let own = &mut ground_of(&mut description).layers[1];
+        (own.shear_modulus, own.poissons_ratio) = (Some(modulus), Some(0.3));
+        let tower = Tower::new(description).expect("possible");
+        let warnings = tower.warnings();
+        assert!(
+            matches!(warnings, [Warning::Unusual { quantity, .. }] if *quantity == expected),
+            "{warnings:?}"
+        );
+    }
+    // The modulus k beside the friction angle.
+    let warnings = warnings_of(|d| {
+        let LayerSoil::Sand(sand) = &mut ground_of(d).layers[1].soil else {
+            return;
+        };
+        sand.subgrade_modulus_n_per_m3 = Some(2e7);
+    });
+    assert!(
+        matches!(&warnings[..], [Warning::NoEffect { site, .. }]
+            if site.place == Some(of(1, "friction_angle"))),
+        "{warnings:?}"
+    );
+}
+
+/// PISA needs a pile that shears, and its springs under the tip are no foundation of their own.
+#[test]
+fn pisa_is_warned_of_without_shear_only() {
+    let pisa = |shear| {
+        let mut description = oc3(SoilModel::Api);
+        description.shear = shear;
+        for own in &mut ground_of(&mut description).layers {
+            own.soil = LayerSoil::Clay(towermodes::Clay::default());
+            own.model = SoilModel::PisaBothkennar;
+            own.shear_modulus = Some(ShearModulus::Given {
+                shear_modulus_pa: [3e6, 1.2e7],
+            });
+        }
+        let tower = Tower::new(description).expect("valid");
+        tower.warnings().to_vec()
+    };
+    let warnings = pisa(towermodes::Shear::Coefficient(0.5));
+    assert_eq!(warnings, []);
+    let warnings = pisa(towermodes::Shear::Rigid);
+    assert!(
+        matches!(&warnings[..], [Warning::PisaWithoutShear { site }]
+            if site.place == Some(of(0, "model"))),
+        "{warnings:?}"
+    );
+}
+
+/// Normally consolidated clay begins with no strength, Gibson's soil with no stiffness; soil that
+/// has none anywhere is refused.
+#[test]
+fn strength_may_be_zero_at_one_end_of_a_layer() {
+    let tower = |bottom_pa: f64| {
+        let mut description = oc3(SoilModel::Api);
+        clay_layer(&mut description, |_| {});
+        let mut soil = clay();
+        soil.undrained_strength_pa = Some([0.0, bottom_pa]);
+        let layers = &mut ground_of(&mut description).layers;
+        layers[0] = layer([-20.0, -25.0], LayerSoil::Clay(soil), SoilModel::Api);
+        let mut own = layer([-34.0, -56.0], LayerSoil::Elastic, SoilModel::Winkler);
+        own.poissons_ratio = Some(0.49);
+        own.shear_modulus = Some(ShearModulus::Given {
+            shear_modulus_pa: [0.0, 5e7],
+        });
+        layers[2] = own;
+        Tower::new(description)
+    };
+    let springs = tower(2e4).expect("legal").springs_of_soil();
+    let last = springs.last().expect("springs");
+    assert_eq!(last.height_m, -20.0);
+    assert!(last.lateral_n_per_m2 >= 0.0);
+    let error = tower(0.0).expect_err("no strength");
+    assert_eq!(error.place, of(0, "undrained_strength"));
+}
+
+/// Rock along the axis: no t-z curve of API, but the springs of Kraft by its shear modulus.
+#[test]
+fn axial_springs_in_rock_have_a_formula_or_a_reason() {
+    let with = |axial, poissons_ratio| {
+        let mut description = oc3(SoilModel::Api);
+        let rock = LayerSoil::Rock(towermodes::Rock {
+            youngs_modulus_pa: Some([1e8; 2]),
+        });
+        let mut own = layer([-34.0, -56.0], rock, SoilModel::WeakRock);
+        own.poissons_ratio = poissons_ratio;
+        let ground = ground_of(&mut description);
+        ground.layers[2] = own;
+        ground.axial = Some(axial);
+        for own in &mut ground.layers[..2] {
+            own.shaft_friction_pa = Some([6e4; 2]);
+            own.shear_modulus = Some(ShearModulus::Given {
+                shear_modulus_pa: [6e7; 2],
+            });
+        }
+        Tower::new(description)
+    };
+    let error = with(AxialModel::Api, None).expect_err("no curve");
+    assert_eq!(error.place, of(2, "type"));
+    assert!(matches!(error.problem, Problem::AxialOfOtherSoil { .. }));
+    let hint = error.hint().expect("a hint").to_string();
+    assert!(hint.contains("kraft"), "{hint}");
+    let error = with(AxialModel::Kraft, None).expect_err("no ratio");
+    assert_eq!(error.place, of(2, "poissons_ratio"));
+    let springs = with(AxialModel::Kraft, Some(0.25)).expect("valid");
+    let deepest = springs.springs_of_soil()[0].vertical_n_per_m2;
+    let expected = 2.0 * std::f64::consts::PI * 4e7 / 10.0_f64.ln();
+    assert!((deepest / expected - 1.0).abs() < 1e-9, "{deepest}");
+}

@@ -111,6 +111,12 @@ fn oc3_has_the_stiffness_and_the_frequency_of_each_model() {
             assert_close(got / 1e9, expected, 5e-3, &format!("{model:?}, {factor}"));
         }
         assert_close(first_hz(&description), hz, 5e-3, &format!("{model:?}"));
+        let tower = Tower::new(description).expect("valid");
+        let head = tower.pile_head().expect("a pile on springs");
+        let entries = [head.lateral_n_per_m, head.coupling_n, head.rocking_n_m];
+        for (entry, expected) in entries.into_iter().zip(expected) {
+            assert_close(entry / 1e9, expected, 5e-3, "the library's");
+        }
     }
 }
 

@@ -446,3 +446,32 @@ fn a_table_of_properties_stands_in_the_ground_too() {
         assert_close(first_hz(&table), first_hz(&with_rows), 1e-6, model.name());
     }
 }
+
+/// k_p of PISA ends at 6.4 D: the static stiffness of a pile of ten diameters at the surface, by an
+/// integration of the formula.
+#[test]
+fn pisa_with_a_constant_modulus_ends_where_its_formula_does() {
+    let soil = LayerSoil::Clay(towermodes::Clay::default());
+    let mut own = layer([-20.0, -90.0], soil, SoilModel::PisaCowden);
+    own.shear_modulus = Some(ShearModulus::Given {
+        shear_modulus_pa: [6e7, 6e7],
+    });
+    let mut description = in_layer(own);
+    description.stations[0].height_m = -80.0;
+    let surface = springs(&description, 1e-6).x_n_per_m2;
+    assert_close(surface, 10.6 * 6e7, 1e-6, "at the surface");
+    assert_eq!(springs(&description, 6.5 * 6.0).x_n_per_m2, 0.0);
+    let end = springs(&description, 6.0 * 6.0).x_n_per_m2;
+    assert_close(end, (10.6 - 1.65 * 6.0) * 6e7, 1e-9, "above the end");
+}
+
+/// A factor of a layer multiplies its springs alone.
+#[test]
+fn the_factor_of_a_layer_multiplies_its_springs() {
+    let mut description = oc3(SoilModel::Api);
+    let single = [2.0, 10.0].map(|depth_m| springs(&description, depth_m).x_n_per_m2);
+    ground_of(&mut description).layers[1].factor = 3.0;
+    let triple = [2.0, 10.0].map(|depth_m| springs(&description, depth_m).x_n_per_m2);
+    assert_close(triple[0], single[0], 1e-12, "another layer");
+    assert_close(triple[1], 3.0 * single[1], 1e-12, "its own");
+}
