@@ -49,7 +49,10 @@ impl Soil {
         let Some(tip) = description.stations.first() else {
             return;
         };
-        for (key, span) in ["shear_modulus", "poissons_ratio"].into_iter().zip(&self.spans) {
+        for (key, span) in ["shear_modulus", "poissons_ratio"]
+            .into_iter()
+            .zip(&self.spans)
+        {
             reading.remember(Place::GroundLayer { index: 0, key }, span);
         }
         let layer = GroundLayer {

@@ -37,7 +37,14 @@ impl Part {
 
     /// Two straight lines with the four moments of the springs.
     pub(super) fn pair(&self, pile: &Pile<'_>) -> [SoilRow; 4] {
-        let halves = [[-1.0, 0.0], [0.0, 1.0]].map(|ends| self.moments(pile, ends));
+        self.pair_of(&self.halves(pile))
+    }
+
+    fn halves(&self, pile: &Pile<'_>) -> [Moments; 2] {
+        [[-1.0, 0.0], [0.0, 1.0]].map(|ends| self.moments(pile, ends))
+    }
+
+    fn pair_of(&self, halves: &[Moments; 2]) -> [SoilRow; 4] {
         let whole = halves[0].and(&halves[1]);
         // The same halves by two moments each, which is possible for every spring.
         let [low, below] = self.line_of(&halves[0], [-1.0, 0.0]);
@@ -70,9 +77,9 @@ impl Part {
     /// = e^(−z/l) cos(z/l) the n-th derivative of v² is at most ½ (2ⁿ + 8^(n/2)) v²/lⁿ.
     pub(super) fn missed(&self, pile: &Pile<'_>, length_m: f64) -> [f64; SPRINGS] {
         let own_m = self.upper_m - self.lower_m;
-        let halves = [[-1.0, 0.0], [0.0, 1.0]].map(|ends| self.moments(pile, ends));
+        let halves = self.halves(pile);
         let moments = halves[0].and(&halves[1]);
-        let [low, below, above, high] = self.pair(pile).map(|row| row.stiffness.values());
+        let [low, below, above, high] = self.pair_of(&halves).map(|row| row.stiffness.values());
         let mut of_lines = Moments::default();
         let line = |from: [f64; SPRINGS], to: [f64; SPRINGS], share: f64| {
             let value = |spring: usize| from[spring] + share * (to[spring] - from[spring]);

@@ -16,9 +16,9 @@ const LEAST_PARTS: f64 = 4.0;
 const MOST_PARTS: usize = 32;
 /// The lines may change a frequency by this fraction.
 const TOLERANCE: f64 = 1e-9;
-/// The stated error is the estimate times this: of 80 random sites none is changed by more than 9
+/// The stated error is the estimate times this: of 80 random sites none is changed by more than 10
 /// times the estimate, which takes the first terms of a series at their size.
-const SAFETY: f64 = 10.0;
+const SAFETY: f64 = 20.0;
 
 /// The sections of the pile within which springs are smooth, and how they are divided.
 #[derive(Debug, Clone, PartialEq, Default)]
