@@ -30,8 +30,8 @@ pub(super) enum Kink {
 const INTERVALS: usize = 8;
 /// How far inside a section its ends are looked at.
 const INSIDE: f64 = 1e-9;
-/// Halvings of an interval: to the last digit of a fraction.
-const HALVINGS: usize = 60;
+/// The most steps to a zero.
+const STEPS: usize = 60;
 
 impl Kink {
     /// All of them. The resistance of clay depends on the effective stress, which comes before it.
@@ -81,17 +81,46 @@ impl Kink {
         let value = |share: f64| self.value(pile, layer, lower_m + share * (upper_m - lower_m));
         // At the ends themselves the tube may be the neighbour.
         let border = |i: usize| (i as f64 / INTERVALS as f64).clamp(INSIDE, 1.0 - INSIDE);
-        let is_low = value(border(0))? < 0.0;
-        let is_beyond = |i: &usize| value(border(*i)).is_some_and(|v| (v < 0.0) != is_low);
-        let changed = (1..=INTERVALS).find(is_beyond)?;
-        let (mut below, mut above) = (border(changed - 1), border(changed));
-        for _ in 0..HALVINGS {
-            let share = 0.5 * (below + above);
-            match value(share).is_some_and(|v| (v < 0.0) == is_low) {
-                true => below = share,
-                false => above = share,
+        let first = value(border(0))?;
+        let mut low = (border(0), first);
+        for i in 1..=INTERVALS {
+            let high = (border(i), value(border(i))?);
+            if (high.1 < 0.0) != (first < 0.0) {
+                return Some(zero(low, high, value));
             }
+            low = high;
         }
-        Some(0.5 * (below + above))
+        None
     }
+}
+
+/// A zero between two points with values of different sign, by the rule of Illinois: of smooth
+/// functions in a few steps to the last digit.
+fn zero(
+    (mut low, mut of_low): (f64, f64),
+    (mut high, mut of_high): (f64, f64),
+    value: impl Fn(f64) -> Option<f64>,
+) -> f64 {
+    let (mut middle, mut last_was_high) = (f64::NAN, None);
+    for _ in 0..STEPS {
+        let before = middle;
+        middle = (low * of_high - high * of_low) / (of_high - of_low);
+        let Some(of_middle) = value(middle).filter(|_| middle != before) else {
+            break;
+        };
+        let is_high = (of_middle < 0.0) == (of_high < 0.0);
+        let is_again = last_was_high == Some(is_high);
+        // An end that stays twice counts half.
+        match (is_high, is_again) {
+            (true, true) => of_low *= 0.5,
+            (false, true) => of_high *= 0.5,
+            (_, false) => {}
+        }
+        match is_high {
+            true => (high, of_high) = (middle, of_middle),
+            false => (low, of_low) = (middle, of_middle),
+        }
+        last_was_high = Some(is_high);
+    }
+    middle
 }

@@ -84,15 +84,22 @@ impl Plan {
             tip_layer: tip_layer(pile.ground, pile.tip_m),
             ..Self::default()
         };
+        let mut heights_m = Vec::new();
         for layer in 0..pile.ground.layers.len() {
-            plan.add_sections(description, &pile, layer);
+            plan.add_sections(description, &pile, layer, &mut heights_m);
         }
-        plan.divide(description, &pile);
+        plan.divide(&pile, &heights_m);
         plan
     }
 
-    /// Adds the sections of one layer by rising height.
-    fn add_sections(&mut self, description: &TowerDescription, pile: &Pile<'_>, layer: usize) {
+    /// Adds the sections of one layer by rising height, and the heights of their ends, m.
+    fn add_sections(
+        &mut self,
+        description: &TowerDescription,
+        pile: &Pile<'_>,
+        layer: usize,
+        heights_m: &mut Vec<f64>,
+    ) {
         let own = &pile.ground.layers[layer];
         let upper = match own.top_m >= pile.hole_m {
             true => End::Hole,
@@ -115,9 +122,10 @@ impl Plan {
         ends.dedup_by(|a, b| height(a) == height(b));
         let first = self.ends.len();
         self.ends.extend(&ends);
+        heights_m.extend(ends.iter().map(height));
         let mut borders: Vec<usize> = (first..self.ends.len()).collect();
         for kink in Kink::ALL {
-            borders = self.with_kinks(description, pile, layer, kink, &borders);
+            borders = self.with_kinks(pile, layer, kink, &borders, heights_m);
         }
         for pair in borders.windows(2) {
             self.sections.push(Section {
@@ -132,19 +140,19 @@ impl Plan {
     /// The numbers of the ends, and of those at kinks of one kind between them.
     fn with_kinks(
         &mut self,
-        description: &TowerDescription,
         pile: &Pile<'_>,
         layer: usize,
         kink: Kink,
         borders: &[usize],
+        heights_m: &mut Vec<f64>,
     ) -> Vec<usize> {
-        let heights_m = self.heights_m(description, pile);
         let mut cut = Vec::with_capacity(borders.len());
         for pair in borders.windows(2) {
             cut.push(pair[0]);
-            let ends_m = [heights_m[pair[0]], heights_m[pair[1]]];
-            if kink.share(pile, layer, ends_m).is_some() {
+            let [lower_m, upper_m] = [heights_m[pair[0]], heights_m[pair[1]]];
+            if let Some(share) = kink.share(pile, layer, [lower_m, upper_m]) {
                 cut.push(self.ends.len());
+                heights_m.push(lower_m + share * (upper_m - lower_m));
                 self.ends.push(End::Kink {
                     kink,
                     layer,
@@ -158,9 +166,8 @@ impl Plan {
     }
 
     /// Divides the sections until straight lines change no frequency.
-    fn divide(&mut self, description: &TowerDescription, pile: &Pile<'_>) {
-        let heights_m = self.heights_m(description, pile);
-        let weight = Weight::of(pile, self, &heights_m);
+    fn divide(&mut self, pile: &Pile<'_>, heights_m: &[f64]) {
+        let weight = Weight::of(pile, self, heights_m);
         let sections = self.sections.len().max(1) as f64;
         let mut error = 0.0;
         for section in &mut self.sections {
