@@ -194,6 +194,7 @@ fn every_ground_is_written_and_read_back() {
                 factor: 0.5,
                 submerged: false,
                 axial: Some(AxialModel::Api),
+                edition: towermodes::ApiEdition::Rp2A,
                 ..ground.clone()
             };
             let layer = &mut ground.layers[0];
@@ -203,6 +204,7 @@ fn every_ground_is_written_and_read_back() {
             layer.poissons_ratio = Some(0.3);
             layer.shaft_friction_pa = Some([0.0, 5e4]);
             layer.end_bearing_pa = Some(5e6);
+            layer.factor = 0.7;
             let tower = TowerDescription {
                 ground: Some(ground),
                 ..base.clone()
@@ -281,4 +283,29 @@ fn mistakes_of_a_ground_are_shown_at_their_values() {
         let text = PILE.replacen(from, to, 1);
         refused_text(&text, place, message, "");
     }
+}
+
+/// The edition of API is noted where it is not given and matters.
+#[test]
+fn the_edition_is_noted_where_it_matters() {
+    let notes = |text: &str| {
+        let source = Source::new("pile.toml", text);
+        let input = read_source(source, &InMemory::default(), &ReadOptions::default());
+        let Ok(Input::Tower(input)) = input else {
+            panic!("{input:?}")
+        };
+        input
+            .notes
+            .iter()
+            .any(|note| note.to_string().contains("RP 2GEO"))
+    };
+    assert!(notes(PILE));
+    let model = "model = \"api\"";
+    assert!(!notes(&PILE.replacen(
+        model,
+        "model = \"api\"\nedition = \"rp-2a\"",
+        1
+    )));
+    let angle = "friction_angle = 33.0";
+    assert!(!notes(&PILE.replacen(angle, "subgrade_modulus = 2e7", 1)));
 }
