@@ -289,7 +289,10 @@ fn mistakes_of_a_ground_are_shown_at_their_values() {
 #[test]
 fn the_edition_is_noted_where_it_matters() {
     let notes = |text: &str| {
-        let source = Source::new("pile.toml", text);
+        let source = Source {
+            name: "pile.toml".to_owned(),
+            text: text.to_owned(),
+        };
         let input = read_source(source, &InMemory::default(), &ReadOptions::default());
         let Ok(Input::Tower(input)) = input else {
             panic!("{input:?}")
