@@ -697,6 +697,11 @@ class TurbineModes:
         Natural frequencies, Hz.
         """
     @property
+    def growing(self, /) -> int:
+        """
+        How many modes grow without limit, as far as it is known.
+        """
+    @property
     def limit_hz(self, /) -> float:
         """
         The limit, Hz.
@@ -725,6 +730,11 @@ class TurbineModes:
     def second_names(self, /) -> list[str]:
         """
         Their names by kinetic energy.
+        """
+    @property
+    def unresisted(self, /) -> int:
+        """
+        How many motions are too slow to be modes.
         """
 
 def calibrate(tower: Tower, text: str, name: str, free: SupportsGetItem[int, str], options: "dict[str, object]", *, progress: Any | None = None) -> Found:

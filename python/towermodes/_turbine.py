@@ -204,6 +204,23 @@ class TurbineModes(Computed):
         return self._core.negative_energy
 
     @property
+    def growing(self) -> int:
+        """How many modes grow without limit, at least; 0 if none does or if it is not known.
+
+        `certified` tells whether none does.
+        """
+        return self._core.growing
+
+    @property
+    def unresisted(self) -> int:
+        """How many motions are slower than 1.6e-6 Hz and not among the modes.
+
+        Nothing resists them, as yaw of a platform without moorings. The rotation of a free shaft
+        is not counted.
+        """
+        return self._core.unresisted
+
+    @property
     def frequency_hz(self) -> Array:
         """Natural frequencies, Hz: (modes,)."""
         array: Array = self._core.frequency_hz

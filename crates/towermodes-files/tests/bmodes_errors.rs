@@ -139,6 +139,19 @@ fn a_section_without_inertia_is_refused() {
     );
 }
 
+/// BModes multiplies both inertias with the twist alone, so that they are about the blade's axis.
+#[test]
+fn a_centre_of_mass_beside_the_axis_of_a_blade_needs_inertia() {
+    let far = with(BLADE_SECTIONS, &[("12.0E9 0.15", "12.0E9 0.75")]);
+    let words = [
+        "the edgewise inertia of the row with its factor",
+        "mass_den cg_offst^2 = 112.5 kg m",
+        "about the axis of the blade",
+        "add mass_den cg_offst^2",
+    ];
+    refused(&blade_file(), &far, "secs.dat:8", &words);
+}
+
 #[test]
 fn rows_are_counted() {
     sections_refused(

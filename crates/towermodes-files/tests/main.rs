@@ -32,6 +32,7 @@ mod station_tables;
 mod sweep_studies;
 mod toml_write;
 mod tower_file_schema;
+mod turbine_numbers;
 mod turbine_table;
 mod windio;
 mod windio_files;

@@ -217,6 +217,28 @@ fn the_example_has_the_collective_modes_of_the_public_model() {
     assert!((total_kg - 349_606.49).abs() < 1.0, "{total_kg}");
 }
 
+/// Inertias are about the blade's axis. Without a list of them the centre of mass is the mistake.
+#[test]
+fn a_centre_of_mass_beside_the_axis_needs_inertia() {
+    let text = SMALL
+        .replace("flap_inertia_kg_m = [3.0, 2.0, 1.0]\n", "")
+        .replace("edge_inertia_kg_m = [4.0, 3.0, 2.0]\n", "")
+        .replace("gj_n_m2 = [1e6, 9e5, 8e5]\n", "");
+    let at = text
+        .lines()
+        .position(|line| line.starts_with("center_of_mass_m"));
+    let error = refused(&text);
+    let place = format!("t.toml:{}:", at.expect("the line") + 1);
+    assert!(
+        error.contains("the edgewise inertia of section 1 is 0 kg m"),
+        "{error}"
+    );
+    assert!(error.contains(&place), "{error}");
+    // A line of mass beside the axis is the least that is possible.
+    let least = "edge_inertia_kg_m = [0.01, 0.036, 0.072]\ncenter_of_mass_m";
+    read(&text.replace("center_of_mass_m", least));
+}
+
 #[test]
 fn a_written_turbine_is_read_back_number_by_number() {
     for text in [SMALL, EXAMPLE] {
@@ -255,7 +277,7 @@ fn a_changed_assembly_is_written_as_a_rigid_body() {
 }
 
 /// Each change of a line of [`SMALL`], with words of the message and the changed text at its place.
-const MISTAKES: [(&str, &str, &str); 33] = [
+const MISTAKES: [(&str, &str, &str); 35] = [
     ("overhang = -4.0\n", "", "[turbine] has no `overhang`"),
     ("overhang", "overhag", "did you mean `overhang`?"),
     (
@@ -392,6 +414,16 @@ const MISTAKES: [(&str, &str, &str); 33] = [
         "[3.0, 2.0, 1.0]",
         "[3.0, -3.0, 1.0]",
         "the sum of both inertias of section 2 is 0",
+    ),
+    (
+        "[3.0, 2.0, 1.0]",
+        "[3.0, -0.5, 1.0]",
+        "the flap inertia of section 2 is -0.5; it must not be negative",
+    ),
+    (
+        "[4.0, 3.0, 2.0]",
+        "[4.0, 0.03, 2.0]",
+        "with a mass of 90 kg/m whose centre is 0.02 m from the axis it must be at least mass times offset squared, 0.036000 kg m",
     ),
 ];
 

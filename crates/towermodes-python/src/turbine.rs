@@ -6,7 +6,7 @@ use std::sync::Arc;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use towermodes::turbine::{
-    BladeMotion, Turbine, TurbineEnergy, TurbineError, TurbineMesh, TurbineMode, TurbineModel,
+    BladeMotion, Turbine, TurbineEnergy, TurbineError, TurbineMode, TurbineModel,
     TurbineModes as Modes,
 };
 use towermodes_files::Note;
@@ -122,6 +122,18 @@ impl TurbineModes {
         (modes.negative_energy_expected, modes.negative_energy_found)
     }
 
+    /// How many modes grow without limit, as far as it is known.
+    #[getter]
+    fn growing(&self) -> usize {
+        self.modes.growing
+    }
+
+    /// How many motions are too slow to be modes.
+    #[getter]
+    fn unresisted(&self) -> usize {
+        self.modes.unresisted
+    }
+
     /// Natural frequencies, Hz.
     #[getter]
     fn frequency_hz<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
@@ -193,7 +205,7 @@ impl TurbineModes {
 }
 
 fn solved(turbine: &Turbine, rpm: f64, limit_hz: f64) -> Result<Modes, TurbineError> {
-    let mesh = TurbineMesh::default();
+    let mesh = turbine.mesh();
     let mut modes = TurbineModel::new(turbine, &mesh)?.modes(limit_hz, rpm * PI / 30.0)?;
     TurbineModel::new(turbine, &mesh.finer())?.estimate_errors(&mut modes);
     Ok(modes)

@@ -1,7 +1,9 @@
 //! A short version of the random study: a few towers of each class.
 
 use towermodes::{Method, Workspace};
-use towermodes_verify::coverage::{Class, Fineness, Sample, Tally, samples, table};
+use towermodes_verify::coverage::{
+    Class, Fineness, Sample, Tally, TurbineClass, samples, table, turbine_samples, turbine_table,
+};
 
 /// Towers of each class.
 const SEEDS: u64 = 3;
@@ -45,6 +47,25 @@ fn claimed_errors_hold_and_are_not_too_large() {
     }
 }
 
+/// One turbine of each class, which is certified; the whole study is in the book.
+#[test]
+fn claimed_errors_of_turbines_hold_and_are_not_too_large() {
+    let mut tally = Tally::default();
+    for class in TurbineClass::ALL {
+        let samples = turbine_samples(class, 1).expect("a stable tower");
+        for sample in &samples {
+            tally.add(sample);
+            assert!(sample.is_covered(), "{}: {sample:?}", class.name());
+        }
+    }
+    assert!(tally.modes() > 80, "{}", tally.modes());
+    assert_eq!(tally.warned(), 0);
+    let ratio = tally.median_ratio().expect("errors");
+    assert!((0.8..1.5).contains(&ratio), "{ratio}");
+    let text = turbine_table(&[(TurbineClass::Few, tally)]);
+    assert!(text.contains("| few sections | "), "{text}");
+}
+
 fn sample(claimed_hz: f64, true_hz: f64) -> Sample {
     Sample {
         tower: 0,
@@ -77,5 +98,9 @@ fn the_same_number_is_the_same_tower_and_another_one_another() {
     for class in Class::ALL {
         assert_eq!(class.description(7), class.description(7));
         assert_ne!(class.description(7), class.description(8));
+    }
+    for class in TurbineClass::ALL {
+        assert_eq!(class.turbine(7).machine, class.turbine(7).machine);
+        assert_ne!(class.turbine(7).machine, class.turbine(8).machine);
     }
 }

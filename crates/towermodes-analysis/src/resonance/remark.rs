@@ -53,8 +53,20 @@ pub enum Remark {
         /// The frequency up to which an excitation can be close to a mode, Hz.
         reach_hz: f64,
     },
+    /// At rotor speeds the turbine is unstable: fewer modes of negative energy are there than the
+    /// stiffness needs, and counts prove that none is missing.
+    Unstable {
+        /// The lowest of these speeds, rpm.
+        lowest_rpm: f64,
+        /// The highest, rpm.
+        highest_rpm: f64,
+        /// How many of the speeds at which the turbine was solved.
+        speeds: usize,
+        /// The most modes that grow at one of them.
+        growing: usize,
+    },
     /// At rotor speeds the stiffness is not positive definite and not all modes of negative energy
-    /// were found.
+    /// were found, but counts do not exclude that they are there.
     Uncertified {
         /// The lowest of these speeds, rpm.
         lowest_rpm: f64,
@@ -62,6 +74,13 @@ pub enum Remark {
         highest_rpm: f64,
         /// How many of the speeds at which the turbine was solved.
         speeds: usize,
+        /// The intervals of frequency in which counts do not exclude two more modes, Hz.
+        unproven_hz: Vec<[f64; 2]>,
+    },
+    /// Motions that nothing resists, or next to nothing.
+    Unresisted {
+        /// The most at one rotor speed.
+        motions: usize,
     },
     /// A mode of the turbine has negative energy.
     NegativeEnergy {
@@ -70,6 +89,13 @@ pub enum Remark {
         /// The lowest speed at which it has, rpm.
         from_rpm: f64,
     },
+}
+
+/// "3 rotor speeds from 90 to 110 rpm".
+fn at_speeds(speeds: usize, lowest_rpm: f64, highest_rpm: f64) -> String {
+    let plural = if speeds == 1 { "" } else { "s" };
+    let (lowest, highest) = (Rpm(lowest_rpm), Rpm(highest_rpm));
+    format!("{speeds} rotor speed{plural} from {lowest} to {highest} rpm")
 }
 
 /// The operating speeds at which a line that ends early is checked.
@@ -121,20 +147,51 @@ impl fmt::Display for Remark {
                 four_digits(*limit_hz),
                 four_digits(*reach_hz)
             ),
+            Self::Unstable {
+                lowest_rpm,
+                highest_rpm,
+                speeds,
+                growing,
+            } => write!(
+                f,
+                "unstable at {}: up to {growing} mode{} there grow without limit, because the stiffness is not positive definite and counts show too few modes of negative energy",
+                at_speeds(*speeds, *lowest_rpm, *highest_rpm),
+                if *growing == 1 { "" } else { "s" },
+            ),
             Self::Uncertified {
                 lowest_rpm,
                 highest_rpm,
                 speeds,
-            } => write!(
+                unproven_hz,
+            } => {
+                write!(
+                    f,
+                    "unstable or not certified at {}: the stiffness is not positive definite there, and not all modes of negative energy were found",
+                    at_speeds(*speeds, *lowest_rpm, *highest_rpm),
+                )?;
+                let Some(first) = unproven_hz.first() else {
+                    return Ok(());
+                };
+                let last = unproven_hz.last().unwrap_or(first);
+                write!(
+                    f,
+                    "; counts do not exclude two more modes in {} interval{} between {} and {} Hz",
+                    unproven_hz.len(),
+                    if unproven_hz.len() == 1 { "" } else { "s" },
+                    four_digits(first[0]),
+                    four_digits(last[1])
+                )
+            }
+            Self::Unresisted { motions } => write!(
                 f,
-                "unstable or not certified at {speeds} rotor speed{} from {} to {} rpm: the stiffness is not positive definite there, and not all modes of negative energy were found",
-                if *speeds == 1 { "" } else { "s" },
-                Rpm(*lowest_rpm),
-                Rpm(*highest_rpm)
+                "{motions} motion{} slower than 1.6e-6 Hz {} not in the diagram: nothing resists {}, or a stiffness that is next to nothing, as of a yaw drive of some 0.001 N m/rad",
+                if *motions == 1 { "" } else { "s" },
+                if *motions == 1 { "is" } else { "are" },
+                if *motions == 1 { "it" } else { "them" },
             ),
             Self::NegativeEnergy { label, from_rpm } => write!(
                 f,
-                "{label} has negative energy from {} rpm: the rotor turns faster than it vibrates, and damping in the fixed frame makes the mode grow",
+                "{label} has negative energy from {} rpm: on the blades its wave runs backward, more slowly than the rotor turns, so that it runs forward in the fixed frame; damping there makes the mode grow",
                 Rpm(*from_rpm)
             ),
         }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use towermodes::modes::Family;
 use towermodes::tower::Rotor;
 use towermodes::turbine::{
-    Turbine, TurbineError, TurbineMesh, TurbineModeName, TurbineModel, TurbineModes, TurbinePart,
+    Turbine, TurbineError, TurbineModeName, TurbineModel, TurbineModes, TurbinePart,
 };
 
 use crate::resonance::{
@@ -25,12 +25,6 @@ const HEADROOM: f64 = 1.1;
 /// … and up to so many times the change of the rotor speed in a step above it: a frequency in the
 /// fixed frame changes by about as much as the speed.
 const STEPS: f64 = 3.0;
-/// The mesh that errors are estimated on.
-const FINER: TurbineMesh = TurbineMesh {
-    tower_elements: 2,
-    tower_degree: 8,
-    blade_degree: 4,
-};
 
 /// Natural frequencies of a whole turbine against its rotor speed, with their distances from the
 /// excitations.
@@ -103,8 +97,9 @@ pub fn coupled_campbell(
         let (rotor, turbine) = (rotor.blades, blades);
         return Err(CoupledError::Blades { rotor, turbine });
     }
-    let mut model = TurbineModel::new(turbine, &TurbineMesh::default())?;
-    let mut finer = TurbineModel::new(turbine, &FINER)?;
+    let mesh = turbine.mesh();
+    let mut model = TurbineModel::new(turbine, &mesh)?;
+    let mut finer = TurbineModel::new(turbine, &mesh.finer())?;
     let ends = ends_rpm(rotor, options)?;
     diagram(rotor, options, |rpm, limit_hz, last| {
         watch(rpm);

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 use towermodes::tower::{Rotor, Rpm};
-use towermodes::turbine::{Turbine, TurbineError, TurbineMesh, TurbineModel};
+use towermodes::turbine::{Turbine, TurbineError, TurbineModel};
 use towermodes::{Family, Solution};
 
 use crate::resonance::{
@@ -120,7 +120,7 @@ pub fn coupled_limit_hz(
         .min(WORTH * reach_hz)
         .max(reach_hz);
     // What cannot be solved is refused where it is solved.
-    match TurbineModel::new(turbine, &TurbineMesh::default()) {
+    match TurbineModel::new(turbine, &turbine.mesh()) {
         Ok(mut model) => with_most_modes(&mut model, limit_hz),
         Err(_) => limit_hz,
     }

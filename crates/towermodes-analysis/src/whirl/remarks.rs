@@ -1,12 +1,13 @@
 //! The limits of a coupled Campbell diagram, as remarks.
 
-use towermodes::turbine::Turbine;
+use towermodes::turbine::{Turbine, TurbineModes};
 
 use crate::Verdict;
 use crate::resonance::{Remark, mode_lost};
 
 use super::curve::CoupledCurve;
 use super::diagram::CoupledCampbell;
+use super::solved::SolvedSpeed;
 
 impl CoupledCampbell {
     /// The worst verdict of all margins; at best [`Verdict::Warn`] where modes do not cover all
@@ -36,18 +37,45 @@ impl CoupledCampbell {
             .map(Remark::Rotor)
             .chain(lines.filter_map(|line| mode_lost(line, &campbell.rotor)))
             .chain(uncovered)
+            .chain(self.unstable())
             .chain(self.uncertified())
+            .chain(self.unresisted())
             .chain(self.curves.iter().filter_map(negative_energy))
             .collect()
     }
 
-    fn uncertified(&self) -> Option<Remark> {
-        let open = self.uncertified_rpm();
-        Some(Remark::Uncertified {
-            lowest_rpm: *open.first()?,
-            highest_rpm: *open.last()?,
-            speeds: open.len(),
+    fn unstable(&self) -> Option<Remark> {
+        let speeds = self.speeds.iter();
+        let unstable: Vec<_> = speeds.filter(|speed| speed.modes.growing > 0).collect();
+        Some(Remark::Unstable {
+            lowest_rpm: unstable.first()?.rotor_speed_rpm,
+            highest_rpm: unstable.last()?.rotor_speed_rpm,
+            speeds: unstable.len(),
+            growing: unstable.iter().map(|speed| speed.modes.growing).max()?,
         })
+    }
+
+    fn uncertified(&self) -> Option<Remark> {
+        let speeds = self.speeds.iter();
+        let is_open = |speed: &&SolvedSpeed<TurbineModes>| {
+            !speed.modes.is_complete && speed.modes.growing == 0
+        };
+        let open: Vec<_> = speeds.filter(is_open).collect();
+        let unproven = open.iter().flat_map(|speed| &speed.modes.unproven_hz);
+        let mut unproven_hz: Vec<[f64; 2]> = unproven.copied().collect();
+        unproven_hz.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        Some(Remark::Uncertified {
+            lowest_rpm: open.first()?.rotor_speed_rpm,
+            highest_rpm: open.last()?.rotor_speed_rpm,
+            speeds: open.len(),
+            unproven_hz,
+        })
+    }
+
+    fn unresisted(&self) -> Option<Remark> {
+        let speeds = self.speeds.iter();
+        let motions = speeds.map(|speed| speed.modes.unresisted).max()?;
+        (motions > 0).then_some(Remark::Unresisted { motions })
     }
 }
 

@@ -129,10 +129,26 @@ fn section(row: &Section, deck: &Deck) -> Result<BladeSection, Diagnostic> {
         tension_center_m: 0.0 - offset_m * offset_factor,
     };
     if section.center_of_mass_m.is_finite() && section.tension_center_m.is_finite() {
-        return Ok(section);
+        return check_center_of_mass(row, section);
     }
     let what = "an offset of this row times its factor".to_owned();
     Err(row[Column::CenterOfMass].wrong(DiagnosticKind::Overflow { what }))
+}
+
+/// `BModes` takes the inertias as those about the axis of the blade: with less than the mass at its
+/// centre has, its mass matrix is indefinite.
+fn check_center_of_mass(row: &Section, section: BladeSection) -> Result<BladeSection, Diagnostic> {
+    if section.inertia_suits_center_of_mass() {
+        return Ok(section);
+    }
+    let least = section.least_edge_inertia_kg_m();
+    let rule = format!(
+        "at least mass_den cg_offst^2 = {least} kg m: inertias are about the axis of the blade"
+    );
+    let what = "the edgewise inertia of the row with its factor, in the axes of the stiffnesses,";
+    let kind = DiagnosticKind::out_of_range_in(what, section.edge_inertia_kg_m, "kg m", rule);
+    let hint = "if edge_iner is about the centre of mass, add mass_den cg_offst^2 to it";
+    Err(row[Column::EdgeInertia].wrong(kind).with_hint(hint))
 }
 
 /// The flapwise and edgewise inertia of a row in the axes of its stiffnesses, kg m.

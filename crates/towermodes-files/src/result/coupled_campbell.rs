@@ -71,6 +71,14 @@ struct SpeedJson {
     negative_energy_expected: usize,
     /// How many were found.
     negative_energy_found: usize,
+    /// Intervals of frequency, Hz, in which counts do not exclude two more modes, one of positive
+    /// and one of negative energy. There are none if the list is complete.
+    unproven_hz: Vec<[f64; 2]>,
+    /// How many modes grow without limit, at least; 0 if none does, or if this is not known.
+    growing: usize,
+    /// How many motions are slower than 1e-5 rad/s (1.6e-6 Hz), beside the rotation of a free
+    /// shaft; they are not among the modes.
+    unresisted: usize,
 }
 
 /// A mode followed over the rotor speed.
@@ -252,6 +260,9 @@ fn speed(solved: &SolvedSpeed) -> SpeedJson {
         is_complete: solved.modes.is_complete,
         negative_energy_expected: solved.modes.negative_energy_expected,
         negative_energy_found: solved.modes.negative_energy_found,
+        unproven_hz: solved.modes.unproven_hz.clone(),
+        growing: solved.modes.growing,
+        unresisted: solved.modes.unresisted,
     }
 }
 

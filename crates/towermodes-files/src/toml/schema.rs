@@ -292,8 +292,8 @@ tables! {
         optional "twist_deg" Numbers "degrees" "positive to feather";
         optional "gj_n_m2" Numbers "N m2" "torsional stiffness; inf is rigid";
         optional "ea_n" Numbers "N" "axial stiffness; inf is rigid";
-        optional "flap_inertia_kg_m" Numbers "kg m" "inertia per length for turning in flap";
-        optional "edge_inertia_kg_m" Numbers "kg m" "inertia per length for turning in edge";
+        optional "flap_inertia_kg_m" Numbers "kg m" "inertia per length about the blade's axis for turning in flap, the integral of y^2 dm across the chord";
+        optional "edge_inertia_kg_m" Numbers "kg m" "the same in edge, the integral of x^2 dm along the chord; at least mass times center_of_mass squared";
         optional "center_of_mass_m" Numbers "m" "offset of the centre of mass from the axis, positive to the leading edge";
         optional "tension_center_m" Numbers "m" "the same for the tension centre";
 

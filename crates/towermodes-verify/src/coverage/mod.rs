@@ -5,17 +5,24 @@
 //! method spectral with a degree increased by four and the beam theory of the method: without shear
 //! deformation and rotary inertia for BModes.
 //! `cargo run --release -p towermodes-verify --example random_study` prints the tables of the book.
+//!
+//! Turbines whose rotor turns are compared with finer elements; `--example random_turbines` prints
+//! their table.
 
 mod class;
 mod features;
+mod rotors;
 mod sample;
 mod seed;
 mod table;
 mod tally;
 mod tubes;
+mod turning;
 
 pub use class::Class;
+pub use rotors::{RandomTurbine, TurbineClass};
 pub use sample::{Fineness, Sample, samples};
 pub use seed::Seed;
-pub use table::table;
+pub use table::{table, turbine_table};
 pub use tally::Tally;
+pub use turning::turbine_samples;

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use towermodes::Method;
 
 use super::class::Class;
+use super::rotors::TurbineClass;
 use super::tally::Tally;
 
 /// A table of the percentage of covered modes and the median of estimated/true error, for each
@@ -24,6 +25,27 @@ pub fn table(methods: &[Method], rows: &[(Class, Vec<Tally>)]) -> String {
             let _ = write!(text, " {} |", cell(tally));
         }
         text.push('\n');
+    }
+    text
+}
+
+/// The same for turbines: the largest factor by which an estimate is too small is given too.
+pub fn turbine_table(rows: &[(TurbineClass, Tally)]) -> String {
+    let mut text = String::from(
+        "| class | modes | covered, % | median estimated/true | largest true/estimated |\n|---|--:|--:|--:|--:|\n",
+    );
+    for (class, tally) in rows {
+        let percent = (1e4 * tally.coverage()).floor() / 100.0;
+        let number =
+            |value: Option<f64>| value.map_or("–".to_owned(), |value| format!("{value:.2}"));
+        let _ = writeln!(
+            text,
+            "| {} | {} | {percent:.2} | {} | {} |",
+            class.name(),
+            tally.modes(),
+            number(tally.median_ratio()),
+            number(tally.least_ratio().map(f64::recip)),
+        );
     }
     text
 }

@@ -52,4 +52,9 @@ impl Tally {
         ratios.sort_by(f64::total_cmp);
         ratios.get(ratios.len() / 2).copied()
     }
+
+    /// The least estimated/true error; none if all errors are rounding errors.
+    pub fn least_ratio(&self) -> Option<f64> {
+        self.ratios.iter().copied().min_by(f64::total_cmp)
+    }
 }

@@ -23,8 +23,14 @@ impl TurningBlade {
     /// rotation, radial), at a frequency in the turning frame and a speed, rad/s: D with the
     /// coordinates of the blade eliminated.
     pub fn seen_from_apex(&mut self, frequency: f64, speed: f64) -> Condensed {
+        self.seen_with_inertia(frequency, speed, 0.0)
+    }
+
+    /// The same for D + a M with this a, rad²/s².
+    pub fn seen_with_inertia(&mut self, frequency: f64, speed: f64, added: f64) -> Condensed {
         let mut work = std::mem::take(&mut self.factors);
-        let a = self.matrix(frequency, speed);
+        let mut a = self.matrix(frequency, speed);
+        a.inertia += added;
         let condensed = condense_blade(&self.beam, &a, &mut work.factors);
         self.factors = work;
         self.at_apex(condensed, speed)
@@ -33,7 +39,18 @@ impl TurningBlade {
     /// The same, with the factors that [`reduce`](Self::reduce) and
     /// [`substitute`](Self::substitute) need.
     pub fn factorize(&self, frequency: f64, speed: f64, work: &mut BladeFactors) -> Condensed {
-        let a = self.matrix(frequency, speed);
+        self.factorize_with_inertia((frequency, speed), 0.0, work)
+    }
+
+    /// The same for D + a M with this a, rad²/s².
+    pub fn factorize_with_inertia(
+        &self,
+        (frequency, speed): (f64, f64),
+        added: f64,
+        work: &mut BladeFactors,
+    ) -> Condensed {
+        let mut a = self.matrix(frequency, speed);
+        a.inertia += added;
         let condensed = factorize_blade(&self.beam, &a, &mut work.factors);
         self.at_apex(condensed, speed)
     }

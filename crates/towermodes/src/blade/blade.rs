@@ -188,6 +188,7 @@ fn check_section(section: usize, values: &BladeSection) -> Result<(), BladeError
         }
     }
     check_polar_inertia(section, values)?;
+    check_inertias(section, values)?;
     check_tension_center(section, values)
 }
 
@@ -205,6 +206,32 @@ fn check_polar_inertia(section: usize, values: &BladeSection) -> Result<(), Blad
         section,
         value,
     })
+}
+
+/// Without negative inertias and with enough for its centre of mass the blade's mass matrix is not
+/// indefinite.
+fn check_inertias(section: usize, values: &BladeSection) -> Result<(), BladeError> {
+    for (quantity, value) in [
+        ("the flap inertia", values.flap_inertia_kg_m),
+        ("the edge inertia", values.edge_inertia_kg_m),
+    ] {
+        if value < 0.0 {
+            return Err(BladeError::Negative {
+                quantity,
+                section,
+                value,
+            });
+        }
+    }
+    match values.inertia_suits_center_of_mass() {
+        true => Ok(()),
+        false => Err(BladeError::CenterOfMass {
+            section,
+            offset_m: values.center_of_mass_m,
+            mass_kg_per_m: values.mass_kg_per_m,
+            edge_inertia_kg_m: values.edge_inertia_kg_m,
+        }),
+    }
 }
 
 /// EA e² is a part of EI about the elastic axis.

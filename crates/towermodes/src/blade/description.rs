@@ -39,11 +39,15 @@ pub struct BladeSection {
     pub twist_rad: f64,
     /// Mass per length, kg/m.
     pub mass_kg_per_m: f64,
-    /// Inertia per length for turning in flap, about the section's lag axis, kg m; acts in torsion
-    /// alone.
+    /// Inertia per length ∫ y² dm for turning in flap, kg m, with y along the section's own Y from
+    /// the blade's axis (not from the centre of mass).
+    ///
+    /// In a blade that is solved alone, as in BModes, both inertias act in torsion alone; in a
+    /// [turbine](crate::turbine::TurbineDescription::blade) they act in all rotations.
     pub flap_inertia_kg_m: f64,
-    /// Inertia per length for turning in lag, about the section's flap axis, kg m; acts in torsion
-    /// alone.
+    /// Inertia per length ∫ x² dm for turning in lag, kg m, with x along the section's own X from
+    /// the blade's axis. It includes that of the mass m at its centre, so that it is at least m
+    /// times the square of [`center_of_mass_m`](Self::center_of_mass_m).
     pub edge_inertia_kg_m: f64,
     /// Bending stiffness in flap, N m².
     pub flap_n_m2: f64,
@@ -58,4 +62,20 @@ pub struct BladeSection {
     pub center_of_mass_m: f64,
     /// Offset of the tension centre from the axis along the section's own X, m.
     pub tension_center_m: f64,
+}
+
+/// Inertias given in decimal digits may be this fraction too small.
+const ROUNDED: f64 = 1e-9;
+
+impl BladeSection {
+    /// The least edgewise inertia that a section with this mass and this centre of mass can have,
+    /// m x̄², kg m: that of a line of mass at x̄.
+    pub fn least_edge_inertia_kg_m(&self) -> f64 {
+        self.mass_kg_per_m * self.center_of_mass_m * self.center_of_mass_m
+    }
+
+    /// Whether its edgewise inertia is at least that, but for rounded digits.
+    pub fn inertia_suits_center_of_mass(&self) -> bool {
+        self.edge_inertia_kg_m >= (1.0 - ROUNDED) * self.least_edge_inertia_kg_m()
+    }
 }

@@ -26,6 +26,32 @@ pub enum BladeError {
         /// The value given.
         value: f64,
     },
+    /// A value is negative.
+    #[error("{quantity} of section {} is {}; it must not be negative", .section + 1, Plain(*.value))]
+    Negative {
+        /// The quantity.
+        quantity: &'static str,
+        /// Of which section.
+        section: usize,
+        /// The value given.
+        value: f64,
+    },
+    /// Less inertia about the axis of the blade than the mass at its centre has.
+    #[error(
+        "the edgewise inertia of section {} is {} kg m; it is about the axis of the blade, so that with a mass of {} kg/m whose centre is {} m from the axis it must be \
+         at least mass times offset squared, {:.6} kg m; if the value given is about the centre of mass, add that product",
+        .section + 1, Plain(*.edge_inertia_kg_m), Plain(*.mass_kg_per_m), Plain(*.offset_m), mass_kg_per_m * offset_m * offset_m
+    )]
+    CenterOfMass {
+        /// Of which section.
+        section: usize,
+        /// The offset of the centre of mass, m.
+        offset_m: f64,
+        /// Mass per length, kg/m.
+        mass_kg_per_m: f64,
+        /// The inertia given, kg m.
+        edge_inertia_kg_m: f64,
+    },
     /// A tension centre so far out that stretching the blade would bend it without resistance.
     #[error(
         "the tension centre of section {} is too far from the axis: EA times its offset of {} m squared, {:.4e} N m2, must be less than the edgewise stiffness, {:.4e} N m2",

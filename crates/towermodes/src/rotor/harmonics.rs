@@ -22,6 +22,22 @@ impl Multiblade<TurningBlade> {
         3 * self.body().degrees_of_freedom()
     }
 
+    /// The rotor as [`seen_from_hub`](Self::seen_from_hub) with a M added to the D of each harmonic,
+    /// where `added` gives a, rad²/s², for the frequency in the turning frame.
+    pub fn seen_with_inertia(
+        &mut self,
+        frequency: f64,
+        speed: f64,
+        added: impl Fn(f64) -> f64,
+    ) -> Condensed {
+        let blades = self.blades();
+        let body = self.body_mut();
+        sum_of_harmonics(blades, |_, shift| {
+            let own = frequency + shift * speed;
+            body.seen_with_inertia(own, speed, added(own))
+        })
+    }
+
     /// The rotor as [`seen_from_hub`](Self::seen_from_hub), with its factors.
     pub fn factorize(&self, frequency: f64, speed: f64, factors: &mut RotorFactors) -> Condensed {
         sum_of_harmonics(self.blades(), |harmonic, shift| {

@@ -61,6 +61,11 @@ impl<B: TurningBody> Multiblade<B> {
         &self.body
     }
 
+    /// The same, with its working memory.
+    pub(super) fn body_mut(&mut self) -> &mut B {
+        &mut self.body
+    }
+
     /// Number of bodies.
     pub fn blades(&self) -> usize {
         self.blades

@@ -1,8 +1,10 @@
 //! A turbine that can exist.
 
+use super::blade_elements::borders;
 use super::description::TurbineDescription;
 use super::error::{MOST_GENERATOR, TurbineError};
 use super::machine::Machine;
+use super::mesh::TurbineMesh;
 use super::validate::check;
 use crate::beam::TurningBlade;
 use crate::blade::Blade;
@@ -116,6 +118,14 @@ impl Turbine {
         &self.tower
     }
 
+    /// The mesh that it is solved on usually: the default one, with a higher degree for a blade with
+    /// long elements.
+    pub fn mesh(&self) -> TurbineMesh {
+        let borders = borders(&self.blade);
+        let lengths = borders.windows(2).map(|ends| ends[1] - ends[0]);
+        TurbineMesh::of_blade(lengths.fold(0.0, f64::max))
+    }
+
     /// What the tower carries.
     pub fn machine(&self) -> &TurbineDescription {
         &self.machine
@@ -157,16 +167,4 @@ pub(super) fn rotor(
     let borders = borders(blade);
     let body = TurningBlade::new(blade, machine.cone_rad, &borders, degree);
     Ok(Multiblade::new(body, machine.blades)?)
-}
-
-/// The borders of a blade's elements and the places of its sections, as fractions of the span.
-fn borders(blade: &Blade) -> Vec<f64> {
-    let description = blade.description();
-    let sections = description.sections.iter().map(|section| section.span);
-    let mut all: Vec<f64> = sections
-        .chain(description.borders.iter().copied())
-        .collect();
-    all.sort_by(f64::total_cmp);
-    all.dedup();
-    all
 }

@@ -1,7 +1,7 @@
 //! The parts of a turbine's equations that are solved by themselves: all that moves the tower, and
 //! harmonics of the blades that do not move the hub.
 
-use super::gyroscopic::Gyroscopic;
+use super::gyroscopic::{Gyroscopic, Raise};
 use super::machine_vectors::JOINTS;
 use super::model::TurbineModel;
 use crate::beam::{BladeFactors, TurningBlade};
@@ -32,9 +32,9 @@ impl Gyroscopic for Coupled<'_> {
         tower + self.model.machine.degrees_of_freedom()
     }
 
-    fn count(&mut self, w: f64) -> usize {
-        self.model
-            .count_coupled(w, self.speed, self.model.is_locked)
+    fn count_raised(&mut self, w: f64, raise: Raise) -> usize {
+        let is_locked = self.model.is_locked;
+        self.model.count_coupled((w, self.speed), raise, is_locked)
     }
 
     fn factorize(&mut self, w: f64) -> usize {
@@ -47,7 +47,7 @@ impl Gyroscopic for Coupled<'_> {
             ..
         } = &mut *self.model;
         let machine = machine.factorize((w, self.speed), *is_locked, factors);
-        let a = TurbineModel::of_tower(w);
+        let a = TurbineModel::of_tower(-w * w);
         machine.negative + tower.members()[0].factorize_under(&a, machine.matrix, workspace)
     }
 
@@ -101,8 +101,14 @@ impl Gyroscopic for OnStillHub<'_> {
         self.blade.degrees_of_freedom()
     }
 
-    fn count(&mut self, w: f64) -> usize {
-        self.factorize(w)
+    fn count_raised(&mut self, w: f64, raise: Raise) -> usize {
+        let own = w + self.wave.shift() * self.speed;
+        let added = raise.inertia_of_blade(own, self.speed);
+        let at = (own, self.speed);
+        let blade = self.blade;
+        blade
+            .factorize_with_inertia(at, added, &mut self.factors)
+            .negative
     }
 
     fn factorize(&mut self, w: f64) -> usize {

@@ -10,9 +10,6 @@ use super::search::{Found, Guess, Search};
 use crate::beam::BladeFactors;
 use crate::rotor::{Reactionless, reactionless};
 
-/// The coarsest and the finest grid on which modes of negative energy are sought.
-const GRIDS: std::ops::RangeInclusive<u32> = 6..=9;
-
 /// A natural frequency of a turbine at a speed, or several that cannot be told apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CoupledFrequency {
@@ -25,8 +22,9 @@ pub struct CoupledFrequency {
     pub upper_hz: f64,
     /// How many modes have this frequency.
     pub multiplicity: usize,
-    /// Whether the energy of the mode in the fixed frame is negative: at the speed of the rotor, a
-    /// backward whirl whose own frequency is lower than the speed. Damping makes it grow.
+    /// Whether the energy of the mode in the fixed frame is negative: a whirl that runs backward on
+    /// the blades more slowly than the rotor turns, so that the rotation carries it forward. Damping
+    /// in the fixed frame makes it grow.
     pub has_negative_energy: bool,
 }
 
@@ -44,6 +42,16 @@ pub struct CoupledSpectrum {
     /// n/2 modes of negative energy, less those that are unstable: if n/2 are found, the list is
     /// complete and no mode is unstable.
     pub is_complete: bool,
+    /// Intervals, Hz, in which counts do not exclude two more modes, one of positive and one of
+    /// negative energy; they may lie above the limit. There are none if the list is complete.
+    pub unproven_hz: Vec<[f64; 2]>,
+    /// How many modes grow without limit, at least: as many as there are too few of negative energy,
+    /// where no interval is unproven; 0 if none does, or if this is not known. (Two modes of opposite
+    /// energies beside a third within some 1/1000 of the range that is searched are not excluded.)
+    pub growing: usize,
+    /// How many motions are slower than 1e-5 rad/s (1.6e-6 Hz) and not in the list, beside the
+    /// rotation of a free shaft: those that nothing resists.
+    pub unresisted: usize,
     /// How many modes of negative energy there are if none is unstable; they may lie above the
     /// limit.
     pub negative_energy_expected: usize,
@@ -55,12 +63,18 @@ pub struct CoupledSpectrum {
 /// blades that does not move the hub.
 pub(super) type Part = Option<Reactionless>;
 
-/// The modes of all parts, rising, and how many of negative energy are expected and found.
+/// The modes of all parts, rising, and what is proved of them.
+#[derive(Debug, Default)]
 pub(super) struct Whole {
     pub(super) found: Vec<(Part, Found)>,
     pub(super) negative_energy_expected: usize,
     pub(super) negative_energy_found: usize,
     pub(super) is_complete: bool,
+    /// How many modes grow if none is missing.
+    growing: usize,
+    /// Intervals in which two more modes are not excluded, rad/s.
+    pub(super) unproven: Vec<[f64; 2]>,
+    pub(super) unresisted: usize,
 }
 
 impl TurbineModel {
@@ -84,6 +98,9 @@ impl TurbineModel {
             frequencies,
             limit_hz,
             is_complete: whole.is_complete,
+            unproven_hz: whole.unproven_hz(),
+            growing: whole.growing(),
+            unresisted: whole.unresisted,
             negative_energy_expected: whole.negative_energy_expected,
             negative_energy_found: whole.negative_energy_found,
         })
@@ -96,50 +113,83 @@ impl TurbineModel {
         speed: f64,
         guesses: impl Fn(Part) -> Vec<Guess<'g>>,
     ) -> Whole {
-        let negative = self.negative_stiffness(speed);
-        let parts: Vec<Part> = self.parts();
-        let expected = negative / 2;
-        let mut all = Vec::new();
-        let mut found_negative = 0;
-        if negative == 0 {
-            for part in parts {
-                let guesses = guesses(part);
-                all.extend(self.in_part(part, speed, |mut search| search.rising(limit, &guesses)));
-            }
-        } else {
-            // Modes of negative energy are backward whirls, slower than the rotor.
-            let end = limit.max(speed.abs() * self.most_waves() as f64);
-            for grid in GRIDS {
-                all.clear();
-                for part in &parts {
-                    all.extend(
-                        self.in_part(*part, speed, |mut search| search.on_grid(end, 1 << grid)),
-                    );
-                }
-                found_negative = all.iter().filter(|(_, found)| found.falls()).count();
-                if found_negative >= expected {
-                    break;
-                }
-            }
+        let mut whole = match self.negative_stiffness(speed) {
+            0 => self.search_rising(limit, speed, guesses),
+            _ => self.search_falling(limit, speed),
+        };
+        whole.found.retain(|(_, found)| found.bounds[1].w <= limit);
+        let frequency = |(_, found): &(Part, Found)| found.w;
+        whole
+            .found
+            .sort_by(|a, b| frequency(a).total_cmp(&frequency(b)));
+        whole
+    }
+
+    /// All modes where the stiffness has no negative eigenvalue.
+    fn search_rising<'g>(
+        &mut self,
+        limit: f64,
+        speed: f64,
+        guesses: impl Fn(Part) -> Vec<Guess<'g>>,
+    ) -> Whole {
+        let mut whole = Whole {
+            is_complete: true,
+            ..Whole::default()
+        };
+        for part in self.parts() {
+            let guesses = guesses(part);
+            let rising =
+                |mut search: Search<'_, dyn Gyroscopic + '_>| search.rising(limit, &guesses);
+            let (base, found) = self.in_part(part, speed, rising);
+            whole.unresisted += base;
+            whole
+                .found
+                .extend(found.into_iter().map(|found| (part, found)));
         }
-        all.retain(|(_, found)| found.bounds[1].w <= limit);
-        all.sort_by(|(_, a), (_, b)| a.w.total_cmp(&b.w));
-        Whole {
-            found: all,
-            negative_energy_expected: expected,
-            negative_energy_found: found_negative,
-            is_complete: found_negative == expected && negative.is_multiple_of(2),
+        whole.unresisted -= self.free_rotations().min(whole.unresisted);
+        whole
+    }
+
+    /// All modes where it has some.
+    fn search_falling(&mut self, limit: f64, speed: f64) -> Whole {
+        let mut whole = Whole {
+            is_complete: true,
+            unresisted: self.unresisted,
+            ..Whole::default()
+        };
+        // Whirls of blades are faster than the rotor where their energy is positive.
+        let about = speed.abs() * self.most_waves() as f64;
+        let still = self.unresisted + self.free_rotations();
+        for part in self.parts() {
+            let (twice, sought) = self.in_part(part, speed, |mut search| {
+                let twice = twice_expected(part, search.base(limit), still);
+                (twice, search.falling(limit, about, twice.div_ceil(2)))
+            });
+            let falling = sought.found.iter().filter(|found| found.falls()).count();
+            whole.negative_energy_expected += twice / 2;
+            whole.negative_energy_found += falling;
+            whole.is_complete &= twice == 2 * falling;
+            whole.growing += twice.saturating_sub(2 * falling).div_ceil(2);
+            whole.unproven.extend(sought.unproven);
+            let found = sought.found.into_iter();
+            whole.found.extend(found.map(|found| (part, found)));
         }
+        whole
+    }
+
+    /// The rotation of a free shaft: 1, or 0 if the generator is locked.
+    fn free_rotations(&self) -> usize {
+        usize::from(!self.is_locked)
     }
 
     /// Searches in a part.
-    fn in_part(
+    fn in_part<T>(
         &mut self,
         part: Part,
         speed: f64,
-        search: impl FnOnce(Search<'_, dyn Gyroscopic + '_>) -> Vec<Found>,
-    ) -> Vec<(Part, Found)> {
-        let found = match part {
+        search: impl FnOnce(Search<'_, dyn Gyroscopic + '_>) -> T,
+    ) -> T {
+        match part {
             None => {
                 let mut system = Coupled { model: self, speed };
                 search(Search::new(&mut system))
@@ -148,8 +198,7 @@ impl TurbineModel {
                 let mut system = self.on_still_hub(wave, speed);
                 search(Search::new(&mut system))
             }
-        };
-        found.into_iter().map(|found| (part, found)).collect()
+        }
     }
 
     pub(super) fn on_still_hub(&self, wave: Reactionless, speed: f64) -> OnStillHub<'_> {
@@ -169,6 +218,35 @@ impl TurbineModel {
     /// The most periods of a wave around the rotor.
     fn most_waves(&self) -> usize {
         (self.machine.rotor.blades() / 2).max(1)
+    }
+}
+
+/// Twice the number of modes of a part that have negative energy if none is unstable, by its count
+/// at the lower end and the number of motions that nothing resists; odd if one diverges.
+///
+/// A wave that runs with the rotation counts at zero the modes that it has of negative energy, and
+/// the same wave against the rotation counts as many and has none.
+fn twice_expected(part: Part, base: usize, still: usize) -> usize {
+    match part {
+        None => base.saturating_sub(still),
+        Some(Reactionless::Forward(_)) => 2 * base,
+        Some(Reactionless::Backward(_)) => 0,
+        Some(Reactionless::Alternating(_)) => base,
+    }
+}
+
+impl Whole {
+    pub(super) fn unproven_hz(&self) -> Vec<[f64; 2]> {
+        let intervals = self.unproven.iter();
+        intervals.map(|ends| ends.map(|w| w / TAU)).collect()
+    }
+
+    /// How many modes grow without limit, as far as it is known.
+    pub(super) fn growing(&self) -> usize {
+        match self.unproven.is_empty() {
+            true => self.growing,
+            false => 0,
+        }
     }
 }
 

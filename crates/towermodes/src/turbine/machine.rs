@@ -2,10 +2,11 @@
 
 use super::bordered::Bordered;
 use super::description::TurbineDescription;
+use super::gyroscopic::Raise;
 use super::machine_vectors::MachineFactors;
 use crate::beam::{Condensed, TurningBlade, congruent};
 use crate::rotor::Multiblade;
-use crate::scalar::Complex;
+use crate::scalar::{Complex, Scalar};
 use crate::space::SpatialMatrix;
 use crate::tower::{Inertia, RigidBody, Rna, spatial_inertia};
 
@@ -69,9 +70,23 @@ impl Machine {
     /// The machine for the motion of the tower top in its axes, at a frequency w and a speed Ω,
     /// rad/s, with its generator locked or free: K + i w G − w² M with all else eliminated, but for
     /// harmonics of the blades that do not move the hub.
-    pub(super) fn seen_from_top(&mut self, w: f64, speed: f64, is_locked: bool) -> Condensed {
-        let rotor = self.rotor.seen_from_hub(w, speed);
-        self.carry(rotor, (w, speed), is_locked).0
+    pub(super) fn seen_from_top(
+        &mut self,
+        (w, speed): (f64, f64),
+        raise: Raise,
+        is_locked: bool,
+    ) -> Condensed {
+        let of_blade = |own: f64| raise.inertia_of_blade(own, speed);
+        let rotor = self.rotor.seen_with_inertia(w, speed, of_blade);
+        let inertia = raise.inertia(w) - w * w;
+        let mut own = rotor;
+        // The change of the gyroscopic forces of hub and generator.
+        let across = raise.by_change * self.spin(speed).abs();
+        for component in [4, 5] {
+            own.matrix[component][component] += Complex::real(across);
+        }
+        self.carry(own, (inertia, w * self.spin(speed)), is_locked)
+            .0
     }
 
     /// The same, with its factors.
@@ -82,27 +97,28 @@ impl Machine {
         factors: &mut MachineFactors,
     ) -> Condensed {
         let rotor = self.rotor.factorize(w, speed, &mut factors.rotor);
-        let (own, joints) = self.carry(rotor, (w, speed), is_locked);
+        let gyroscopic = w * self.spin(speed);
+        let (own, joints) = self.carry(rotor, (-w * w, gyroscopic), is_locked);
         factors.joints = joints;
         own
     }
 
-    /// Adds all between a rotor and the tower top.
+    /// Adds all between a rotor and the tower top, with a coefficient of the inertia, −w² in H(w),
+    /// and the gyroscopic entry of hub and generator.
     fn carry(
         &self,
         mut own: Condensed,
-        (w, speed): (f64, f64),
+        (inertia, gyroscopic): (f64, f64),
         is_locked: bool,
     ) -> (Condensed, [Bordered; 2]) {
-        add_inertia(&mut own, w, &self.hub);
-        let spin = w * self.spin(speed);
-        own.matrix[4][5] += Complex::new(0.0, spin);
-        own.matrix[5][4] -= Complex::new(0.0, spin);
-        let shaft = self.turn_shaft(w, is_locked, &mut own);
+        add_inertia(&mut own, inertia, &self.hub);
+        own.matrix[4][5] += Complex::new(0.0, gyroscopic);
+        own.matrix[5][4] -= Complex::new(0.0, gyroscopic);
+        let shaft = self.turn_shaft(inertia, is_locked, &mut own);
         own.matrix = congruent(&own.matrix, &self.to_apex);
-        add_inertia(&mut own, w, &self.nacelle);
+        add_inertia(&mut own, inertia, &self.nacelle);
         let yaw = self.turn_yaw(&mut own);
-        add_inertia(&mut own, w, &self.bearing);
+        add_inertia(&mut own, inertia, &self.bearing);
         (own, [shaft, yaw])
     }
 
@@ -126,8 +142,8 @@ impl Machine {
     ///
     /// Twice the energies are k d² and J (q g′ + θ′)². With the twist as coordinate a stiffness of
     /// any size costs no digits.
-    fn turn_shaft(&self, w: f64, is_locked: bool, own: &mut Condensed) -> Bordered {
-        let inertia = -w * w * self.generator_inertia;
+    fn turn_shaft(&self, inertia: f64, is_locked: bool, own: &mut Condensed) -> Bordered {
+        let inertia = inertia * self.generator_inertia;
         let mut all = Bordered::of(&own.matrix);
         if !is_locked {
             let generator = all.border(ABOUT_SHAFT);
@@ -232,10 +248,10 @@ fn about_shaft(polar: f64, across: f64, (sin, cos): (f64, f64)) -> Inertia {
     }
 }
 
-/// Adds −w² M.
-fn add_inertia(own: &mut Condensed, w: f64, inertia: &SpatialMatrix) {
+/// Adds a M.
+fn add_inertia(own: &mut Condensed, a: f64, inertia: &SpatialMatrix) {
     let entries = own.matrix.as_flattened_mut().iter_mut();
     for (entry, inertia) in entries.zip(inertia.as_flattened()) {
-        entry.re -= w * w * inertia;
+        entry.re += a * inertia;
     }
 }

@@ -2,12 +2,14 @@
 //! modes below a limit, with the counts that prove that none is missing.
 
 mod approach;
+mod blade_elements;
 mod bordered;
 mod checked;
 mod coupled;
 mod description;
 mod energy;
 mod error;
+mod falling;
 mod frequencies;
 mod gyroscopic;
 mod machine;

@@ -47,6 +47,15 @@ pub struct TurbineModes {
     /// Whether counts prove that these are all below the limit, and that the turbine is stable; see
     /// [`CoupledSpectrum::is_complete`](super::CoupledSpectrum::is_complete).
     pub is_complete: bool,
+    /// Intervals, Hz, in which counts do not exclude two more modes, one of positive and one of
+    /// negative energy; see [`CoupledSpectrum::unproven_hz`](super::CoupledSpectrum::unproven_hz).
+    pub unproven_hz: Vec<[f64; 2]>,
+    /// How many modes grow without limit, as far as it is known; see
+    /// [`CoupledSpectrum::growing`](super::CoupledSpectrum::growing).
+    pub growing: usize,
+    /// How many motions are slower than 1e-5 rad/s (1.6e-6 Hz) and not among the modes, beside the
+    /// rotation of a free shaft: those that nothing resists.
+    pub unresisted: usize,
     /// How many modes of negative energy there are if none is unstable; they may lie above the
     /// limit.
     pub negative_energy_expected: usize,

@@ -4,16 +4,19 @@ use std::f64::consts::TAU;
 
 use super::checked::{Turbine, rotor};
 use super::error::TurbineError;
+use super::gyroscopic::{Gyroscopic, Raise};
 use super::machine::Machine;
 use super::machine_vectors::MachineFactors;
 use super::mesh::TurbineMesh;
 use crate::beam::{BeamRecipe, BeamWorkspace, SpaceBeam, TopWorkspace, assemble_in_space};
 use crate::elements::{Borders, Mesh};
 use crate::modes::RigidTower;
+use crate::rotor::reactionless;
 use crate::subsystem::{Coefficients, Subsystem};
 
-/// A motion slower than this, rad/s, is one that nothing resists.
-pub(super) const UNRESISTED: f64 = 1e-3;
+/// A motion slower than this, rad/s, a period of a week, is one that nothing resists: rounding makes
+/// a stiffness of zero one of some 1e-16 of the square of the rotor's speed times the inertia.
+pub(super) const UNRESISTED: f64 = 1e-5;
 
 /// The equations of motion of a turbine on a mesh, with the memory to work on them:
 ///
@@ -29,7 +32,7 @@ pub struct TurbineModel {
     /// The whole as a rigid body, if it floats.
     pub(super) platform: Option<RigidTower>,
     /// Number of motions that nothing resists, but for the rotation of a free shaft.
-    unresisted: usize,
+    pub(super) unresisted: usize,
 }
 
 impl std::fmt::Debug for TurbineModel {
@@ -102,36 +105,52 @@ impl TurbineModel {
     /// The number of negative eigenvalues of the stiffness K with the generator locked, at a speed
     /// in rad/s: 0 unless the rotor turns faster than its blades vibrate.
     ///
-    /// It is the count at 1e-3 rad/s, a period of 1.7 hours, without the motions that nothing
-    /// resists.
+    /// It is counted in K + w² M at 1e-5 rad/s, a period of a week: motions that nothing resists,
+    /// whose stiffness is zero but for rounding, are not among them.
     pub fn negative_stiffness(&mut self, speed_rad_per_s: f64) -> usize {
-        let count = self.count_at(UNRESISTED, speed_rad_per_s, true);
-        count.saturating_sub(self.unresisted)
+        let raise = Raise {
+            by_inertia: UNRESISTED * UNRESISTED,
+            ..Raise::default()
+        };
+        let coupled = self.count_coupled((0.0, speed_rad_per_s), raise, true);
+        let of_waves = reactionless(self.machine.rotor.blades());
+        let of_waves = of_waves.map(|wave| {
+            let mut blade = self.on_still_hub(wave, speed_rad_per_s);
+            blade.count_raised(0.0, raise)
+        });
+        coupled + of_waves.sum::<usize>()
     }
 
     /// How many motions nothing resists, beside the rotation of a free shaft: those of a floating
-    /// platform that no mooring holds. They have no frequency and are not among the modes.
+    /// platform that no mooring holds, or yaw on a spring that is next to nothing. They are slower
+    /// than 1e-5 rad/s and are not among the modes.
     pub fn unresisted_motions(&self) -> usize {
         self.unresisted
     }
 
-    /// K − w² M of the tower.
-    pub(super) fn of_tower(w: f64) -> Coefficients {
-        Coefficients::STIFFNESS.minus(w * w, Coefficients::MASS)
+    /// K + a M of the tower.
+    pub(super) fn of_tower(a: f64) -> Coefficients {
+        Coefficients::STIFFNESS.minus(-a, Coefficients::MASS)
     }
 
-    /// The negative eigenvalues of H at a frequency, rad/s, without harmonics of the blades that do
-    /// not move the hub.
-    pub(super) fn count_coupled(&mut self, w: f64, speed: f64, is_locked: bool) -> usize {
-        let machine = self.machine.seen_from_top(w, speed, is_locked);
+    /// The negative eigenvalues of H + R at a frequency and a speed, rad/s, without harmonics of
+    /// the blades that do not move the hub.
+    pub(super) fn count_coupled(
+        &mut self,
+        (w, speed): (f64, f64),
+        raise: Raise,
+        is_locked: bool,
+    ) -> usize {
+        let machine = self.machine.seen_from_top((w, speed), raise, is_locked);
         let tower = &self.tower.members()[0];
+        let a = Self::of_tower(raise.inertia(w) - w * w);
         let workspace = &mut self.workspace;
-        let negative = tower.count_negative_under(&Self::of_tower(w), machine.matrix, workspace);
+        let negative = tower.count_negative_under(&a, machine.matrix, workspace);
         machine.negative + negative
     }
 
     fn count_at(&mut self, w: f64, speed: f64, is_locked: bool) -> usize {
         let reactionless = self.machine.rotor.count_reactionless(w, speed);
-        self.count_coupled(w, speed, is_locked) + reactionless
+        self.count_coupled((w, speed), Raise::default(), is_locked) + reactionless
     }
 }

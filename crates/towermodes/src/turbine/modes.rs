@@ -45,6 +45,7 @@ impl TurbineModel {
     }
 
     fn named(&self, whole: Whole, limit_hz: f64, speed_rad_per_s: f64) -> TurbineModes {
+        let (unproven_hz, growing) = (whole.unproven_hz(), whole.growing());
         let found = whole.found.into_iter();
         let mut modes: Vec<_> = found.map(|(part, found)| self.mode(part, found)).collect();
         number(&mut modes, |mode| &mut mode.name);
@@ -54,6 +55,9 @@ impl TurbineModel {
             modes,
             limit_hz,
             is_complete: whole.is_complete,
+            unproven_hz,
+            growing,
+            unresisted: whole.unresisted,
             negative_energy_expected: whole.negative_energy_expected,
             negative_energy_found: whole.negative_energy_found,
         }

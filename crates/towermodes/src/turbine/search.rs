@@ -1,4 +1,5 @@
-//! The frequencies of a gyroscopic eigenproblem below a limit, each between two counts.
+//! The frequencies of a gyroscopic eigenproblem below a limit, each between two counts, where
+//! counts only rise.
 
 use super::gyroscopic::Gyroscopic;
 use super::model::UNRESISTED;
@@ -57,8 +58,8 @@ impl<'a, G: Gyroscopic + ?Sized> Search<'a, G> {
     }
 
     /// All frequencies up to a limit if the count only rises, but for motions that nothing resists.
-    /// A guess for each mode in turn saves work.
-    pub(super) fn rising(&mut self, limit: f64, guesses: &[Guess<'_>]) -> Vec<Found> {
+    /// A guess for each mode in turn saves work. Returns the number of those motions too.
+    pub(super) fn rising(&mut self, limit: f64, guesses: &[Guess<'_>]) -> (usize, Vec<Found>) {
         self.samples.clear();
         let base = self.sample(UNRESISTED.min(limit)).negative;
         let end = self.sample(limit);
@@ -73,19 +74,20 @@ impl<'a, G: Gyroscopic + ?Sized> Search<'a, G> {
             all.extend(self.find(low, high, |negative| negative < number, guess));
             number = base + all.len() + 1;
         }
-        all
+        (base, all)
     }
 
-    /// All frequencies up to `end` whose counts on a grid of this many intervals show them, where
-    /// counts may fall.
-    pub(super) fn on_grid(&mut self, end: f64, intervals: usize) -> Vec<Found> {
+    /// The count at the lower end of all searches.
+    pub(super) fn base(&mut self, limit: f64) -> usize {
+        self.system.count(UNRESISTED.min(limit))
+    }
+
+    /// All frequencies where the known counts show one.
+    pub(super) fn between_samples(&mut self) -> Vec<Found> {
         let mut brackets = Vec::new();
-        let mut low = self.sample(UNRESISTED.min(end));
-        let from = low.w;
-        for k in 1..=intervals {
-            let high = self.sample(from + (end - from) * k as f64 / intervals as f64);
-            self.separate(low, high, &mut brackets);
-            low = high;
+        let samples = self.samples.clone();
+        for pair in samples.windows(2) {
+            self.separate(pair[0], pair[1], &mut brackets);
         }
         let mut all = Vec::new();
         for (low, high) in brackets {
@@ -114,7 +116,14 @@ impl<'a, G: Gyroscopic + ?Sized> Search<'a, G> {
         }
     }
 
-    fn sample(&mut self, w: f64) -> Sample {
+    /// By how much the known counts fall, in all: at least so many frequencies have negative energy.
+    pub(super) fn falls(&self) -> usize {
+        let pairs = self.samples.windows(2);
+        let falls = pairs.map(|pair| pair[0].negative.saturating_sub(pair[1].negative));
+        falls.sum()
+    }
+
+    pub(super) fn sample(&mut self, w: f64) -> Sample {
         let negative = self.system.count(w);
         self.record(Sample { w, negative })
     }

@@ -99,6 +99,39 @@ fn blades_that_do_not_fit_are_refused() {
     ));
 }
 
+/// Sections whose inertia is less than that of their mass at its centre: the mass matrix would be
+/// indefinite, and modes of torsion would be missing without a word.
+#[test]
+fn inertias_about_the_centre_of_mass_are_refused() {
+    let with = |edge_inertia_kg_m: f64| {
+        let mut machine = straight();
+        for section in &mut machine.blade.sections {
+            section.torsion_n_m2 = 5e8;
+            section.center_of_mass_m = 0.8;
+            section.flap_inertia_kg_m = 1.0;
+            section.edge_inertia_kg_m = edge_inertia_kg_m;
+        }
+        Turbine::new(tower(), machine)
+    };
+    let error = with(20.0).expect_err("200 kg/m at 0.8 m have 128 kg m");
+    let TurbineError::Blade(BladeError::CenterOfMass { section: 0, .. }) = error else {
+        panic!("{error}");
+    };
+    assert!(
+        error.to_string().contains("about the axis of the blade"),
+        "{error}"
+    );
+    assert!(error.to_string().contains("128.000000 kg m"), "{error}");
+    // About the centre of mass there are then 400 kg m: torsion at about √(GJ/i)/4L = 5.6 Hz.
+    let turbine = with(528.0).expect("a turbine");
+    let mut model = TurbineModel::new(&turbine, &TurbineMesh::default()).expect("a model");
+    let modes = model.modes(8.0, 1.0).expect("solved").modes;
+    let twists = modes
+        .iter()
+        .filter(|mode| mode.energy.blades[2].total() > 0.5);
+    assert!(twists.count() >= 3, "collective and both whirls");
+}
+
 #[test]
 fn a_tower_with_a_machine_of_its_own_is_refused() {
     let mut tower = tower();

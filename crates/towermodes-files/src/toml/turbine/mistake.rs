@@ -35,13 +35,15 @@ const QUANTITIES: [(&str, &str); 18] = [
 ];
 
 /// The same of a section of the blade.
-const OF_SECTIONS: [(&str, &str); 6] = [
+const OF_SECTIONS: [(&str, &str); 8] = [
     ("the mass per length", "blade.mass_kg_per_m"),
     ("the flap stiffness", "blade.ei_flap_n_m2"),
     ("the edge stiffness", "blade.ei_edge_n_m2"),
     ("the axial stiffness", "blade.ea_n"),
     ("the torsional stiffness", "blade.gj_n_m2"),
     ("the sum of both inertias", "blade.flap_inertia_kg_m"),
+    ("the flap inertia", "blade.flap_inertia_kg_m"),
+    ("the edge inertia", "blade.edge_inertia_kg_m"),
 ];
 
 /// A refusal of the library at the place of the value that it is on.
@@ -76,9 +78,24 @@ fn in_blade(error: &BladeError, turbine: &TurbineDescription) -> (&'static str, 
         BladeError::NotPositive {
             quantity, section, ..
         }
+        | BladeError::Negative {
+            quantity, section, ..
+        }
         | BladeError::RigidInSomeSections {
             quantity, section, ..
         } => (key_of(&OF_SECTIONS, quantity, "blade"), Some(*section)),
+        BladeError::CenterOfMass {
+            section,
+            edge_inertia_kg_m,
+            ..
+        } => {
+            // Without a list of inertias the offset is what is there.
+            let key = match *edge_inertia_kg_m == 0.0 {
+                true => "blade.center_of_mass_m",
+                false => "blade.edge_inertia_kg_m",
+            };
+            (key, Some(*section))
+        }
         BladeError::TensionCenter { section, .. } => ("blade.tension_center_m", Some(*section)),
         BladeError::NoLength { .. } => ("blade.tip_radius", None),
         BladeError::NegativeTip { .. } => ("blade.tip_mass", None),
