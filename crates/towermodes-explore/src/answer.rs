@@ -70,7 +70,7 @@ pub struct AnsweredMode {
     pub number: usize,
     /// Its name: "1st fore-aft bending".
     pub label: String,
-    /// The name with other motions that have 1 % of its energy or more.
+    /// The name, with its share and other motions where it has less than 90 % of the energy.
     pub shape: String,
     /// Its family: `fore-aft`.
     pub family: &'static str,

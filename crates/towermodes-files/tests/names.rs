@@ -56,8 +56,9 @@ fn assert_named(file: &Path, changes: &[(&str, f64)], expected: &str) {
             "{case}"
         );
         let percent: f64 = percent.parse().expect("a share");
+        // Rounding, and 0.4 where two frequencies meet and one is off by 1e-5: 17 for each 0.1 %.
         assert!(
-            (100.0 * mode.share() - percent).abs() < 0.6,
+            (100.0 * mode.share() - percent).abs() < 1.0,
             "{case}, {}",
             mode.share()
         );

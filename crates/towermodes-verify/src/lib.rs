@@ -17,6 +17,7 @@ pub mod coverage;
 mod expected;
 mod manual;
 mod markdown;
+pub mod paths;
 mod row;
 #[cfg(feature = "serde")]
 mod row_keys;

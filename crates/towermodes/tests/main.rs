@@ -19,6 +19,7 @@ mod ground;
 mod independence;
 mod invariance;
 mod methods;
+mod names;
 mod parameters;
 mod pencils;
 mod plausibility;

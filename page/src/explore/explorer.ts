@@ -295,8 +295,8 @@ export class Explorer {
   }
 
   private showReadout({ answer, followed }: Solved): void {
-    const identity = followed[this.place()];
-    this.stage.readout(answer.modes[this.place()], identity?.name ?? "", identity?.series ?? 0);
+    const place = this.place();
+    this.stage.readout(answer.modes[place], followed[place]?.series ?? 0);
   }
 
   /** The index of the mode that is shown. */

@@ -100,6 +100,8 @@ export interface Fact {
 export interface Mode {
   number: number;
   label: string;
+  /** The label with the shares of a coupled mode. */
+  shape: string;
   family: string;
   order: number;
   /** All digits. */

@@ -1,5 +1,5 @@
-// Which mode is which from one answer to the next: modes keep their colour and name when they
-// exchange order.
+// Which mode is which from one answer to the next: modes keep their colour when they exchange
+// order. The name that a table shows is that of the solver.
 
 import type { Mode } from "../protocol.js";
 import type { TowerScene } from "../../view/scene.js";
@@ -8,6 +8,7 @@ import { product, signatures, type Signature } from "./similarity.js";
 /** What stays with a mode while the tower changes. */
 export interface Identity {
   id: number;
+  /** What the mode was called when it came into the list. */
   name: string;
   /** Index of its colour, `--tm-series0` to `--tm-series6`. */
   series: number;

@@ -39,7 +39,7 @@ function shapeOf({ family, order, frequency_hz, plane, factor = 1 }: Sample, num
 
 function modeOf({ family, order, frequency_hz }: Sample, number: number): Mode {
   return {
-    number, label: labelOf(family, order), family, order, frequency_hz,
+    number, label: labelOf(family, order), shape: labelOf(family, order), family, order, frequency_hz,
     error_hz: 0, frequency: "", error: "", period_s: 1 / frequency_hz, effective_mass: [], modal_mass: 1, verdict: null,
   };
 }

@@ -70,9 +70,8 @@ class ModeRow {
     if (this.radio.checked !== isChosen) this.radio.checked = isChosen;
     this.element.classList.toggle("chosen", isChosen);
     setClass(this.swatch, `swatch series${identity.series}`);
-    setText(this.name, identity.name);
-    const isRenamed = mode.label !== identity.name;
-    const remark = isRenamed ? `now ${mode.label}` : (mode.verdict?.text ?? "").replace(" -", " \u2212");
+    setText(this.name, mode.label);
+    const remark = remarkOn(mode, identity);
     setText(this.remark, remark);
     if (this.remark.title !== remark) this.remark.title = remark;
     setText(this.frequency, aligned(mode.frequency, decimals));
@@ -94,6 +93,14 @@ class ModeRow {
     ];
     this.ofA.forEach((cell, index) => setText(cell, texts[index] ?? ""));
   }
+}
+
+/** The shares of a coupled mode, the name that its shape had at first, and the verdict. */
+function remarkOn(mode: Mode, identity: Followed): string {
+  const shares = mode.shape.slice(mode.label.length).replace(/^,? /, "");
+  const before = mode.label === identity.name ? "" : `was ${identity.name}`;
+  const verdict = (mode.verdict?.text ?? "").replace(" -", " \u2212");
+  return [shares, before, verdict].filter((text) => text !== "").join(" · ");
 }
 
 export function signed(value: number, decimals: number): string {
@@ -132,7 +139,7 @@ export class MassTable {
     modes.forEach((mode, index) => {
       const row = this.rows[index];
       if (row === undefined) return;
-      setText(row.name, followed[index]?.name ?? mode.label);
+      setText(row.name, mode.label);
       setClass(row.swatch, `swatch series${followed[index]?.series ?? 0}`);
       row.cells.forEach((cell, axis) => {
         const share = mode.effective_mass[axis];

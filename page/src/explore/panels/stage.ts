@@ -147,8 +147,8 @@ export class Stage {
   }
 
   /** The mode that is shown, in large figures. */
-  readout(mode: Mode | undefined, name: string, series: number): void {
-    setText(byId("readout-name"), name);
+  readout(mode: Mode | undefined, series: number): void {
+    setText(byId("readout-name"), mode?.label ?? "");
     setClass(byId("readout-swatch"), `swatch series${series}`);
     setText(byId("readout-frequency"), mode ? `${mode.frequency} Hz` : "");
     setText(byId("readout-verdict"), mode?.verdict?.word.toUpperCase() ?? "");

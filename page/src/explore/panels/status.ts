@@ -36,9 +36,9 @@ export function sentences({ message, hint }: Refusal["refused"]): string {
 }
 
 /** A mode with its frequency and verdict, for screen readers. */
-export function spoken({ answer, followed }: Moving, index: number): string {
+export function spoken({ answer }: Moving, index: number): string {
   const mode = answer.modes[index];
   if (mode === undefined) return "";
   const verdict = mode.verdict ? `, ${mode.verdict.word}` : "";
-  return `${followed[index]?.name ?? mode.label}: ${mode.frequency} Hz${verdict}`;
+  return `${mode.label}: ${mode.frequency} Hz${verdict}`;
 }
