@@ -379,7 +379,7 @@ class Mode:
         >>> import towermodes as tm
         >>> tower = tm.read("examples/nrel-5mw.toml")
         >>> tower = tower.with_(changes={"scale(rna.inertia.zz)": 0.63})
-        >>> [(mode.label, round(mode.share, 2)) for mode in tower.solve(modes=4)[2:]]
+        >>> [(mode.label, round(mode.share, 2)) for mode in tower.solve(modes=4).modes[2:]]
         [('1st torsion', 0.69), ('2nd side-side bending', 0.69)]
         """
         return self._solution._core.share[self._index]
@@ -395,8 +395,7 @@ class Mode:
         >>> family, round(share, 2)
         ('side-side', 0.31)
         """
-        second: tuple[Family, float] | None = self._solution._core.second[self._index]  # type: ignore[assignment]
-        return second
+        return self._solution._core.second[self._index]  # type: ignore[return-value]
 
     @property
     def order(self) -> int:

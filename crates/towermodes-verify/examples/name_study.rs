@@ -11,10 +11,15 @@ fn main() {
     let paths = arguments.next().flatten().unwrap_or(200);
     let steps = arguments.next().flatten().unwrap_or(100);
     println!("{paths} paths of {steps} steps, {NAMES} names each");
-    println!("| rule | modes without a name | names twice or left out | jumps | of these lost | largest, ln f | beyond the bound |");
+    println!(
+        "| rule | modes without a name | names twice or left out | jumps | of these lost | largest, ln f | beyond the bound |"
+    );
     println!("|---|---|---|---|---|---|---|");
     let majority: Rule = by_majority;
-    for (title, rule) in [("largest arrears", None), ("majority of 60 %", Some(majority))] {
+    for (title, rule) in [
+        ("largest arrears", None),
+        ("majority of 60 %", Some(majority)),
+    ] {
         let outcomes: Vec<Outcome> = (0..paths)
             .map(|number| follow(&Path::new(number as u64), steps, rule))
             .collect();

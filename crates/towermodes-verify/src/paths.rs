@@ -78,8 +78,18 @@ impl Path {
     /// The tower at 0 to 1 along the path.
     fn tower(&self, t: f64) -> Tower {
         let Numbers { logarithms, center } = self.ends[0].between(&self.ends[1], t);
-        let [height_m, base_m, top_m, base_wall_m, top_wall_m, mass_kg, x, y, z, soil_pa] =
-            logarithms.map(f64::exp);
+        let [
+            height_m,
+            base_m,
+            top_m,
+            base_wall_m,
+            top_wall_m,
+            mass_kg,
+            x,
+            y,
+            z,
+            soil_pa,
+        ] = logarithms.map(f64::exp);
         let mass_kg = if self.number % 4 == 3 { 10.0 } else { 1.0 } * mass_kg;
         let moment = |a: f64, b: f64| mass_kg * height_m * height_m * (a * a + b * b);
         let description = TowerDescription {
@@ -220,14 +230,23 @@ pub fn follow(path: &Path, steps: usize, rule: Option<Rule>) -> Outcome {
     for step in 1..=steps {
         let [from, to] = [step - 1, step].map(|step| step as f64 / steps as f64);
         let after = Point::at(path, to, rule, &mut workspace);
-        let unnamed = after.names[..NAMES].iter().filter(|(family, _)| *family == 4);
+        let unnamed = after.names[..NAMES]
+            .iter()
+            .filter(|(family, _)| *family == 4);
         outcome.unnamed += unnamed.count();
         outcome.irregular += irregular(&after.names);
         for &name in &before.names[..NAMES] {
             if outcome.jumps.len() >= MOST_JUMPS || distance(&before, &after, name) < JUMP {
                 continue;
             }
-            let jump = locate(path, name, [from, to], [&before, &after], rule, &mut workspace);
+            let jump = locate(
+                path,
+                name,
+                [from, to],
+                [&before, &after],
+                rule,
+                &mut workspace,
+            );
             outcome.jumps.extend(jump);
         }
         before = after;

@@ -32,12 +32,14 @@ pub fn below_modes(tower: &Tower, solution: &Solution) -> String {
     );
     text.push('\n');
     if solution.modes.iter().any(names_other_motions) {
-        text.push_str("in parentheses: other motions, percent of the energy of the mode\n");
+        text.push_str(
+            "in parentheses: percent of the energy in the motion of the name; in others\n",
+        );
     }
     text
 }
 
-/// Whether the table gives the energy of other motions in parentheses.
+/// Whether the table gives the energy in parentheses.
 fn names_other_motions(mode: &Mode) -> bool {
     mode_shape(mode) != mode.label()
 }
