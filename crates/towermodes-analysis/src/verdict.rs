@@ -12,6 +12,8 @@ pub enum Verdict {
     Warn,
     /// Above the limit.
     Fail,
+    /// Not known, because the data do not suffice.
+    Undecided,
 }
 
 impl Verdict {
@@ -35,12 +37,18 @@ impl Verdict {
         }
     }
 
-    /// Its name in results: `pass`, `warn`, `fail`.
+    /// Whether it is a warning or a failure.
+    pub fn is_objection(self) -> bool {
+        matches!(self, Self::Warn | Self::Fail)
+    }
+
+    /// Its name in results: `pass`, `warn`, `fail`, `undecided`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Pass => "pass",
             Self::Warn => "warn",
             Self::Fail => "fail",
+            Self::Undecided => "undecided",
         }
     }
 }

@@ -3,14 +3,14 @@
 pub(crate) mod coupled;
 
 use towermodes::turbine::Turbine;
-use towermodes::{Options, Solution, Tower};
+use towermodes::{Options, Rotor, Solution, Tower};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{
-    Assessment, Campbell, ChosenRotor, assess, reach_hz, solve_to_reach,
+    Assessment, Campbell, CampbellOptions, ChosenRotor, assess, reach_hz, solve_to_reach,
 };
 use towermodes_analysis::soil_band::{SoilBand, soil_band};
 use towermodes_files::{
-    Note, RotorNotes, TowerInput, write_campbell_csv, write_campbell_json,
+    Note, NoteKind, RotorNotes, TowerInput, write_campbell_csv, write_campbell_json,
     write_coupled_campbell_csv, write_coupled_campbell_json,
 };
 
@@ -33,8 +33,6 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     arguments.turbine.hold_generator(&mut input);
     check_not_inputs(input.files(), output)?;
     let tower = input.tower().map_err(Failure::Input)?;
-    // Reported before a long solve.
-    rotor_of(&input, &arguments.rotor)?;
     let reason = match answer_of(&input, &arguments.turbine, arguments.is_of_tower_alone())? {
         Answer::Turbine(turbine) => {
             return run_coupled(arguments, format, input, (&tower, &turbine));
@@ -46,12 +44,17 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     let prescribed = Prescribed::of(&mut input);
     let mut options = arguments.options(prescribed).map_err(Failure::Usage)?;
     let is_given = arguments.has_modes();
-    let solution = solved_to_reach(&input, &tower, &arguments.rotor, &mut options, is_given)?;
-    let (campbell, rotor_notes) = campbell_of(&input, &tower, &solution, &arguments.rotor)?;
+    let (solution, chosen) =
+        solved_to_reach(&input, &tower, &arguments.rotor, &mut options, is_given)?;
+    let (campbell, rotor_notes) =
+        campbell_of(&input, (&tower, &solution), &chosen, &arguments.rotor)?;
     let band = match format {
         Format::Csv => None,
         Format::Table | Format::Json => {
-            let of_factors = |factors| band(&input, &solution, &options, arguments, factors);
+            // Without verdicts there are only frequencies.
+            let rotor = Some(&chosen.rotor).filter(|_| campbell.not_checked.is_empty());
+            let of_factors =
+                |factors| band(&input, (&solution, rotor), &options, arguments, factors);
             factors.map(of_factors).transpose()?
         }
     };
@@ -80,7 +83,7 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     note(&notes);
     warn(&solution.warnings, &input);
     deliver(&result, output)?;
-    judged(&campbell)
+    judged(&campbell, &input)
 }
 
 /// The coupled diagram of a turbine; the exit code is 1 if a pair fails.
@@ -102,6 +105,8 @@ fn run_coupled(
         notes,
         warnings,
     } = solved;
+    // Its rotor turns.
+    input.notes.retain(|note| note.kind != NoteKind::RigidRotor);
     let notes = [
         std::mem::take(&mut input.notes),
         notes,
@@ -123,7 +128,7 @@ fn run_coupled(
     note(&notes);
     warn(&warnings, &input);
     deliver(&result, arguments.destination.output())?;
-    judged(&diagram.campbell)
+    judged(&diagram.campbell, &input)
 }
 
 /// That verdicts for softer and stiffer soil are those of the other diagram.
@@ -139,16 +144,13 @@ fn without_band(input: &TowerInput) -> Vec<Note> {
 /// Frequencies and verdicts for these factors of the stiffness of the soil.
 fn band(
     input: &TowerInput,
-    solution: &Solution,
+    (solution, rotor): (&Solution, Option<&Rotor>),
     options: &Options,
     arguments: &CampbellArguments,
     factors: &[f64],
 ) -> Result<SoilBand, Failure> {
-    let (rotor, limits) = (
-        rotor_of(input, &arguments.rotor)?.rotor,
-        arguments.rotor.options(),
-    );
-    let of_rotor = Some((&rotor, &limits));
+    let limits = arguments.rotor.options();
+    let of_rotor = rotor.map(|rotor| (rotor, &limits));
     let band = soil_band(&input.description, solution, factors, of_rotor, |tower| {
         solve(tower, options)
     });
@@ -156,7 +158,8 @@ fn band(
 }
 
 /// Solves for the modes that the options ask for and, if no number was given, for as many more as
-/// the excitations of the rotor reach.
+/// the excitations of the rotor reach. The rotor is that of the file, with the options of the
+/// command line in place of its data; without operating speeds it has the ends of the diagram.
 ///
 /// # Errors
 /// [`Failure::Unsolved`].
@@ -166,46 +169,44 @@ pub(crate) fn solved_to_reach(
     arguments: &RotorArguments,
     options: &mut Options,
     is_given: bool,
-) -> Result<Solution, Failure> {
-    let rotor = arguments.rotor(input);
-    let solution = match rotor.filter(|_| !is_given) {
-        Some(chosen) => {
+) -> Result<(Solution, ChosenRotor), Failure> {
+    let chosen = match arguments.rotor(input) {
+        Some(chosen) => chosen,
+        None => {
+            let solution = solve(tower, options).map_err(Failure::Unsolved)?;
+            let given = arguments.given();
+            given.without_speeds(input.blades, &solution, input.tip_radius_m())
+        }
+    };
+    let solution = match is_given {
+        true => solve(tower, options),
+        false => {
             let reach_hz = reach_hz(&chosen.rotor, &arguments.options());
             solve_to_reach(options, reach_hz, |options| solve(tower, options))
         }
-        None => solve(tower, options),
     };
-    solution.map_err(Failure::Unsolved)
-}
-
-/// The rotor of the file, or of the command line.
-pub(crate) fn rotor_of(
-    input: &TowerInput,
-    arguments: &RotorArguments,
-) -> Result<ChosenRotor, Failure> {
-    let rotor = arguments.rotor(input);
-    rotor.ok_or(Failure::NoRotor {
-        format: input.format,
-    })
+    Ok((solution.map_err(Failure::Unsolved)?, chosen))
 }
 
 /// The Campbell diagram of a solved tower, and of its blade if the files have one, with the notes
 /// on it.
 ///
 /// # Errors
-/// [`Failure::NoRotor`] if neither the file nor the command line gives the rotor speed;
 /// [`Failure::Campbell`].
 pub(crate) fn campbell_of(
     input: &TowerInput,
-    tower: &Tower,
-    solution: &Solution,
+    (tower, solution): (&Tower, &Solution),
+    chosen: &ChosenRotor,
     arguments: &RotorArguments,
 ) -> Result<(Campbell, Vec<Note>), Failure> {
-    let chosen = rotor_of(input, arguments)?;
-    let (blade, options) = (input.blade.as_ref(), arguments.options());
+    let blade = input.blade.as_ref();
+    let options = CampbellOptions {
+        speeds_are_known: chosen.speeds_are_known,
+        ..arguments.options()
+    };
     let assessment = assess(tower, solution, blade, &chosen.rotor, &options);
     let Assessment { campbell, remarks } = assessment.map_err(Failure::Campbell)?;
-    let mut notes = notes_on(input, &chosen);
+    let mut notes = notes_on(input, chosen);
     notes.extend(remarks.iter().map(|remark| Note::new(remark.to_string())));
     Ok((campbell, notes))
 }
@@ -233,8 +234,14 @@ fn assumed_blades(chosen: &ChosenRotor) -> Option<Note> {
     })
 }
 
-/// An error if a pair fails.
-fn judged(campbell: &Campbell) -> Result<(), Failure> {
+/// An error if a pair fails, or if nothing is checked.
+fn judged(campbell: &Campbell, input: &TowerInput) -> Result<(), Failure> {
+    if !campbell.not_checked.is_empty() {
+        return Err(Failure::NotChecked {
+            reasons: campbell.not_checked.clone(),
+            format: input.format,
+        });
+    }
     let margins = campbell.margins.iter();
     match margins
         .filter(|margin| margin.verdict == Verdict::Fail)

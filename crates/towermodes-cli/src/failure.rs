@@ -9,7 +9,7 @@ use towermodes::number;
 use towermodes::{BladeError, ParameterError, SensitivityError, SolveError, TowerError, Warning};
 use towermodes_analysis::damping::GivenDampingError;
 use towermodes_analysis::elastodyn::{MakeError, ShapesError};
-use towermodes_analysis::resonance::CampbellError;
+use towermodes_analysis::resonance::{CampbellError, NotChecked};
 use towermodes_analysis::whirl::CoupledError;
 use towermodes_design::design::DesignError;
 use towermodes_files::elastodyn::TowerFileError;
@@ -121,9 +121,11 @@ pub(crate) enum Failure {
         /// How many.
         failures: usize,
     },
-    /// The rotor speed is not given.
-    #[error("the rotor speed is not given")]
-    NoRotor {
+    /// Resonance could not be checked.
+    #[error("not checked: {}", joined(.reasons))]
+    NotChecked {
+        /// Why.
+        reasons: Vec<NotChecked>,
         /// The format of the input file.
         format: FileFormat,
     },
@@ -201,6 +203,12 @@ fn pairs(count: usize) -> String {
     }
 }
 
+/// "operating speeds unknown; clamped at the tower base …".
+fn joined(reasons: &[NotChecked]) -> String {
+    let reasons: Vec<String> = reasons.iter().map(ToString::to_string).collect();
+    reasons.join("; ")
+}
+
 impl Failure {
     /// Prints the error on standard error and returns the exit code.
     pub(crate) fn report(&self) -> u8 {
@@ -271,10 +279,14 @@ impl Failure {
                 "give --chord-moment, or chord_moment in [damping] of the tower file"
             }
             Self::NoRotorSpeeds => ROTOR,
-            Self::NoRotor {
+            Self::NotChecked { reasons, .. } if !reasons.contains(&NotChecked::SpeedsUnknown) => {
+                "a file with the whole structure gives verdicts; --to toml of convert writes what was read as a tower file, to which the missing parts can be added"
+            }
+            Self::NotChecked {
                 format: FileFormat::Toml,
+                ..
             } => NO_ROTOR,
-            Self::NoRotor { .. } => "give --rpm LOWEST,HIGHEST",
+            Self::NotChecked { .. } => "give --rpm LOWEST,HIGHEST",
             Self::Resonant { .. } => {
                 "see the lines with FAIL above; change the operating speeds ([rotor] rpm or --rpm), the stiffness of the tower or the RNA mass"
             }
@@ -321,6 +333,7 @@ impl Failure {
             Self::TowerFile(_) | Self::Refused(_) | Self::Unfit { .. } | Self::Disagree => 1,
             Self::Coupled(CoupledError::At { .. }) => 1,
             Self::Campbell(CampbellError::Blade { .. }) | Self::Resonant { .. } => 1,
+            Self::NotChecked { .. } => 1,
             Self::Picture(RasterError::Encoding(_)) => 1,
             Self::Unwritable(..) | Self::Unverified { .. } => 1,
             Self::Server { .. } => 1,

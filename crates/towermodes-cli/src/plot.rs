@@ -7,7 +7,7 @@ use std::path::Path;
 
 use towermodes::turbine::Turbine;
 use towermodes::{Options, Tower, Warning};
-use towermodes_files::{Note, TowerInput};
+use towermodes_files::{Note, NoteKind, TowerInput};
 use towermodes_report::figures::{TitleWords, titled};
 use towermodes_report::svg::{Figure, Look, Theme};
 use towermodes_report::wording::computed_by;
@@ -15,7 +15,7 @@ use towermodes_report::{figures, raster};
 
 use crate::args::{PictureFile, PictureFormat, PlotArguments, Prescribed, What};
 use crate::campbell::coupled::{Answer, Coupled, answer_of, coupled_of};
-use crate::campbell::{campbell_of, rotor_of, solved_to_reach};
+use crate::campbell::{campbell_of, solved_to_reach};
 use crate::failure::{Failure, note, warn};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, check_terminal, deliver_bytes};
@@ -143,16 +143,19 @@ fn campbell(
     tower: &Tower,
     arguments: &PlotArguments,
 ) -> Result<Drawn, Failure> {
-    // Reported before a long solve.
-    rotor_of(input, &arguments.rotor)?;
     let reason = match answer_of(input, &arguments.turbine, arguments.is_of_tower_alone())? {
-        Answer::Turbine(turbine) => return coupled(input, (tower, &turbine), arguments),
+        Answer::Turbine(turbine) => {
+            // Its rotor turns.
+            input.notes.retain(|note| note.kind != NoteKind::RigidRotor);
+            return coupled(input, (tower, &turbine), arguments);
+        }
         Answer::Tower(reason) => reason,
     };
     let mut options = options(input, arguments)?;
     let is_given = arguments.has_modes();
-    let solution = solved_to_reach(input, tower, &arguments.rotor, &mut options, is_given)?;
-    let (campbell, mut notes) = campbell_of(input, tower, &solution, &arguments.rotor)?;
+    let rotor = &arguments.rotor;
+    let (solution, chosen) = solved_to_reach(input, tower, rotor, &mut options, is_given)?;
+    let (campbell, mut notes) = campbell_of(input, (tower, &solution), &chosen, rotor)?;
     notes.extend(reason);
     let drawn = Drawn::new(figures::campbell(&campbell), &solution.warnings);
     Ok(Drawn {

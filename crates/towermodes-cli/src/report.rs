@@ -16,7 +16,7 @@ use towermodes_report::report::{
 };
 
 use crate::args::{Arguments, Command, PageFormat, Prescribed, ReportArguments};
-use crate::campbell::{notes_on, rotor_of};
+use crate::campbell::notes_on;
 use crate::failure::{Failure, note_texts, warn};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, check_terminal, deliver};
@@ -68,7 +68,7 @@ fn content(
 ) -> Result<ReportContent, Failure> {
     let prescribed = Prescribed::of(input);
     let options = arguments.options(prescribed).map_err(Failure::Usage)?;
-    let rotor = chosen_rotor(input, arguments)?;
+    let rotor = arguments.rotor.rotor(input);
     let soil_factors = arguments.soil.factors(&input.description);
     let soil_factors = soil_factors.map_err(Failure::Usage)?;
     // On a monopile the ElastoDyn tower is the part above it.
@@ -81,6 +81,7 @@ fn content(
         options,
         covers_excitations: !arguments.has_modes(),
         rotor: rotor.map(|chosen| chosen.rotor),
+        blades: arguments.rotor.given().blades.or(input.blades),
         blade: input.blade.clone(),
         turbine: input.whole_turbine().map_err(Failure::Input)?,
         campbell: arguments.rotor.options(),
@@ -99,17 +100,6 @@ fn content(
     })
 }
 
-/// The rotor; none if neither the file nor the command line has rotor data.
-fn chosen_rotor(
-    input: &TowerInput,
-    arguments: &ReportArguments,
-) -> Result<Option<ChosenRotor>, Failure> {
-    match rotor_of(input, &arguments.rotor) {
-        Err(Failure::NoRotor { .. }) if !arguments.rotor.is_given() => Ok(None),
-        rotor => rotor.map(Some),
-    }
-}
-
 /// Title block, notes, command and files.
 fn circumstances(
     input: &TowerInput,
@@ -117,10 +107,10 @@ fn circumstances(
     arguments: &ReportArguments,
     words: &[OsString],
 ) -> Circumstances {
-    let of_rotor = rotor.map(|rotor| notes_on(input, rotor));
+    let all_notes = || input.rotor_notes.iter().cloned().collect();
+    let of_rotor = Some(rotor.map_or_else(all_notes, |rotor| notes_on(input, rotor)));
     let notes = input.notes.iter().cloned();
-    // Without a rotor speed the turbine is not solved.
-    let of_turbine = rotor.map(|_| input.turbine_notes.iter().cloned());
+    let of_turbine = Some(input.turbine_notes.iter().cloned());
     let notes = notes.chain(of_turbine.into_iter().flatten());
     let notes: Vec<Note> = notes.chain(of_rotor.into_iter().flatten()).collect();
     let of_model = notes.iter().filter(|note| note.is_on_missing_part());

@@ -14,6 +14,10 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
+fn texts(output: &Output) -> [String; 2] {
+    [&output.stdout, &output.stderr].map(|text| String::from_utf8(text.clone()).expect("text"))
+}
+
 /// Standard output and standard error.
 #[track_caller]
 fn said(arguments: &[&str]) -> [String; 2] {
@@ -110,14 +114,14 @@ fn a_number_of_blades_that_is_given_is_not_guessed() {
 fn conversions_say_how_the_rotor_was_found() {
     let folder = Folder::with_deck("converted", &[]);
     let deck = folder.path("ElastoDyn.dat");
-    let start = "RotSpeed = 17 rpm is the only operating speed";
-    for to in ["toml", "windio"] {
-        let [out, err] = said(&["convert", &deck, "--to", to]);
-        assert!(out.contains("17") && err.contains(start), "{to}: {err}");
-        // Blades are not handed on.
-        assert!(!err.contains("PreCone"), "{err}");
+    for to in ["toml", "windio", "elastodyn"] {
+        let [_, err] = said(&["convert", &deck, "--to", to]);
+        // The speed of the start is handed on to nothing, nor are blades.
+        assert!(
+            !err.contains("RotSpeed") && !err.contains("PreCone"),
+            "{to}: {err}"
+        );
     }
-    assert!(!said(&["convert", &deck, "--to", "elastodyn"])[1].contains(start));
     let folder = Folder::with_windio("guessed");
     let [_, err] = said(&["convert", &folder.path("turbine.yaml"), "--to", "toml"]);
     for guess in [
@@ -128,28 +132,54 @@ fn conversions_say_how_the_rotor_was_found() {
     }
 }
 
-/// A simulation may begin at any speed: that matters for what the rotor excites, and for nothing
-/// else.
+/// A simulation may begin at any speed, at standstill too: that is no range of operation, and
+/// without one nothing is checked. The diagram is there all the same.
 #[test]
-fn a_slow_start_is_warned_of_with_the_excitations_alone() {
-    let folder = Folder::with_deck("slow", &[("17.0   RotSpeed", "1.5   RotSpeed")]);
-    let deck = folder.path("ElastoDyn.dat");
-    let slip = "the highest rotor speed is 1.5 rpm";
-    for command in [
-        &["solve", &deck, "--modes", "2"][..],
-        &["check", &deck],
-        &["convert", &deck, "--to", "toml"],
-        &["campbell", &deck, "--modes", "2", "--rpm", "9,17"],
-    ] {
-        let [_, err] = said(command);
-        assert!(!err.contains(slip), "{command:?}: {err}");
-    }
-    for command in [
-        &["campbell", &deck, "--modes", "2"][..],
-        &["plot", &deck, "--what", "campbell", "--modes", "2"],
-    ] {
-        let [_, err] = said(command);
-        assert!(err.contains(slip), "{command:?}: {err}");
+fn the_speed_of_the_start_is_no_range_of_operation() {
+    for speed in ["17.0", "1.5", "0.0"] {
+        let row = format!("{speed}   RotSpeed");
+        let folder = Folder::with_deck("start", &[("17.0   RotSpeed", &row)]);
+        let deck = folder.path("ElastoDyn.dat");
+        for uncoupled in [true, false] {
+            let command = ["campbell", &deck, "--speeds", "3"];
+            let rigid = ["campbell", &deck, "--uncoupled", "--modes", "2"];
+            let command = if uncoupled { &rigid[..] } else { &command };
+            let output = run(command);
+            let [out, err] = texts(&output);
+            assert_eq!(output.status.code(), Some(1), "{out}{err}");
+            for said in [
+                "Not checked: operating speeds unknown.",
+                "meets 1P at",
+                "3 blades, operating speeds unknown | not checked",
+            ] {
+                assert!(out.contains(said), "{said}: {out}");
+            }
+            for word in ["PASS", "FAIL", "soft-stiff", "No warnings"] {
+                assert!(!out.contains(word), "{word}: {out}");
+            }
+            assert!(
+                err.contains("is the speed at which the simulation begins"),
+                "{err}"
+            );
+            assert!(
+                err.contains("error: not checked: operating speeds unknown"),
+                "{err}"
+            );
+            assert!(err.contains("--rpm LOWEST,HIGHEST"), "{err}");
+        }
+        // With speeds there are verdicts.
+        let command = [
+            "campbell",
+            &deck,
+            "--uncoupled",
+            "--modes",
+            "2",
+            "--rpm",
+            "9,17",
+        ];
+        let [out, err] = texts(&run(&command));
+        assert!(out.contains(" fail"), "{out}");
+        assert!(!err.contains("RotSpeed"), "{err}");
     }
 }
 

@@ -203,6 +203,14 @@ impl TowerInput {
         Some((&source.name, line))
     }
 
+    /// The radius of the rotor, m, if the files have a blade.
+    pub fn tip_radius_m(&self) -> Option<f64> {
+        let of_turbine = self.turbine.as_ref().map(|turbine| &turbine.blade);
+        of_turbine
+            .or(self.blade.as_ref())
+            .map(|blade| blade.tip_radius_m)
+    }
+
     /// The files it was read from, the main one first.
     pub fn files(&self) -> impl Iterator<Item = &str> {
         self.sources.iter().map(|source| source.name.as_str())

@@ -20,6 +20,9 @@ pub enum NoteKind {
     /// A part of the turbine that the model lacks: the result may be that of another tower than
     /// the user expects.
     MissingPart,
+    /// How the rotor is held on its shaft where the rotor-nacelle assembly is one rigid body; not
+    /// relevant to a turbine whose rotor turns.
+    RigidRotor,
     /// A value that the program of this format treats in another way, by an error of that program
     /// or by its assumptions.
     Compatibility,
@@ -71,6 +74,11 @@ impl Note {
     /// [`NoteKind::MissingPart`].
     pub fn missing_part(message: impl Into<String>) -> Self {
         Self::of(NoteKind::MissingPart, message)
+    }
+
+    /// [`NoteKind::RigidRotor`].
+    pub fn rigid_rotor(message: impl Into<String>) -> Self {
+        Self::of(NoteKind::RigidRotor, message)
     }
 
     /// [`NoteKind::Compatibility`].

@@ -902,8 +902,20 @@ fn speeds_of_version_2_are_in_rpm() {
     );
     assert_eq!(notes.len(), 1);
     assert!(notes[0].contains("max_rotor_speed = 9 rpm is a protection limit"));
-    let notes = assert_rotor(&with("{rated_rotor_speed: 7.5}"), 2, [7.5, 7.5]);
-    assert!(notes[0].contains("no min_rotor_speed"), "{notes:?}");
+    // A single speed is no range.
+    for (control, said) in [
+        (
+            "{rated_rotor_speed: 7.5}",
+            "no min_rotor_speed: the operating speeds are unknown",
+        ),
+        (
+            "{min_rotor_speed: 0, rated_rotor_speed: 7.5}",
+            "min_rotor_speed is 0, the default",
+        ),
+    ] {
+        let (rotor, notes) = rotor_of(&with(control));
+        assert!(rotor.is_none() && notes[0].contains(said), "{notes:?}");
+    }
     let unsaid = format!("{VERSION_2}control: {{min_rotor_speed: 5, rated_rotor_speed: 7.5}}\n");
     let notes = assert_rotor(&unsaid, 3, [5.0, 7.5]);
     assert!(notes[0].contains("no number_of_blades: 3 is assumed"));
@@ -969,8 +981,11 @@ fn speeds_of_version_1_are_in_the_unit_that_the_tips_allow() {
         "{VERSION_2}assembly: {{number_of_blades: 3, rotor_diameter: 240}}\ncontrol: {{torque: {turns}}}\n"
     );
     assert_rotor(&newer, 3, [5.0, 7.6]);
-    let notes = assert_rotor(&with(diameter, "{VS_maxspd: 0.8}"), 3, [0.8 * factor; 2]);
-    assert!(notes[0].contains("no VS_minspd"), "{notes:?}");
+    let (rotor, notes) = rotor_of(&with(diameter, "{VS_maxspd: 0.8}"));
+    assert!(
+        rotor.is_none() && notes[0].contains("no VS_minspd"),
+        "{notes:?}"
+    );
 }
 
 #[test]

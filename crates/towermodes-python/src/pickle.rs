@@ -53,12 +53,13 @@ const FORMATS: [FileFormat; 6] = [
     FileFormat::Hawc2,
 ];
 
-const KINDS: [NoteKind; 7] = [
+const KINDS: [NoteKind; 8] = [
     NoteKind::Information,
     NoteKind::Assumption,
     NoteKind::LeftOut,
     NoteKind::Approximation,
     NoteKind::MissingPart,
+    NoteKind::RigidRotor,
     NoteKind::Compatibility,
     NoteKind::Suspicious,
 ];

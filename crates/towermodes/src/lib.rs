@@ -94,11 +94,11 @@ pub use solve::{
 pub use tower::{
     AddedMassRow, ApiEdition, AxialModel, BeamFormula, CircularFooting, Clay, Damping, Drivetrain,
     FloatingPlatform, FootingFormula, Foundation, FoundationSprings, Ground, GroundLayer,
-    HalfSpace, HeadStiffness, Ineffective, Inertia, LayerSoil, LossFactors, Material, Monopile,
-    PartNames, PileBehaviour, PileFormula, PileTube, Place, Plane, Planes, PointMass, Problem,
-    Properties, PropertyStation, PyRow, Quantity, RectangularFooting, ReferredMatrix, RigidBody,
-    Rna, Rock, Rotor, RotorAerodynamics, Sand, Scour, Shear, ShearModulus, Site, Slenderness,
-    SoilModel, SoilProfile, SoilRow, SoilSpring, SoilStiffness, SpringsAt, Station,
-    StiffnessFoundation, SuctionCaisson, Tower, TowerDescription, TowerError, Warning, Water,
-    WinklerPile, Wires, is_printable, printable,
+    HalfSpace, HeadStiffness, Ineffective, Inertia, LayerSoil, LossFactors, Material, MissingPart,
+    MissingParts, Monopile, PartNames, PileBehaviour, PileFormula, PileTube, Place, Plane, Planes,
+    PointMass, Problem, Properties, PropertyStation, PyRow, Quantity, RectangularFooting,
+    ReferredMatrix, RigidBody, Rna, Rock, Rotor, RotorAerodynamics, Sand, Scour, Shear,
+    ShearModulus, Site, Slenderness, SoilModel, SoilProfile, SoilRow, SoilSpring, SoilStiffness,
+    SpringsAt, Station, StiffnessFoundation, SuctionCaisson, Tower, TowerDescription, TowerError,
+    Warning, Water, WinklerPile, Wires, is_printable, printable,
 };

@@ -3,6 +3,7 @@
 
 use thiserror::Error;
 
+use super::not_checked::NotChecked;
 use crate::verdict::Verdict;
 use towermodes::blade::BladeError;
 use towermodes::modes::Family;
@@ -33,6 +34,9 @@ pub struct CampbellOptions {
     /// to [`BEYOND_OPERATION`] times the highest operating speed. The lowest and the highest
     /// operating speed are added if they are not among them.
     pub speeds: usize,
+    /// Whether the speeds of the rotor are its operating speeds, as they are by default. Otherwise
+    /// they are only the ends of the diagram, and it has no verdicts.
+    pub speeds_are_known: bool,
 }
 
 impl Default for CampbellOptions {
@@ -42,6 +46,7 @@ impl Default for CampbellOptions {
             multiples: Vec::new(),
             blade_modes: 6,
             speeds: 25,
+            speeds_are_known: true,
         }
     }
 }
@@ -151,7 +156,7 @@ impl Margin {
     /// frequency, or the pair does not pass.
     pub fn is_near(&self) -> bool {
         let ratio = 1.0 + self.distance;
-        self.verdict != Verdict::Pass || (0.5 < ratio && ratio < 2.0)
+        self.verdict.is_objection() || (0.5 < ratio && ratio < 2.0)
     }
 }
 
@@ -193,10 +198,13 @@ pub struct Campbell {
     /// The distance of every line from every multiple, by line, then by multiple.
     pub margins: Vec<Margin>,
     /// The stiffness class of the lowest fore-aft and of the lowest side-side bending mode, if they
-    /// are in the list.
+    /// are in the list. Empty if nothing is checked.
     pub classes: Vec<(Family, StiffnessClass)>,
-    /// The indices of the lines of these modes, from 0, in the order of `classes`.
+    /// The indices of the lines of these modes, from 0, in the order of `classes` where there are
+    /// any.
     pub first_bending: Vec<usize>,
+    /// Why there are no verdicts; empty if there are.
+    pub not_checked: Vec<NotChecked>,
 }
 
 /// Why there is no Campbell diagram.

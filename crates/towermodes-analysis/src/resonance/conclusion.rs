@@ -21,9 +21,12 @@ impl Campbell {
     /// have a sentence each. Then follow the pairs that fail; the warnings of tower modes with 1P
     /// or the blade passing frequency, of tower modes with other multiples, and of blade modes;
     /// and the range in which modes are [not covered](Self::uncovered_range_hz). A sentence on
-    /// warnings names only what has warnings.
+    /// warnings names only what has warnings. A diagram without verdicts says why instead.
     #[must_use]
     pub fn conclusion(&self) -> Vec<String> {
+        if !self.not_checked.is_empty() {
+            return self.unchecked();
+        }
         let mut sentences = standing(self);
         let kinds = [Kind::Fail, Kind::Strong, Kind::Other, Kind::Blade];
         let remarks = kinds.into_iter().filter_map(|kind| remark(self, kind));
@@ -184,7 +187,7 @@ impl Kind {
     fn of(campbell: &Campbell, margin: &Margin) -> Option<Self> {
         let line = campbell.lines.get(margin.line);
         match margin.verdict {
-            Verdict::Pass => None,
+            Verdict::Pass | Verdict::Undecided => None,
             Verdict::Fail => Some(Self::Fail),
             Verdict::Warn if line.is_some_and(FrequencyLine::is_of_blade) => Some(Self::Blade),
             Verdict::Warn if is_strong(margin.multiple, &campbell.rotor) => Some(Self::Strong),

@@ -5,6 +5,7 @@ use super::campbell::{
 };
 use super::class::class;
 use super::margin::margin;
+use super::not_checked::not_checked;
 use super::reach::known_to_hz;
 use super::sweep::{blade_lines, speeds_rpm};
 use towermodes::blade::BladeDescription;
@@ -48,6 +49,10 @@ const MOST_SPEEDS: usize = 1000;
 /// are not in this model. A frequency of 0 (a rigid-body mode without stiffness) is not checked;
 /// other rigid-body modes of a floating platform are checked like all modes.
 ///
+/// There are no verdicts and no classes ([`Campbell::not_checked`]) where the operating speeds are
+/// not known ([`CampbellOptions::speeds_are_known`]) or the tower lacks
+/// [parts](Tower::missing_parts) of the structure.
+///
 /// The error of a line is [`FrequencyLine::error_hz`]; for blade modes it is estimated at the first
 /// and the last speed.
 ///
@@ -78,7 +83,7 @@ pub fn campbell(
     }
     let first = first_bending_modes(solution);
     let class_of = |index: usize| class(solution.modes[index].frequency_hz, rotor);
-    Ok(Campbell {
+    let diagram = Campbell {
         rotor: *rotor,
         margin: options.margin,
         classes: first
@@ -90,7 +95,9 @@ pub fn campbell(
         multiples: options.multiples_of(rotor),
         margins: margins(&lines, rotor, options),
         lines,
-    })
+        not_checked: Vec::new(),
+    };
+    Ok(diagram.unless(not_checked(tower, options.speeds_are_known)))
 }
 
 /// The margins of all lines, for each line in the order of the multiples.

@@ -1,6 +1,8 @@
 //! The rotor of an assessment: the data of a description, or other data in their place.
 
-use towermodes::Rotor;
+use towermodes::{Rotor, Solution};
+
+use super::not_checked::unknown_speeds;
 
 /// The number of blades if it is not given.
 const USUAL_BLADES: usize = 3;
@@ -25,6 +27,8 @@ pub struct ChosenRotor {
     pub blades_are_given: bool,
     /// Whether the speeds are those of [`GivenRotor`].
     pub speeds_are_given: bool,
+    /// Whether the speeds are operating speeds; otherwise they are the ends of a diagram.
+    pub speeds_are_known: bool,
 }
 
 impl GivenRotor {
@@ -48,7 +52,25 @@ impl GivenRotor {
             blades_are_assumed: blades.is_none(),
             blades_are_given: self.blades.is_some(),
             speeds_are_given: self.speeds_rpm.is_some(),
+            speeds_are_known: true,
         })
+    }
+
+    /// The rotor of a diagram where nothing gives the operating speeds: see [`unknown_speeds`].
+    pub fn without_speeds(
+        &self,
+        described_blades: Option<usize>,
+        solution: &Solution,
+        tip_radius_m: Option<f64>,
+    ) -> ChosenRotor {
+        let blades = self.blades.or(described_blades);
+        ChosenRotor {
+            rotor: unknown_speeds(blades.unwrap_or(USUAL_BLADES), solution, tip_radius_m),
+            blades_are_assumed: blades.is_none(),
+            blades_are_given: self.blades.is_some(),
+            speeds_are_given: false,
+            speeds_are_known: false,
+        }
     }
 }
 
@@ -79,6 +101,7 @@ mod tests {
             blades_are_assumed: false,
             blades_are_given: false,
             speeds_are_given: true,
+            speeds_are_known: true,
         };
         assert_eq!(chosen, Some(expected));
         let chosen = given(None, Some(4)).in_place_of(Some(DESCRIBED), Some(2));

@@ -10,6 +10,7 @@ use towermodes::turbine::{
 
 use crate::resonance::{
     Campbell, Excited, FrequencyLine, StiffnessClass, check_options, class_along, margins,
+    not_checked,
 };
 
 use super::curve::CoupledCurve;
@@ -101,7 +102,7 @@ pub fn coupled_campbell(
     let mut model = TurbineModel::new(turbine, &mesh)?;
     let mut finer = TurbineModel::new(turbine, &mesh.finer())?;
     let ends = ends_rpm(rotor, options)?;
-    diagram(rotor, options, |rpm, limit_hz, last| {
+    let solved = diagram(rotor, options, |rpm, limit_hz, last| {
         watch(rpm);
         let speed = rpm * PI / 30.0;
         let last = last.map_or(&[][..], std::slice::from_ref);
@@ -114,6 +115,11 @@ pub fn coupled_campbell(
             finer.estimate_errors(&mut modes);
         }
         Ok(modes)
+    })?;
+    let reasons = not_checked(turbine.tower(), options.speeds_are_known);
+    Ok(CoupledCampbell {
+        campbell: solved.campbell.unless(reasons),
+        ..solved
     })
 }
 
@@ -161,6 +167,7 @@ pub(super) fn diagram<S: Solved>(
             classes: first.iter().map(|(of, class, _)| (*of, *class)).collect(),
             first_bending: first.iter().map(|(.., curve)| *curve).collect(),
             lines,
+            not_checked: Vec::new(),
         },
         limit_hz,
         meetings: meetings(&speeds, &tracks, limit_hz),

@@ -33,6 +33,9 @@ pub struct CoupledOptions {
     pub limit_hz: f64,
     /// The largest number of speeds that are added where curves come close to each other.
     pub most_added: usize,
+    /// Whether the speeds of the rotor are its operating speeds, as they are by default. Otherwise
+    /// they are only the ends of the diagram, and it has no verdicts.
+    pub speeds_are_known: bool,
 }
 
 /// The rotor speeds at which a turbine is solved.
@@ -57,6 +60,7 @@ impl CoupledOptions {
             speeds: RotorSpeeds::Equal(usual.speeds),
             limit_hz,
             most_added: 100,
+            speeds_are_known: true,
         }
     }
 

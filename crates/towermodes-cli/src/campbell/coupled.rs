@@ -8,7 +8,7 @@ use towermodes_analysis::whirl::{
 };
 use towermodes_files::{Note, TowerInput};
 
-use super::{assumed_blades, rotor_of, solved_to_reach};
+use super::{assumed_blades, solved_to_reach};
 use crate::args::{RotorArguments, TurbineArguments};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -76,16 +76,15 @@ fn without_turbine(input: &TowerInput) -> Vec<Note> {
 /// Solves a turbine at its rotor speeds, and its tower with the machine as a rigid body.
 ///
 /// # Errors
-/// [`Failure::NoRotor`], [`Failure::Unsolved`], [`Failure::Coupled`].
+/// [`Failure::Unsolved`], [`Failure::Coupled`].
 pub(crate) fn coupled_of(
     input: &TowerInput,
     (tower, turbine): (&Tower, &Turbine),
     rotor: &RotorArguments,
     arguments: &TurbineArguments,
 ) -> Result<Coupled, Failure> {
-    let chosen = rotor_of(input, rotor)?;
     let mut options = Options::default();
-    let rigid = solved_to_reach(input, tower, rotor, &mut options, false)?;
+    let (rigid, chosen) = solved_to_reach(input, tower, rotor, &mut options, false)?;
     let common = rotor.options();
     let usual_hz = coupled_limit_hz(&chosen.rotor, &common, &rigid, turbine);
     let speeds = arguments.speeds.unwrap_or(common.speeds);
@@ -93,6 +92,7 @@ pub(crate) fn coupled_of(
         margin: common.margin,
         multiples: common.multiples,
         speeds: RotorSpeeds::Equal(speeds),
+        speeds_are_known: chosen.speeds_are_known,
         ..CoupledOptions::up_to(arguments.limit.unwrap_or(usual_hz))
     };
     let names = (0..speeds + USUALLY_ADDED).map(|k| format!("rotor speed {}", k + 1));

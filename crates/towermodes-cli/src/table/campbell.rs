@@ -4,7 +4,7 @@ use towermodes::Tower;
 use towermodes::number::{percent, with_error};
 use towermodes::tower::Rpm;
 use towermodes_analysis::resonance::{Campbell, FrequencyLine, Margin};
-use towermodes_report::wording::{counted, operation, verdict_counts, verdict_word};
+use towermodes_report::wording::{counted, operation_of, verdict_counts, verdict_word};
 
 use super::text::{text_table, title, wrapped};
 
@@ -118,11 +118,14 @@ pub(super) fn summary_or(campbell: &Campbell, without_blades: &str) -> String {
         true => String::new(),
         false => format!(" | blade modes not checked ({without_blades})"),
     };
-    format!(
-        "{} | margin {} % | {pass} pass, {warn} warn, {fail} fail{blades}",
-        operation(&campbell.rotor),
-        percent(campbell.margin),
-    )
+    let rotor = operation_of(campbell);
+    match campbell.not_checked.is_empty() {
+        true => format!(
+            "{rotor} | margin {} % | {pass} pass, {warn} warn, {fail} fail{blades}",
+            percent(campbell.margin),
+        ),
+        false => format!("{rotor} | not checked{blades}"),
+    }
 }
 
 #[cfg(test)]
@@ -159,6 +162,7 @@ mod tests {
             known_to_hz: None,
             classes: Vec::new(),
             first_bending: Vec::new(),
+            not_checked: Vec::new(),
         }
     }
 

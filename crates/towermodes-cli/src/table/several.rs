@@ -7,7 +7,7 @@ use towermodes::{Family, Mode, Solution, printable};
 use towermodes_files::SolvedFile;
 use towermodes_report::wording::mesh;
 
-use super::text::{align_right, aligned, plain_table};
+use super::text::{align_right, aligned, plain_table, wrapped};
 
 /// The cell of a mode that is not in the list of a file.
 const NOT_LISTED: &str = "-";
@@ -43,7 +43,18 @@ pub(crate) fn several(files: &[SolvedFile<'_>], width: usize) -> String {
         true => "\n*: except for the other mode of the last pair; --modes lists it\n",
         false => "",
     };
-    format!("{}\n{note}{note_on_pairs}", tables.join("\n\n"))
+    let missing: String = files
+        .iter()
+        .zip(short_names(files))
+        .filter_map(missing)
+        .collect();
+    format!("{}\n{note}{note_on_pairs}{missing}", tables.join("\n\n"))
+}
+
+/// The parts of the structure that the model of a file lacks, if any.
+fn missing((file, name): (&SolvedFile<'_>, String)) -> Option<String> {
+    let missing = file.tower.missing_parts()?;
+    Some(format!("\n{}\n", wrapped(&format!("{name}: {missing}"))))
 }
 
 /// What stands below the frequencies.

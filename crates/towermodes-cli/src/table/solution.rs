@@ -5,7 +5,7 @@ use towermodes::tower::{Environment, Piece};
 use towermodes::{Mode, Solution, Tower};
 use towermodes_report::wording::{buckling_load_factor, completeness, mesh, mode_shape};
 
-use super::text::{aligned, rna, text_table, title, tonnes};
+use super::text::{aligned, rna, text_table, title, tonnes, wrapped};
 
 /// The modes as a table, and lines with masses, method and certificate.
 pub fn solution(tower: &Tower, solution: &Solution) -> String {
@@ -31,6 +31,9 @@ pub fn below_modes(tower: &Tower, solution: &Solution) -> String {
         },
     );
     text.push('\n');
+    if let Some(missing) = tower.missing_parts() {
+        text.push_str(&(wrapped(&missing.to_string()) + "\n"));
+    }
     if solution.modes.iter().any(names_other_motions) {
         text.push_str(
             "in parentheses: percent of the energy in the motion of the name; in others\n",

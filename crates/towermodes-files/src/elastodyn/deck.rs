@@ -3,9 +3,10 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use towermodes::{Place, RigidBody};
+use towermodes::{MissingPart, Place, RigidBody};
 
 use super::blade_file::{BladeFile, BladeMasses, read_blade_file};
+use super::controller::{OperatingSpeeds, operating_speeds};
 use super::description::{
     Ends, ONLY_BENDS, description, hanging_note, remember, tuner_note, upside_down,
 };
@@ -84,6 +85,8 @@ struct Model {
     blades: Blades,
     /// The yaw spring, if the nacelle yaws and there is an `.fst` file.
     yaw: Option<YawSpring>,
+    /// The operating speeds, if there is an `.fst` file.
+    speeds: Option<OperatingSpeeds>,
 }
 
 impl Model {
@@ -110,7 +113,10 @@ impl Model {
         let fst = found.fst.as_ref().filter(|_| main.machine_dofs.yaw);
         let yaw = fst.filter(|_| !options.without_rna);
         let yaw = yaw.map(|fst| yaw_spring(fst, files));
+        let speeds = found.fst.as_ref();
+        let speeds = speeds.map(|fst| operating_speeds(fst, &main, files));
         Ok(Self {
+            speeds,
             found,
             main,
             tower_source,
@@ -144,7 +150,8 @@ impl Model {
         let mut notes = self.notes(ends, options);
         let mut description = description(&self.reading.file, ends, &main.header[1]);
         description.rna = rna.into();
-        description.rotor = rotor::rotor(main);
+        description.rotor = rotor::rotor(main, self.speeds.as_ref());
+        description.missing_parts = missing_parts(main, &self.found.missing_parts);
         if !options.without_gravity {
             let fst = self.found.fst.as_ref().map(|fst| fst.name.as_str());
             let of_fst = self.found.gravity_m_per_s2.zip(fst);
@@ -156,7 +163,12 @@ impl Model {
         let blade = blade.map(|file| rotor::blade(main, file));
         TowerInput {
             blades: Some(main.blade_count),
-            rotor_notes: rotor::notes(main, &self.found.source, blade.is_some()),
+            rotor_notes: rotor::notes(
+                main,
+                &self.found.source,
+                self.speeds.as_ref(),
+                blade.is_some(),
+            ),
             blade,
             notes,
             places: self.places(),
@@ -199,11 +211,15 @@ impl Model {
         notes
     }
 
-    /// The `.fst` file if there is one, the main file, the tower file, the blade files.
+    /// The `.fst` file if there is one, the main file, the tower file, the blade files, the file of
+    /// the controller if it is read.
     fn sources(&self) -> Vec<Source> {
         let mut sources: Vec<Source> = self.found.fst.iter().cloned().collect();
         sources.extend([self.found.source.clone(), self.tower_source.clone()]);
         sources.extend_from_slice(&self.blades.sources);
+        if let Some(OperatingSpeeds::Known(controlled)) = &self.speeds {
+            sources.push(controlled.source.clone());
+        }
         sources
     }
 
@@ -216,13 +232,16 @@ impl Model {
             (Place::Rna { key: TABLE }, "NacMass"),
             (Place::Gravity, "Gravity"),
             (Place::Rotor { key: "blades" }, "NumBl"),
-            (Place::Rotor { key: "rpm" }, "RotSpeed"),
         ];
         let main = usize::from(self.found.fst.is_some());
         let mut places = Places::default();
         remember(&mut places, main + 1, &self.reading.spans);
         for (place, name) in in_main {
             places.remember(place, main, self.main.place(name));
+        }
+        if let Some(OperatingSpeeds::Known(controlled)) = &self.speeds {
+            let last = self.sources().len() - 1;
+            places.remember(Place::Rotor { key: "rpm" }, last, controlled.place.clone());
         }
         places
     }
@@ -266,7 +285,7 @@ impl Named<'_> {
 }
 
 /// A path that is relative to a folder, as seen from where the folder is.
-fn beside(folder: &str, path: &str) -> String {
+pub(super) fn beside(folder: &str, path: &str) -> String {
     let is_absolute = path.starts_with(['/', '\\']) || path.chars().nth(1) == Some(':');
     if is_absolute || folder.is_empty() {
         path.to_owned()
@@ -302,6 +321,17 @@ fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, ReadError> {
         }
     }
     Ok(blades)
+}
+
+/// The parts that the model has and the tower lacks: those of the `.fst` file, and a platform that
+/// moves where no substructure does.
+fn missing_parts(main: &MainFile, of_fst: &[MissingPart]) -> Vec<MissingPart> {
+    let mut parts = of_fst.to_vec();
+    let moves = main.platform_dofs.contains(&true);
+    if moves && !parts.contains(&MissingPart::Substructure) {
+        parts.insert(0, MissingPart::Platform);
+    }
+    parts
 }
 
 /// The note on a foundation that is not in these files.

@@ -1,6 +1,8 @@
 //! The `.fst` file of OpenFAST: the name of the main file of ElastoDyn, gravity, and the modules
 //! that are not read.
 
+use towermodes::MissingPart;
+
 use super::main_file::MainFile;
 use super::names::{is_fst, is_main_file, line_of};
 use super::positional::Parameter;
@@ -26,6 +28,8 @@ pub(super) struct Main {
     /// Acceleration of gravity that the `.fst` file gives, m/s².
     pub(super) gravity_m_per_s2: Option<f64>,
     pub(super) notes: Vec<Note>,
+    /// The parts of the structure whose modules are switched on and not read, each once.
+    pub(super) missing_parts: Vec<MissingPart>,
     /// The note on the blades of a turbine, if they are those of BeamDyn.
     pub(super) beamdyn_note: Option<Note>,
 }
@@ -41,6 +45,7 @@ pub(super) fn main_source(source: Source, files: &dyn FileResolver) -> Result<Ma
         folder: String::new(),
         gravity_m_per_s2: None,
         notes: Vec::new(),
+        missing_parts: Vec::new(),
         beamdyn_note: None,
     })
 }
@@ -62,6 +67,7 @@ fn named_by(fst: Source, files: &dyn FileResolver) -> Result<Main, ReadError> {
         folder: folder.to_owned(),
         gravity_m_per_s2,
         notes: notes(&fst),
+        missing_parts: missing_parts(&fst),
         beamdyn_note: blades_of_beamdyn(&fst),
         fst: Some(fst),
     })
@@ -87,7 +93,16 @@ fn ed_file(source: &Source) -> Result<Parameter<'_>, Diagnostic> {
 /// The notes on modules that change or complete the model of ElastoDyn.
 fn notes(source: &Source) -> Vec<Note> {
     let mut notes: Vec<Note> = beamdyn(source).into_iter().collect();
-    notes.extend(MODULES.iter().filter_map(|module| left_out(source, module)));
+    let mut named: Vec<MissingPart> = Vec::new();
+    for module in &MODULES {
+        // The sea is part of the water.
+        if !named.contains(&module.part)
+            && let Some(note) = left_out(source, module)
+        {
+            named.push(module.part);
+            notes.push(note);
+        }
+    }
     notes
 }
 
@@ -117,41 +132,63 @@ struct Module {
     files: &'static [&'static str],
     /// The part that it models, with its verb.
     what: &'static str,
+    /// The same as a part of the structure.
+    part: MissingPart,
 }
 
 /// Those whose files are not read.
-const MODULES: [Module; 5] = [
+const MODULES: [Module; 6] = [
     Module {
         switch: "CompHydro",
         files: &["HydroFile", "HDFile"],
         what: "the mass and stiffness of the water are",
+        part: MissingPart::Water,
+    },
+    Module {
+        switch: "CompSeaSt",
+        files: &["SeaStFile"],
+        what: "the sea is",
+        part: MissingPart::Water,
     },
     Module {
         switch: "CompSub",
         files: &["SubFile", "SDFile"],
         what: "the substructure is",
+        part: MissingPart::Substructure,
     },
     Module {
         switch: "CompMooring",
         files: &["MooringFile"],
         what: "the mooring lines are",
+        part: MissingPart::MooringLines,
     },
     Module {
         switch: "CompMAP",
         files: &["MAPFile"],
         what: "the mooring lines are",
+        part: MissingPart::MooringLines,
     },
     Module {
         switch: "CompSoil",
         files: &["SoilFile"],
         what: "the soil is",
+        part: MissingPart::Soil,
     },
 ];
+
+/// The parts whose modules are switched on, each once.
+fn missing_parts(source: &Source) -> Vec<MissingPart> {
+    let is_on = |module: &&Module| matches!(switch(source, module.switch), Some((1.., _)));
+    let mut parts: Vec<MissingPart> = MODULES.iter().filter(is_on).map(|of| of.part).collect();
+    parts.sort_unstable();
+    parts.dedup();
+    parts
+}
 
 /// The note that a module is left out, if it is switched on.
 fn left_out(source: &Source, module: &Module) -> Option<Note> {
     let (value, at) = switch(source, module.switch)?;
-    if value == 0 {
+    if value < 1 {
         return None;
     }
     let mut files = module.files.iter();

@@ -161,7 +161,7 @@ pub(super) fn notes(
     }
     let at = main.place("GenIner").start;
     let message = rotor_message(&Shaft::of(main, &rotor(main, blades)), lock);
-    notes.push(Note::assumption(message).at(source, at));
+    notes.push(Note::rigid_rotor(message).at(source, at));
     if main.furling {
         notes.push(Note::left_out("the furling model (FurlFile) is left out"));
     }
@@ -175,9 +175,16 @@ fn rotor_message(shaft: &Shaft, lock: RotorLock) -> String {
         inertia => format!("{inertia:.4e} kg m2"),
     });
     match lock {
-        RotorLock::Locked => format!(
-            "the rotor is locked to the nacelle: GenIner is used without the factor GBRatio^2, and the inertia about the shaft is {locked}; use --rotor free for a rotor that turns freely on its shaft"
-        ),
+        RotorLock::Locked => {
+            let has_factor = shaft.generator != 0.0 && shaft.ratio.abs() != 1.0;
+            let once = match has_factor {
+                true => ", in which GenIner counts once, without the factor GBRatio^2",
+                false => "",
+            };
+            format!(
+                "the rotor is locked to the nacelle: the inertia about the shaft is {locked}{once}; use --rotor free for a rotor that turns freely on its shaft"
+            )
+        }
         RotorLock::Free => format!(
             "the rotor is free: the inertia about the shaft is {felt} instead of {locked} of a locked rotor, so the RNA is not one rigid body"
         ),

@@ -2,6 +2,7 @@
 
 mod blade_file;
 mod columns;
+mod controller;
 mod deck;
 mod description;
 mod diff;

@@ -3,6 +3,7 @@
 use towermodes::{BladeDescription, BladeSection, RigidBody, Rotor};
 
 use super::blade_file::BladeFile;
+use super::controller::OperatingSpeeds;
 use super::main_file::MainFile;
 use super::main_reader::BLADES;
 use crate::note::{Note, RotorNotes};
@@ -13,17 +14,19 @@ use crate::source::Source;
 const ELEMENTS: usize = 50;
 const MOST_ELEMENTS: usize = 400;
 
-/// Number of blades and the speed at which a simulation begins; `None` if the rotor does not turn.
+/// The rotor; `None` if its operating speeds are unknown.
 ///
-/// The files of ElastoDyn do not give the range of operating speeds, which depends on the
-/// controller.
-pub(super) fn rotor(main: &MainFile) -> Option<Rotor> {
-    let rpm = main.rotor_speed_rpm;
-    (rpm > 0.0).then_some(Rotor {
-        blades: main.blade_count,
-        lowest_rpm: rpm,
-        highest_rpm: rpm,
-    })
+/// The files of ElastoDyn have only the speed at which a simulation begins (`RotSpeed`). The
+/// operating speeds depend on the controller.
+pub(super) fn rotor(main: &MainFile, speeds: Option<&OperatingSpeeds>) -> Option<Rotor> {
+    match speeds? {
+        OperatingSpeeds::Unknown(_) => None,
+        OperatingSpeeds::Known(controlled) => Some(Rotor {
+            blades: main.blade_count,
+            lowest_rpm: controlled.rpm[0],
+            highest_rpm: controlled.rpm[1],
+        }),
+    }
 }
 
 /// The first blade at standstill, as ElastoDyn has it: it bends, but it neither twists nor
@@ -57,16 +60,27 @@ pub(super) fn blade(main: &MainFile, file: &BladeFile) -> BladeDescription {
 }
 
 /// The notes on the rotor, and on its blade if that was read.
-pub(super) fn notes(main: &MainFile, source: &Source, has_blade: bool) -> RotorNotes {
+pub(super) fn notes(
+    main: &MainFile,
+    source: &Source,
+    speeds: Option<&OperatingSpeeds>,
+    has_blade: bool,
+) -> RotorNotes {
     let at = |key: &str, note: Note| note.at(source, main.place(key).start);
-    let mut notes = RotorNotes::default();
-    let rpm = main.rotor_speed_rpm;
-    if rpm > 0.0 {
-        let message = format!(
-            "RotSpeed = {rpm} rpm is the only operating speed; the files of ElastoDyn do not give the range"
-        );
-        notes.speeds.push(at("RotSpeed", Note::assumption(message)));
-    }
+    let mut notes = RotorNotes {
+        speeds: match speeds {
+            Some(OperatingSpeeds::Known(controlled)) => controlled.notes.clone(),
+            Some(OperatingSpeeds::Unknown(reason)) => vec![reason.clone()],
+            None => {
+                let message = format!(
+                    "RotSpeed = {} rpm is the speed at which the simulation begins, not the range of operating speeds; the .fst file leads to the controller, which has the range",
+                    main.rotor_speed_rpm
+                );
+                vec![at("RotSpeed", Note::assumption(message))]
+            }
+        },
+        ..RotorNotes::default()
+    };
     if has_blade {
         let others = blade_notes(main).into_iter();
         notes.others = others.map(|(key, note)| at(key, note)).collect();

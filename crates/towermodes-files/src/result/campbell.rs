@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use serde::Serialize;
-use towermodes::{Family, Rotor, Tower, Warning};
+use towermodes::{Family, Tower, Warning};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, Margin, StiffnessClass};
 use towermodes_analysis::soil_band::SoilBand;
@@ -18,12 +18,15 @@ use crate::input::Note;
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct CampbellDocument<'a> {
-    /// The worst verdict; at best `warn` where the list of modes does not cover all excitations.
+    /// The worst verdict; at best `warn` where the list of modes does not cover all excitations;
+    /// `undecided` where nothing is checked.
     verdict: Verdict,
+    /// Why nothing is checked; empty if it is.
+    not_checked: Vec<String>,
     /// The tower.
     tower: NamedJson<'a>,
     /// The rotor.
-    rotor: Rotor,
+    rotor: RotorJson,
     /// The required distance, as a fraction of the natural frequency.
     margin: f64,
     /// The frequency range (from, to), Hz, in which the tower may have modes that are not in the
@@ -49,6 +52,36 @@ pub(super) struct CampbellDocument<'a> {
 pub(super) struct NamedJson<'a> {
     /// The name in the file; may be empty.
     pub(super) name: &'a str,
+}
+
+/// A rotor.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(super) struct RotorJson {
+    /// Number of blades.
+    blades: usize,
+    /// Lowest operating speed, rpm; null if the operating speeds are unknown.
+    lowest_rpm: Option<f64>,
+    /// Highest operating speed, rpm; null if the operating speeds are unknown.
+    highest_rpm: Option<f64>,
+}
+
+impl RotorJson {
+    pub(super) fn of(campbell: &Campbell) -> Self {
+        let rotor = campbell.rotor;
+        let known = |rpm: f64| Some(rpm).filter(|_| campbell.speeds_are_known());
+        Self {
+            blades: rotor.blades,
+            lowest_rpm: known(rotor.lowest_rpm),
+            highest_rpm: known(rotor.highest_rpm),
+        }
+    }
+}
+
+/// Why nothing is checked.
+pub(super) fn not_checked(campbell: &Campbell) -> Vec<String> {
+    let reasons = campbell.not_checked.iter();
+    reasons.map(ToString::to_string).collect()
 }
 
 /// A natural frequency against the rotor speed.
@@ -130,8 +163,9 @@ pub fn write_campbell_json(
     let margins = campbell.margins.iter();
     let document = CampbellDocument {
         verdict: campbell.verdict(),
+        not_checked: not_checked(campbell),
         tower: NamedJson { name: tower.name() },
-        rotor: campbell.rotor,
+        rotor: RotorJson::of(campbell),
         margin: campbell.margin,
         unjudged_hz: campbell.uncovered_range_hz(),
         multiples: &campbell.multiples,

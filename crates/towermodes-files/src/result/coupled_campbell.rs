@@ -3,14 +3,16 @@
 use std::io::Write;
 
 use serde::Serialize;
+use towermodes::Tower;
 use towermodes::turbine::{BladeEnergy, TurbineEnergy};
-use towermodes::{Rotor, Tower};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::whirl::{
     AgainstRigid, Change, CoupledCampbell, CoupledCurve, CurvePoint, Meeting, SolvedSpeed,
 };
 
-use super::campbell::{ClassJson, MarginJson, NamedJson, class_json, margin_json};
+use super::campbell::{
+    ClassJson, MarginJson, NamedJson, RotorJson, class_json, margin_json, not_checked,
+};
 use super::{ResultError, write_result_json};
 
 /// The result of `towermodes campbell` for a turbine with flexible blades: curves of its natural
@@ -21,12 +23,15 @@ use super::{ResultError, write_result_json};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct CoupledCampbellDocument<'a> {
     /// The worst verdict; at best `warn` where the list of modes does not cover all excitations, or
-    /// where the turbine is unstable or not certified at an operating speed.
+    /// where the turbine is unstable or not certified at an operating speed; `undecided` where
+    /// nothing is checked.
     verdict: Verdict,
+    /// Why nothing is checked; empty if it is.
+    not_checked: Vec<String>,
     /// The tower.
     tower: NamedJson<'a>,
     /// The rotor.
-    rotor: Rotor,
+    rotor: RotorJson,
     /// The required distance, as a fraction of the natural frequency.
     margin: f64,
     /// The frequency range (from, to), Hz, in which the turbine may have modes that are not in the
@@ -233,8 +238,9 @@ pub fn write_coupled_campbell_json(
     let meetings = coupled.meetings.iter();
     let document = CoupledCampbellDocument {
         verdict: coupled.verdict(),
+        not_checked: not_checked(campbell),
         tower: NamedJson { name: tower.name() },
-        rotor: campbell.rotor,
+        rotor: RotorJson::of(campbell),
         margin: campbell.margin,
         unjudged_hz: campbell.uncovered_range_hz(),
         multiples: &campbell.multiples,

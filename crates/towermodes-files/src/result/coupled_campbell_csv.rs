@@ -6,6 +6,7 @@ use towermodes::turbine::BladeMotion;
 use towermodes_analysis::whirl::{CoupledCampbell, CurvePoint};
 
 use super::ResultError;
+use super::campbell::not_checked;
 
 /// The columns before those of the energy.
 const HEADER: [&str; 15] = [
@@ -46,7 +47,8 @@ const STATIONARY: [&str; 12] = [
 const HARMONICS: [&str; 5] = ["collective", "forward", "backward", "tilt", "yaw"];
 
 /// Writes a coupled Campbell diagram as CSV: one line per curve and rotor speed, with the fractions
-/// of the elastic energy. Curves are counted from 0; `is_complete` is the certificate of the speed.
+/// of the elastic energy. Curves are counted from 0; `is_complete` is the certificate of the speed,
+/// `not_checked` why there are no verdicts on the diagram.
 ///
 /// # Errors
 /// [`ResultError`] if the writer refuses.
@@ -56,7 +58,9 @@ pub fn write_coupled_campbell_csv(
 ) -> Result<(), ResultError> {
     let mut csv = ::csv::Writer::from_writer(writer);
     let header = HEADER.map(str::to_owned).into_iter();
-    csv.write_record(header.chain(energy_columns()))?;
+    let not_checked = not_checked(&coupled.campbell).join("; ");
+    let last = ["not_checked".to_owned()];
+    csv.write_record(header.chain(energy_columns()).chain(last))?;
     for (index, curve) in coupled.curves.iter().enumerate() {
         for point in &curve.points {
             let named = [
@@ -67,7 +71,8 @@ pub fn write_coupled_campbell_csv(
                 curve.partner.map_or_else(String::new, |k| k.to_string()),
             ];
             let is_complete = is_complete(coupled, point).to_string();
-            csv.write_record(named.into_iter().chain(numbers(point, is_complete)))?;
+            let row = named.into_iter().chain(numbers(point, is_complete));
+            csv.write_record(row.chain([not_checked.clone()]))?;
         }
     }
     csv.flush()?;

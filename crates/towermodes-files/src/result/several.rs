@@ -68,7 +68,7 @@ pub fn write_several_csv(files: &[SolvedFile<'_>], writer: impl Write) -> Result
     for solved in files {
         for mode in &solved.solution.modes {
             csv.write_field(solved.file)?;
-            csv.write_record(record(mode))?;
+            csv.write_record(record(mode, solved.solution))?;
         }
     }
     csv.flush()?;

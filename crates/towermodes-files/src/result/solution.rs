@@ -6,7 +6,7 @@ use std::io::Write;
 use serde::Serialize;
 use towermodes::modes::serialized::directions;
 use towermodes::{
-    Certificate, HeadStiffness, Method, Mode, Solution, SpringsAt, Statistics, Tower,
+    Certificate, HeadStiffness, Method, MissingParts, Mode, Solution, SpringsAt, Statistics, Tower,
     TowerDescription,
 };
 use towermodes_analysis::influence::{Influences, Tolerances};
@@ -71,6 +71,9 @@ struct TowerSummary<'a> {
     rigid_inertia: [[f64; 6]; 6],
     /// The soil in layers as springs; null for a tower without `[ground]`.
     ground: Option<GroundSummary>,
+    /// Parts of the structure that the source of the tower has and this model lacks; null if it is
+    /// complete. The frequencies are those of the rest.
+    missing: Option<&'a MissingParts>,
 }
 
 /// The springs that follow from soil in layers.
@@ -114,6 +117,7 @@ impl<'a> SolutionDocument<'a> {
                 gravity_m_per_s2: tower.gravity_m_per_s2(),
                 rigid_inertia: solution.rigid_inertia,
                 ground: GroundSummary::of(tower),
+                missing: tower.missing_parts(),
             },
             modes: &solution.modes,
             certificate: solution.certificate,

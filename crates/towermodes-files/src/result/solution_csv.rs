@@ -2,12 +2,13 @@
 
 use std::io::Write;
 
-use towermodes::{Mode, Solution};
+use towermodes::{Mode, Solution, Warning};
 
 use super::ResultError;
 
-/// The keys of a mode in the JSON; a dot precedes the keys of an object.
-pub(super) const HEADER: [&str; 28] = [
+/// The keys of a mode in the JSON; a dot precedes the keys of an object. The last one is of the
+/// tower: parts of the structure that it lacks, separated by spaces.
+pub(super) const HEADER: [&str; 29] = [
     "number",
     "family",
     "order",
@@ -36,6 +37,7 @@ pub(super) const HEADER: [&str; 28] = [
     "effective_mass.rotation_x",
     "effective_mass.rotation_y",
     "effective_mass.rotation_z",
+    "missing_parts",
 ];
 
 /// Writes the modes of a solution as CSV with a header.
@@ -46,14 +48,14 @@ pub fn write_csv(solution: &Solution, writer: impl Write) -> Result<(), ResultEr
     let mut csv = ::csv::Writer::from_writer(writer);
     csv.write_record(HEADER)?;
     for mode in &solution.modes {
-        csv.write_record(record(mode))?;
+        csv.write_record(record(mode, solution))?;
     }
     csv.flush()?;
     Ok(())
 }
 
 /// The values of a mode, in the order of [`HEADER`].
-pub(super) fn record(mode: &Mode) -> Vec<String> {
+pub(super) fn record(mode: &Mode, solution: &Solution) -> Vec<String> {
     let or_empty = |value: Option<f64>| value.map_or_else(String::new, |v| v.to_string());
     let second = mode.second();
     let mut record = vec![
@@ -75,5 +77,14 @@ pub(super) fn record(mode: &Mode) -> Vec<String> {
     let energy = [mode.energy.kinetic.values(), mode.energy.strain.values()];
     let fractions = energy.iter().flatten().chain(&mode.effective_mass);
     record.extend(fractions.map(|value| format!("{value:e}")));
+    record.push(missing_parts(solution));
     record
+}
+
+/// The names of the parts that the tower of a solution lacks.
+fn missing_parts(solution: &Solution) -> String {
+    let missing = solution.warnings.iter().find_map(Warning::missing_parts);
+    let parts = missing.into_iter().flat_map(|missing| &missing.parts);
+    let names: Vec<&str> = parts.map(|part| part.name()).collect();
+    names.join(" ")
 }

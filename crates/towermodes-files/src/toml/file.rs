@@ -10,6 +10,7 @@ use super::gravity::gravity;
 use super::ground::{default_foundation, ground};
 use super::masses::{is_point_mass, point_masses, rna};
 use super::materials::{Materials, materials};
+use super::missing_parts::missing_parts;
 use super::properties::properties;
 use super::reading::Reading;
 use super::rotor::rotor;
@@ -69,6 +70,7 @@ fn around(root: &Table<'_>, reading: &mut Reading) -> Option<TowerDescription> {
     let (water, wires) = (water(root, reading), wires(root, reading));
     let (gravity, rotor) = (gravity(root, reading), rotor(root, reading));
     let drivetrain = drivetrain(root, reading);
+    let missing_parts = missing_parts(root, reading);
     let turbine = turbine(root, rotor.as_ref().and_then(Option::as_ref), reading);
     let rna = root.get("rna").and_then(|value| rna(value, reading));
     let rna_is_point = is_point_mass(root, rna.as_ref());
@@ -99,6 +101,7 @@ fn around(root: &Table<'_>, reading: &mut Reading) -> Option<TowerDescription> {
         gravity_m_per_s2: gravity?,
         rotor: rotor?,
         drivetrain: drivetrain?,
+        missing_parts: missing_parts?,
         part_names: PartNames {
             point_masses: point_mass_names,
             soil: soil_names,

@@ -16,6 +16,7 @@ mod masses;
 mod materials;
 mod matrix;
 mod measured;
+mod missing_parts;
 mod numbers;
 mod properties;
 mod reading;

@@ -188,6 +188,7 @@ tables! {
     /// The whole file.
     FILE = "the file":
         optional "name" Text "" "name of the tower";
+        optional "missing_parts" Any "" "parts of the structure that the tower's source has and this file lacks";
         optional "material" Table "" "the material of stations without a name of one";
         optional "materials" Table "" "materials by their names";
         required "tower" Table "" "the stations or properties of the tower";

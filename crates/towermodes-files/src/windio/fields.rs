@@ -80,6 +80,7 @@ impl<'de> Fields<'de> for Components {
             "monopile" => monopile,
             "jacket" => jacket,
             "floating_platform" => floating_platform,
+            "mooring" => mooring,
             "hub" => hub,
             "nacelle" => nacelle,
             "drivetrain" => drivetrain,

@@ -33,7 +33,7 @@ mod water;
 mod write;
 mod yaml;
 
-use towermodes::{Damping, Rna, Rotor, TowerDescription};
+use towermodes::{Damping, MissingPart, Rna, Rotor, TowerDescription};
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
@@ -108,7 +108,7 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     let (rna, rotor) = top(&outline, version, options, reading);
     let structure = Structure::read(&outline, version, options.part, reading);
     let (rna, mut structure) = (rna?, structure?);
-    note_platform(&outline, reading);
+    let missing_parts = missing_parts(&outline, reading);
     let in_soil = water::stand(&mut structure, &outline, options.part, reading);
     let in_soil = reading.keep(in_soil)?;
     comparison::compare(&structure, reading);
@@ -136,6 +136,7 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
                 ..Damping::default()
             },
             rotor: rotor?,
+            missing_parts,
             ..description
         },
         joint_m,
@@ -173,17 +174,34 @@ fn outline(reading: &Reading<'_>) -> Result<Outline, Diagnostic> {
     yaml::parse(&without_airfoils(text))
 }
 
-fn note_platform(outline: &Outline, reading: &mut Reading<'_>) {
+/// The parts under the tower that are left out, with notes.
+fn missing_parts(outline: &Outline, reading: &mut Reading<'_>) -> Vec<MissingPart> {
     let Some(components) = &outline.components else {
-        return;
+        return Vec::new();
     };
-    if components.floating_platform.is_some() {
-        reading.note(Note::missing_part("the floating platform is left out: the tower is clamped at its base; add [foundation] with type = \"floating\" after `convert --to toml`"));
-    }
-    if components.jacket.is_some() {
-        let message = "the jacket is left out: the tower is clamped at its base";
+    let parts = [
+        (
+            components.floating_platform.is_some(),
+            MissingPart::Platform,
+            "the floating platform is left out: the tower is clamped at its base; add [foundation] with type = \"floating\" after `convert --to toml`",
+        ),
+        (
+            components.mooring.is_some(),
+            MissingPart::MooringLines,
+            "the mooring lines are left out",
+        ),
+        (
+            components.jacket.is_some(),
+            MissingPart::Substructure,
+            "the jacket is left out: the tower is clamped at its base",
+        ),
+    ];
+    let found = parts.into_iter().filter(|(is_there, ..)| *is_there);
+    let found = found.map(|(_, part, message)| {
         reading.note(Note::missing_part(message));
-    }
+        part
+    });
+    found.collect()
 }
 
 #[cfg(test)]

@@ -26,6 +26,7 @@ pub(super) struct Components {
     pub(super) monopile: Option<Node>,
     pub(super) jacket: Option<IgnoredAny>,
     pub(super) floating_platform: Option<IgnoredAny>,
+    pub(super) mooring: Option<IgnoredAny>,
     pub(super) hub: Option<Node>,
     /// Version 1.
     pub(super) nacelle: Option<Node>,

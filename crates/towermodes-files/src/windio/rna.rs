@@ -21,6 +21,9 @@ use crate::places::TABLE;
 pub(super) const WHOLE_ASSEMBLY: &str =
     "# towermodes: the whole rotor-nacelle assembly, hub and blades included";
 
+/// The bodies by the keys of version 1.
+const OLDER: &str = "elastic_properties_mb";
+
 /// The mass of the nacelle without the yaw system, as WISDEM writes it.
 const ABOVE_YAW: &str = "above_yaw_mass";
 
@@ -77,13 +80,11 @@ impl Assembly {
         let drivetrain = components.and_then(|c| c.drivetrain.as_ref());
         let yaw = components.and_then(|c| c.yaw.as_ref());
         for (node, what) in [(drivetrain, "drivetrain"), (yaw, "yaw system")] {
-            match node.and_then(|node| node.get("elastic_properties")) {
-                Some(node) => {
-                    self.add(what, body(node, NEW_KEYS, what, reading)?, &node.span);
-                }
+            if let Some(node) = node.and_then(|node| node.get("elastic_properties")) {
+                self.add(what, body(node, NEW_KEYS, what, reading)?, &node.span);
+            } else if what == "drivetrain" && !self.read_older_nacelle(outline, reading)? {
                 // Many files count the yaw system in the drive train.
-                None if what == "drivetrain" => self.missing.push("nacelle (drivetrain)"),
-                None => {}
+                self.missing.push("nacelle (drivetrain)");
             }
         }
         Ok(())
@@ -95,10 +96,29 @@ impl Assembly {
         outline: &Outline,
         reading: &mut Reading<'_>,
     ) -> Result<(), Diagnostic> {
-        let nacelle = outline.components.as_ref().and_then(|c| c.nacelle.as_ref());
-        let Some(node) = nacelle.and_then(|nacelle| nacelle.get("elastic_properties_mb")) else {
+        if !self.read_older_nacelle(outline, reading)? {
             self.missing.push("nacelle");
-            return Ok(());
+        }
+        Ok(())
+    }
+
+    /// The nacelle by the keys of version 1, under `nacelle` or, as WISDEM writes it, under
+    /// `nacelle.drivetrain`; files of version 2 may have them too. False if there is none.
+    fn read_older_nacelle(
+        &mut self,
+        outline: &Outline,
+        reading: &mut Reading<'_>,
+    ) -> Result<bool, Diagnostic> {
+        let components = outline.components.as_ref();
+        let nacelle = components.and_then(|c| c.nacelle.as_ref());
+        let of_nacelle = nacelle.and_then(|nacelle| {
+            let own = nacelle.get(OLDER);
+            own.or_else(|| nacelle.find(&["drivetrain", OLDER]))
+        });
+        let drivetrain = components.and_then(|c| c.drivetrain.as_ref());
+        let found = of_nacelle.or_else(|| drivetrain?.get(OLDER));
+        let Some(node) = found else {
+            return Ok(false);
         };
         let keys = nacelle_keys(node, reading)?;
         let nacelle = body(node, keys, "nacelle", reading)?;
@@ -108,7 +128,7 @@ impl Assembly {
             let yaw = RigidBody::point(yaw_kg, [0.0; 3]);
             self.add("yaw system", yaw, &node.span);
         }
-        Ok(())
+        Ok(true)
     }
 
     /// Hub and blades, in axes at the rotor's apex along the shaft.
@@ -194,11 +214,11 @@ fn hub(
     reading: &mut Reading<'_>,
 ) -> Result<Option<RotorBody>, Diagnostic> {
     let hub = outline.components.as_ref().and_then(|c| c.hub.as_ref());
-    let (key, keys) = match version {
-        Version::One => ("elastic_properties_mb", OLD_KEYS),
-        Version::Two => ("elastic_properties", NEW_KEYS),
-    };
-    let Some(node) = hub.and_then(|hub| hub.get(key)) else {
+    let newer = hub.and_then(|hub| hub.get("elastic_properties"));
+    let newer = newer.filter(|_| version == Version::Two);
+    let older = hub.and_then(|hub| hub.get(OLDER));
+    let found = newer.map(|node| (node, NEW_KEYS));
+    let Some((node, keys)) = found.or(older.map(|node| (node, OLD_KEYS))) else {
         return Ok(None);
     };
     let body = body(node, keys, "hub", reading)?;

@@ -29,15 +29,22 @@ struct Limits<'a> {
 }
 
 impl Limits<'_> {
-    /// The lowest speed, or the highest where the file has no other.
-    fn lowest(&self, highest: f64, note: &mut impl FnMut(&Node, Note)) -> Result<f64, Diagnostic> {
-        if let Some(node) = self.lowest {
-            return node.number("lowest rotor speed");
-        }
+    /// The lowest speed; none, with a note, where the file does not give it or gives 0, the default
+    /// of the schema.
+    fn lowest(&self, note: &mut impl FnMut(&Node, Note)) -> Result<Option<f64>, Diagnostic> {
         let key = self.key;
-        let message = format!("the file has no {key}: the highest speed is the only one");
-        note(self.highest, Note::assumption(message));
-        Ok(highest)
+        let Some(node) = self.lowest else {
+            let message = format!("the file has no {key}: the operating speeds are unknown");
+            note(self.highest, Note::assumption(message));
+            return Ok(None);
+        };
+        let lowest = node.number("lowest rotor speed")?;
+        if lowest == 0.0 {
+            let message = format!("{key} is 0, the default: the operating speeds are unknown");
+            note(node, Note::assumption(message));
+            return Ok(None);
+        }
+        Ok(Some(lowest))
     }
 
     /// The unit in rpm: limits of the torque controller are in rad/s, unless the tips would be too
@@ -95,7 +102,7 @@ impl Limits<'_> {
     }
 }
 
-/// The rotor, if the file gives a speed; assumptions go to the notes on the rotor.
+/// The rotor, if the file gives the range of its speeds; assumptions go to the notes on the rotor.
 ///
 /// Version 2 has `control.min_rotor_speed` and `rated_rotor_speed`, rpm; its `max_rotor_speed` is a
 /// limit at which the turbine is shut down, not an operating speed. Version 1, and files of version
@@ -121,7 +128,9 @@ pub(super) fn rotor(
         let note = note.at(source, node.span.start);
         reading.rotor_notes.speeds.push(note);
     };
-    let lowest = limits.lowest(highest, &mut note)?;
+    let Some(lowest) = limits.lowest(&mut note)? else {
+        return Ok(None);
+    };
     let factor = limits.rpm_of_unit(outline, highest, &mut note)?;
     limits.note_range(outline, &mut note)?;
     let blades = blade_count(outline)?;

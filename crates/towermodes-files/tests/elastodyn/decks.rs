@@ -38,7 +38,7 @@ fn a_deck_is_a_clamped_tower() {
     );
     assert!(
         notes.iter().any(|note| note.starts_with("main.dat:")
-            && note.contains("GenIner is used without the factor GBRatio^2")),
+            && note.contains("GenIner counts once, without the factor GBRatio^2")),
         "{notes:?}"
     );
     let files: Vec<&str> = deck.input.files().collect();

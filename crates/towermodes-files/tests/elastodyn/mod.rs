@@ -2,6 +2,7 @@
 //! they are at hand.
 
 mod assembly;
+mod controller;
 mod decks;
 mod hostile;
 mod main_file;

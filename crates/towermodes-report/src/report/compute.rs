@@ -9,6 +9,7 @@ use towermodes::{
 use towermodes_analysis::influence::{Influences, influences};
 use towermodes_analysis::resonance::{
     Assessment, Campbell, CampbellError, CampbellOptions, assess, reach_hz, solve_to_reach,
+    unknown_speeds,
 };
 use towermodes_analysis::soil_band::{SoilBand, SoilBandError, soil_band};
 use towermodes_analysis::study::{Comparison, compare_all_methods};
@@ -31,6 +32,9 @@ pub struct ReportRequest {
     pub covers_excitations: bool,
     /// The rotor; none if its speed is unknown.
     pub rotor: Option<Rotor>,
+    /// The number of blades, where the input gives it without the speed: then there is a diagram
+    /// without verdicts.
+    pub blades: Option<usize>,
     /// One of its blades, if the input has it.
     pub blade: Option<BladeDescription>,
     /// The whole turbine, if the input has it.
@@ -110,6 +114,7 @@ impl ReportContent {
         mut request: ReportRequest,
         computation: &mut impl Computation,
     ) -> Result<Self, ContentError> {
+        take_unknown_speeds(&mut request, computation)?;
         let solution = solved(&mut request, computation)?;
         let (campbell, remarks) = assessed(&request, &solution)?.unzip();
         let turbine = turbine_of(&mut request, &solution);
@@ -144,6 +149,24 @@ impl ReportContent {
     }
 }
 
+/// Puts the ends of a diagram without verdicts in place of operating speeds that are unknown.
+fn take_unknown_speeds(
+    request: &mut ReportRequest,
+    computation: &mut impl Computation,
+) -> Result<(), SolveError> {
+    let Some(blades) = request.blades.filter(|_| request.rotor.is_none()) else {
+        return Ok(());
+    };
+    let solution = computation.solve(&request.tower, &request.options)?;
+    let of_turbine = request.turbine.as_ref().map(|of| &of.machine().blade);
+    let radius_m = of_turbine
+        .or(request.blade.as_ref())
+        .map(|of| of.tip_radius_m);
+    request.rotor = Some(unknown_speeds(blades, &solution, radius_m));
+    request.campbell.speeds_are_known = false;
+    Ok(())
+}
+
 /// The whole turbine at its rotor speeds, up to the limit of `campbell`.
 fn turbine_of(
     request: &mut ReportRequest,
@@ -156,6 +179,7 @@ fn turbine_of(
         margin: given.margin,
         multiples: given.multiples.clone(),
         speeds: RotorSpeeds::Equal(given.speeds),
+        speeds_are_known: given.speeds_are_known,
         ..CoupledOptions::up_to(coupled_limit_hz(&rotor, given, solution, &turbine))
     };
     let coupled = coupled_campbell(&turbine, &rotor, &options, |_| ());
@@ -179,9 +203,11 @@ fn soil_band_of(
     solution: &Solution,
     computation: &mut impl Computation,
 ) -> Option<Result<SoilBand, SoilBandError>> {
+    let is_whole = request.tower.missing_parts().is_none();
     let rotor = request
         .rotor
         .as_ref()
+        .filter(|_| is_whole && request.campbell.speeds_are_known)
         .map(|rotor| (rotor, &request.campbell));
     let factors = request.soil_factors.as_ref()?;
     // No shapes are shown.

@@ -14,6 +14,6 @@ pub use completeness::{completeness, proof_of_completeness};
 pub use mode::{blade_mode_shape, mode_shape};
 pub use model::{buckling_load_factor, compared_segments, computed_by, levels, mesh};
 pub use remedy::remedy;
-pub use rotor::{operation, speed_range, verdict_counts, verdict_word};
+pub use rotor::{operation, operation_of, speed_range, verdict_counts, verdict_word};
 pub use text::{counted, listed, printable};
 pub use turbine::{STRUCTURE_ONLY, proved};

@@ -23,12 +23,24 @@ pub fn operation(rotor: &Rotor) -> String {
     format!("{blades} at {} rpm", speed_range(rotor))
 }
 
-/// The verdict in upper case: `PASS`, `WARN`, `FAIL`.
+/// The rotor of a diagram: in operation, or "3 blades, operating speeds unknown".
+pub fn operation_of(campbell: &Campbell) -> String {
+    match campbell.speeds_are_known() {
+        true => operation(&campbell.rotor),
+        false => format!(
+            "{}, operating speeds unknown",
+            counted(campbell.rotor.blades, "blade")
+        ),
+    }
+}
+
+/// The verdict in upper case: `PASS`, `WARN`, `FAIL`; `-` where there is none.
 pub fn verdict_word(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Pass => "PASS",
         Verdict::Warn => "WARN",
         Verdict::Fail => "FAIL",
+        Verdict::Undecided => "-",
     }
 }
 

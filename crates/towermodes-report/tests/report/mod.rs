@@ -119,6 +119,7 @@ fn request(covers_excitations: bool) -> ReportRequest {
     let description = pole();
     let tower = Tower::new(description.clone()).expect("a valid tower");
     ReportRequest {
+        blades: None,
         elastodyn: elastodyn(&tower),
         shapes_from_m: tower.base_m(),
         options: Options {

@@ -6,6 +6,7 @@ use super::foundation::Foundation;
 use super::ground::Ground;
 use super::inertia::Inertia;
 use super::material::Material;
+use super::missing::MissingPart;
 use super::part_names::PartNames;
 use super::properties::Properties;
 use super::rotor::Rotor;
@@ -162,6 +163,8 @@ pub struct TowerDescription {
     pub drivetrain: Option<Drivetrain>,
     /// The names of its parts; none by default.
     pub part_names: PartNames,
+    /// Parts of the structure that its source has and this description lacks; none by default.
+    pub missing_parts: Vec<MissingPart>,
 }
 
 impl Default for TowerDescription {
@@ -187,6 +190,7 @@ impl Default for TowerDescription {
             damping: Damping::default(),
             drivetrain: None,
             part_names: PartNames::default(),
+            missing_parts: Vec::new(),
         }
     }
 }

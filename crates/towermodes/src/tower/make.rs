@@ -7,6 +7,7 @@ use super::error::TowerError;
 use super::ground::{Plan, with_rows};
 use super::immersion::in_environment;
 use super::independent::{self, Motion, Motions};
+use super::missing::MissingParts;
 use super::model::{InGround, Tower};
 use super::name::printable;
 use super::piece::{self, Piece, Rows};
@@ -102,6 +103,8 @@ impl Tower {
             outfitting_factor: description.outfitting_factor,
             mass_kg,
             ground: None,
+            missing: (!description.missing_parts.is_empty())
+                .then(|| MissingParts::of(&description.missing_parts, &description.foundation)),
             warnings: Vec::new(),
         }
     }

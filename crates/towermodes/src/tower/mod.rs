@@ -19,6 +19,7 @@ mod inertia;
 mod integrals;
 mod make;
 mod material;
+mod missing;
 mod model;
 mod name;
 mod neighbour;
@@ -72,6 +73,7 @@ pub use integrals::{
 };
 pub(crate) use integrals::{for_each_flexible_point, for_each_mass_point};
 pub use material::Material;
+pub use missing::{MissingPart, MissingParts};
 pub use model::Tower;
 pub use name::{is_printable, printable};
 pub use part_names::PartNames;

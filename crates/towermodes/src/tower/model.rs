@@ -5,6 +5,7 @@ use super::base::Base;
 use super::description::{PointMass, PropertyStation, Rna, Station};
 use super::independent::{Motion, Motions};
 use super::integrals::weight_integrals;
+use super::missing::MissingParts;
 use super::piece::Piece;
 use super::rotor::Rotor;
 use super::weight::Above;
@@ -35,6 +36,7 @@ pub struct Tower {
     pub(super) outfitting_factor: f64,
     pub(super) mass_kg: f64,
     pub(super) ground: Option<InGround>,
+    pub(super) missing: Option<MissingParts>,
     pub(super) warnings: Vec<Warning>,
 }
 
@@ -230,6 +232,12 @@ impl Tower {
     /// Whether elements have joints of their own in each bending plane, even where both are equal.
     pub(crate) fn planes_are_apart(&self) -> bool {
         self.planes_are_apart
+    }
+
+    /// The parts of the structure that the source of the description has and the tower lacks; none
+    /// if it is complete.
+    pub fn missing_parts(&self) -> Option<&MissingParts> {
+        self.missing.as_ref()
     }
 
     /// Possible input mistakes.

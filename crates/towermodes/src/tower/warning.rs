@@ -13,6 +13,7 @@ use std::fmt;
 use thiserror::Error;
 
 use super::error::Place;
+use super::missing::MissingParts;
 use crate::method::Method;
 use crate::number::{Plain, Rounded, significant};
 
@@ -476,6 +477,9 @@ pub enum Warning {
         /// The largest of their errors over their frequencies.
         worst: f64,
     },
+    /// Parts of the structure are in the source of the description and not in the tower.
+    #[error("{0}: the frequencies are those of the rest, and say nothing about resonance")]
+    PartsMissing(MissingParts),
     /// Fewer modes than requested are above the rounding error.
     #[error(
         "only the lowest {listed} of the {wanted} requested modes are listed: the higher ones cannot be resolved in double precision; \
@@ -533,6 +537,14 @@ impl Warning {
         }
     }
 
+    /// The parts that the tower lacks, if the warning is about them.
+    pub fn missing_parts(&self) -> Option<&MissingParts> {
+        match self {
+            Self::PartsMissing(missing) => Some(missing),
+            _ => None,
+        }
+    }
+
     /// The place of this value in the description.
     pub fn place(&self) -> Option<Place> {
         self.site().and_then(|site| site.place)
@@ -547,6 +559,7 @@ impl fmt::Display for Range {
         let &Self(least, most, unit) = self;
         let [low, high] = [least, most].map(|limit| Plain(rounded(limit)));
         match (least.is_finite(), most.is_finite()) {
+            (true, true) if low == high => write!(f, "about {low}{unit}"),
             (true, true) => write!(f, "{low} to {high}{unit}"),
             (true, false) => write!(f, "at least {low}{unit}"),
             _ => write!(f, "at most {high}{unit}"),

@@ -12,7 +12,7 @@ mod turbine;
 mod writing;
 
 use towermodes::turbine::TurbineDescription;
-use towermodes::{Shear, Station, TowerDescription};
+use towermodes::{MissingPart, Shear, Station, TowerDescription};
 
 use super::schema;
 use crate::note::Note;
@@ -42,6 +42,7 @@ pub fn write_toml_with(
         writing.line("");
         writing.commented("name", &quoted(&description.name), "");
     }
+    missing_parts(&description.missing_parts, &mut writing);
     tower(description, &mut writing);
     match turbine {
         Some(turbine) => turbine::turbine(turbine, &mut writing),
@@ -67,6 +68,18 @@ pub(crate) fn can_be_written(turbine: &TurbineDescription, description: &TowerDe
     let is_same_rotor = rotor.is_none_or(|rotor| rotor.blades == turbine.blades);
     let has_own_drivetrain = description.drivetrain.is_some();
     is_same_rotor && !has_own_drivetrain && is_rigid_body_of(turbine, &description.rna)
+}
+
+/// What the source of the tower has and the file lacks, with a warning.
+fn missing_parts(parts: &[MissingPart], writing: &mut Writing) {
+    if parts.is_empty() {
+        return;
+    }
+    let names: Vec<String> = parts.iter().map(|part| quoted(part.name())).collect();
+    writing.line("");
+    writing.line("# WARNING: the source of this tower has parts that are not in this file. The frequencies are those of the rest.");
+    writing.line("# Remove the next line only after these parts are described below.");
+    writing.line(format!("missing_parts = [{}]", names.join(", ")));
 }
 
 /// `[material]`, `[materials]` and `[tower]`.

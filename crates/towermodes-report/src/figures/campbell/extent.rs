@@ -1,7 +1,6 @@
 //! The ranges of the axes of a Campbell diagram: a main field with the first bending modes and the
 //! blade passing frequency, and an upper field for higher modes.
 
-use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{BEYOND_OPERATION, Campbell, StiffnessClass};
 
 /// The number of tower modes that are shown even if they are above the excitations …
@@ -121,7 +120,7 @@ fn passed_hz(campbell: &Campbell, end_hz: f64) -> f64 {
 /// The highest frequency with a FAIL or WARN.
 fn judged_hz(campbell: &Campbell, multiples: &[usize], end_hz: f64) -> f64 {
     let judged = campbell.margins.iter().filter(|margin| {
-        margin.verdict != Verdict::Pass
+        margin.verdict.is_objection()
             && margin.natural_hz <= FAR * end_hz
             && multiples.contains(&margin.multiple)
     });

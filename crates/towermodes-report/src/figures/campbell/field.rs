@@ -109,6 +109,11 @@ fn operation(drawing: &mut Drawing, campbell: &Campbell, fields: &[Axes]) {
     let Some(axes) = fields.last() else {
         return;
     };
+    if !campbell.speeds_are_known() {
+        let place = (axes.frame.left, axes.frame.top - 32.0);
+        drawing.text(place, "operating speeds unknown", &TextStyle::new(SIZE));
+        return;
+    }
     let [from, to] = operation_places(campbell, axes);
     let stroke = Stroke::new(Colour::Muted, 1.0);
     let (above, edge) = (axes.frame.top - 26.0, axes.frame.top - 21.0);

@@ -88,6 +88,9 @@ fn shades(campbell: &Campbell, shown: &Shown) -> Vec<Entry> {
         );
         entries.push((surface(Colour::Window, window_edge()), text));
     }
+    if !campbell.not_checked.is_empty() {
+        return entries;
+    }
     let strong: Vec<String> = strong(campbell, shown)
         .into_iter()
         .map(rays::text)

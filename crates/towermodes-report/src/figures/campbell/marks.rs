@@ -112,7 +112,7 @@ pub(super) fn clusters(
     (field, axes): (usize, &Axes),
 ) -> Vec<Cluster> {
     let is_marked = |margin: &&Margin| {
-        margin.verdict != Verdict::Pass
+        margin.verdict.is_objection()
             && margin.natural_hz <= shown.highest_hz()
             && shown.field_of(margin.natural_hz) == field
             && shown.has(margin.line, margin.multiple)

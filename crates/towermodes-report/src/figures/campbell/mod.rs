@@ -18,7 +18,7 @@ use towermodes_analysis::whirl::CoupledCampbell;
 
 use crate::number::digits;
 use crate::svg::{DataTable, Figure};
-use crate::wording::{STRUCTURE_ONLY, operation, proved};
+use crate::wording::{STRUCTURE_ONLY, operation_of, proved};
 
 use above::{above_text, unresisted_text};
 use field::drawing;
@@ -59,7 +59,7 @@ fn description(campbell: &Campbell, shown: &Shown) -> String {
         digits(shown.highest_hz(), 3),
         digits(shown.last_rpm, 3),
         excitations(&shown.multiples),
-        operation(&campbell.rotor)
+        operation_of(campbell)
     );
     let above = above_text(campbell, shown);
     let more =

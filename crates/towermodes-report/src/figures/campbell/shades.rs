@@ -17,8 +17,11 @@ const AROUND: f64 = 4.0;
 const FROM_BAND: f64 = 26.0;
 
 /// The soft-stiff range, Hz: above 1P at the highest speed and below the blade passing frequency at
-/// the lowest; none if these ranges overlap.
+/// the lowest; none if these ranges overlap, and where nothing is checked.
 pub(super) fn window_hz(campbell: &Campbell) -> Option<[f64; 2]> {
+    if !campbell.not_checked.is_empty() {
+        return None;
+    }
     let rotor = &campbell.rotor;
     let from_hz = rotor.highest_rpm / 60.0;
     let to_hz = rotor.blades as f64 * rotor.lowest_rpm / 60.0;
@@ -53,6 +56,9 @@ pub(super) fn ribbon_edge(is_margin: bool) -> Stroke {
 /// Draws all shades of a field.
 pub(super) fn draw(drawing: &mut Drawing, campbell: &Campbell, shown: &Shown, axes: &Axes) {
     let frame = axes.frame;
+    if !campbell.speeds_are_known() {
+        return;
+    }
     let [from, to] = band_edges(campbell, axes);
     let size = (to - from, frame.bottom - frame.top);
     drawing.rectangle((from, frame.top), size, Colour::Band, None);
@@ -63,6 +69,9 @@ pub(super) fn draw(drawing: &mut Drawing, campbell: &Campbell, shown: &Shown, ax
         for y in [top, bottom] {
             drawing.line((frame.left, y), (frame.right, y), &window_edge());
         }
+    }
+    if !campbell.not_checked.is_empty() {
+        return;
     }
     for is_margin in [false, true] {
         for multiple in strong(campbell, shown) {

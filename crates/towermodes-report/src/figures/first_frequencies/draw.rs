@@ -154,6 +154,7 @@ fn colour(verdict: Verdict) -> Colour {
         Verdict::Pass => Colour::Pass,
         Verdict::Warn => Colour::Warn,
         Verdict::Fail => Colour::Fail,
+        Verdict::Undecided => Colour::Muted,
     }
 }
 

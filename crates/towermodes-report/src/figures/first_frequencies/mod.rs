@@ -15,13 +15,13 @@ const NAME: &str = "first-frequencies";
 /// The first fore-aft and side-side frequencies of a tower (or the lowest coupled ones) on a
 /// frequency axis, with their distance from the rotor speed (1P) and the blade passing frequency.
 /// The ranges of both in operation are shaded, and around them the required margin. None if there
-/// is neither a mode nor an excitation to show.
+/// is neither a mode nor an excitation to show, and where nothing is checked.
 ///
 /// With the margin m an excitation from a to b Hz keeps natural frequencies out of a/(1 + m) to
 /// b/(1 − m): there the distance |d| is below m at some operating speed.
 pub fn first_frequencies(campbell: &Campbell) -> Option<Figure> {
     let (ranges, lanes) = (ranges(campbell), lanes(campbell));
-    if ranges.is_empty() || lanes.is_empty() {
+    if !campbell.not_checked.is_empty() || ranges.is_empty() || lanes.is_empty() {
         return None;
     }
     let bar = Bar {

@@ -9,7 +9,7 @@ use super::super::table::{Cell, Table};
 use super::{paragraph, picture, table};
 use crate::figures;
 use crate::number::{four_digits, margin_percent, typeset};
-use crate::wording::{operation, verdict_counts};
+use crate::wording::{operation, operation_of, verdict_counts};
 
 /// The lines of a tower file that this section needs.
 const ROTOR: &str = "[rotor]\nblades = 3\nrpm = [6.9, 12.1]   # lowest and highest operating speed";
@@ -34,9 +34,12 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     }
     let caption = "Distance of every excitation from every natural frequency";
     blocks.push(table(margins(campbell, caption)));
-    blocks.push(Block::List(verdicts(campbell)));
+    blocks.extend(meaning(campbell));
     if !has_blade(campbell) {
         blocks.push(paragraph("Blade modes were not checked."));
+    }
+    if !campbell.not_checked.is_empty() {
+        return blocks;
     }
     blocks.push(paragraph(
         "The verdicts include the numerical error of the frequency: f is shifted by its error towards the excitation. The table gives the \
@@ -63,6 +66,13 @@ fn without_rotor(content: &ReportContent) -> Vec<Block> {
 
 fn question(campbell: &Campbell) -> String {
     let multiples: Vec<String> = campbell.multiples.iter().map(|n| format!("{n}P")).collect();
+    if !campbell.speeds_are_known() {
+        return format!(
+            "The rotor has {}. Its excitations are the multiples {} of the rotor speed. The table gives where each meets a natural frequency.",
+            operation_of(campbell),
+            multiples.join(", ")
+        );
+    }
     format!(
         "The rotor has {} in operation. Its excitations are the multiples {} of the rotor speed. The distance of an excitation from a natural \
          frequency f is (excitation frequency)/f − 1, at the operating speed where it is smallest. The margin, the required distance, is {} %.",
@@ -132,9 +142,22 @@ fn distance(campbell: &Campbell, margin: &Margin) -> String {
     }
 }
 
+/// The meaning of the verdicts, or why there are none.
+pub(super) fn meaning(campbell: &Campbell) -> Vec<Block> {
+    if campbell.not_checked.is_empty() {
+        return vec![Block::List(verdicts(campbell))];
+    }
+    let mut blocks = vec![paragraph(campbell.conclusion().join(" "))];
+    if !campbell.speeds_are_known() {
+        let how = "With --rpm LOWEST,HIGHEST, or with these lines in a tower file, each pair has a verdict:";
+        blocks.extend([paragraph(how), Block::Code(ROTOR.to_owned())]);
+    }
+    blocks
+}
+
 /// The meaning of each verdict, with the number of pairs. Blade modes are named only if they were
 /// checked.
-pub(super) fn verdicts(campbell: &Campbell) -> Vec<String> {
+fn verdicts(campbell: &Campbell) -> Vec<String> {
     let [pass, warn, fail] = verdict_counts(campbell);
     let strong = match campbell.rotor.blades {
         1 => "1P".to_owned(),

@@ -67,6 +67,13 @@ fn resonance(content: &ReportContent, lead: &'static str) -> Statement {
         Some(Err(_)) => return not_checked("the rotor blade could not be solved"),
         Some(Ok(campbell)) => campbell,
     };
+    if !campbell.not_checked.is_empty() {
+        return Statement {
+            lead,
+            text: campbell.conclusion().join(" "),
+            verdict: None,
+        };
+    }
     Statement {
         lead,
         text: format!(

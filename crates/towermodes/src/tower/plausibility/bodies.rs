@@ -121,7 +121,11 @@ pub(crate) fn inertia(
         return;
     }
     let ball_m = radius_of_ball_m(mass_kg);
-    let usual = Usual::new(Quantity::RadiusOfBody, ball_m, reach_m.max(ball_m));
+    // What is heavier than a ball of its reach is said elsewhere; then there is no range.
+    let usual = match ball_m < reach_m {
+        true => Usual::new(Quantity::RadiusOfBody, ball_m, reach_m),
+        false => Usual::at_least(Quantity::RadiusOfBody, ball_m),
+    };
     // Of all bodies of one mass and density a ball has the smallest sum of principal moments.
     let mean_m = ((least_kg_m2 + middle_kg_m2 + largest_kg_m2) / (3.0 * mass_kg)).sqrt();
     let largest_m = (largest_kg_m2 / mass_kg).sqrt();

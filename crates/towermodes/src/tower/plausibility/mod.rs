@@ -62,7 +62,8 @@ impl<'a> Given<'a> {
 
 /// The warnings that the input alone gives rise to.
 pub(super) fn plausibility(tower: &Tower, given: &Given<'_>) -> Vec<Warning> {
-    let mut warnings = Vec::new();
+    let missing = tower.missing_parts().cloned();
+    let mut warnings: Vec<Warning> = missing.map(Warning::PartsMissing).into_iter().collect();
     geometry::check(tower, given, &mut warnings);
     materials::check(tower, given, &mut warnings);
     table::check(tower, &mut warnings);

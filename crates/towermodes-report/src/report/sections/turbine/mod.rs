@@ -9,7 +9,7 @@ use super::super::content::TurbineResults;
 use super::super::document::{Block, Statement};
 use super::super::mark::Mark;
 use super::super::plot_command::COUPLED;
-use super::resonance::{margins, verdicts};
+use super::resonance::{margins, meaning};
 use super::{own_picture, paragraph, picture, table};
 use crate::figures;
 use crate::svg::Figure;
@@ -60,7 +60,7 @@ fn diagram(results: &TurbineResults) -> Vec<Block> {
     }
     let caption = "Distance of every excitation from every coupled mode";
     blocks.push(table(margins(campbell, caption)));
-    blocks.push(Block::List(verdicts(campbell)));
+    blocks.extend(meaning(campbell));
     blocks
 }
 
@@ -83,7 +83,9 @@ pub(super) fn resonance(results: &TurbineResults) -> Statement {
     Statement {
         lead: "Resonance of the turbine",
         text: coupled.campbell.conclusion().join(" "),
-        verdict: Some(Mark::of(coupled.verdict())),
+        verdict: Some(coupled.verdict())
+            .filter(|_| coupled.campbell.not_checked.is_empty())
+            .map(Mark::of),
     }
 }
 
