@@ -64,6 +64,11 @@ class Campbell:
         The JSON of the program.
         """
     @property
+    def not_checked(self, /) -> list[str]:
+        """
+        Why nothing is checked; empty if it is.
+        """
+    @property
     def notes(self, /) -> list[str]:
         """
         The notes of the reader, and those on the rotor.
@@ -79,7 +84,7 @@ class Campbell:
     @property
     def verdict(self, /) -> str:
         """
-        The worst verdict: `pass`, `warn` or `fail`.
+        The worst verdict: `pass`, `warn`, `fail`, or `undecided` where nothing is checked.
         """
     @property
     def warnings(self, /) -> list[str]:
@@ -604,6 +609,11 @@ class TurbineCampbell:
         The JSON of the program.
         """
     @property
+    def not_checked(self, /) -> list[str]:
+        """
+        Why nothing is checked; empty if it is.
+        """
+    @property
     def limit_hz(self, /) -> float:
         """
         Up to which frequency, Hz.
@@ -649,7 +659,7 @@ class TurbineCampbell:
     @property
     def verdict(self, /) -> str:
         """
-        The worst verdict: `pass`, `warn` or `fail`.
+        The worst verdict: `pass`, `warn`, `fail`, or `undecided` where nothing is checked.
         """
     @property
     def warnings(self, /) -> list[str]:

@@ -317,11 +317,20 @@ class TurbineCampbell(Tabular):
 
     @property
     def verdict(self) -> str:
-        """The worst verdict: "pass", "warn" or "fail".
+        """The worst verdict: "pass", "warn", "fail" or "undecided".
 
         At best "warn" where modes do not cover all excitations or are not certified in operation.
+        It is "undecided" where nothing is checked: see `not_checked`.
         """
         return self._core.verdict
+
+    @property
+    def not_checked(self) -> list[str]:
+        """Why nothing is checked: unknown operating speeds, or parts that the tower lacks.
+
+        The list is empty where there are verdicts.
+        """
+        return self._core.not_checked
 
     @property
     def conclusion(self) -> str:

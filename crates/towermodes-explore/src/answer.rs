@@ -116,7 +116,7 @@ pub struct Remark {
 /// The resonance check as a whole.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Resonance {
-    /// The worst verdict: `pass`, `warn` or `fail`.
+    /// The worst verdict: `pass`, `warn`, `fail`, or `undecided` where nothing is checked.
     pub word: Verdict,
     /// The conclusion in sentences, then the remarks of the check.
     pub conclusion: Vec<String>,
@@ -200,6 +200,9 @@ impl AnsweredMode {
 /// The verdict on a tower mode by its worst excitation, of equal ones the closest.
 fn verdicted(campbell: &Campbell, number: usize) -> Option<Verdicted> {
     let is_own = |excited| matches!(excited, Excited::Tower { number: n, .. } if n == number);
+    if !campbell.not_checked.is_empty() {
+        return None;
+    }
     let line = campbell.lines.iter().position(|line| is_own(line.of))?;
     let margins = campbell.margins.iter().filter(|one| one.line == line);
     let worst = margins.max_by(|a, b| {

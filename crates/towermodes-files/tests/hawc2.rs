@@ -310,21 +310,21 @@ fn mistakes_in_rows_have_their_place() {
         "5000 0 0",
         "5000 0.9 0",
         (6, 11),
-        "x_cg is 0.9 m, 32 % of the radius",
+        "x_cg (column 3) is 0.9 m, 32 % of the radius",
         "blade",
     );
     refused(
         "1.0 0 0 0",
         "1.0 30 0 0",
         (6, 65),
-        "rotated by 30 degrees",
+        "pitch (column 17) rotates the principal axes by 30 degrees",
         "",
     );
     refused(
         "1.0 0 0 0",
         "1.0 90 0 0",
         (6, 65),
-        "rotated by 90 degrees",
+        "rotates the principal axes by 90 degrees",
         "",
     );
 }

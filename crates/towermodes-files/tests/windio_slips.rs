@@ -3,7 +3,7 @@
 
 use crate::windio_files;
 
-use towermodes::{Options, solve};
+use towermodes::{MissingPart, Options, solve};
 use towermodes_files::{ReadError, ReadOptions, Source, TowerInput, TowerPart, read_windio};
 use windio_files::{LAYERED, VERSION_1, VERSION_2};
 
@@ -237,6 +237,94 @@ fn the_mass_above_the_yaw_system_is_the_nacelles() {
         .len(),
         1
     );
+}
+
+/// WISDEM writes the masses of the nacelle under its drive train.
+#[test]
+fn the_nacelle_is_found_under_its_drive_train_too() {
+    let expected = read(VERSION_1).description.rna;
+    let (text, _) = with(
+        VERSION_1,
+        "        drivetrain: {uptilt: 0.0, distance_tt_hub: 2.0, overhang: 5.0}
+        elastic_properties_mb:
+            system_mass: 1000
+            yaw_mass: 200
+            system_inertia: [40, 50, 60, 0, 0, 0]
+            system_center_mass: [0, 0, 1.0]
+",
+        "        drivetrain:
+            uptilt: 0.0
+            distance_tt_hub: 2.0
+            overhang: 5.0
+            elastic_properties_mb:
+                system_mass: 1000
+                yaw_mass: 200
+                system_inertia: [40, 50, 60, 0, 0, 0]
+                system_center_mass: [0, 0, 1.0]
+",
+    );
+    assert_eq!(read(&text).description.rna, expected);
+    assert!(notes(&text, "INCOMPLETE").is_empty());
+}
+
+/// Files of version 2 may have bodies by the keys of version 1.
+#[test]
+fn older_bodies_in_a_newer_file_are_read() {
+    let (text, _) = with(
+        VERSION_2,
+        "    drivetrain:
+        elastic_properties:
+            mass: 100000
+            inertia: [1.0e5, 2e5, 3e5, 0, 0, 0]
+            location: [-1.0, 0.0, 2.0]
+",
+        "    hub: {diameter: 2, elastic_properties_mb: {system_mass: 500}}
+    drivetrain:
+        outer_shape: {uptilt: 0, overhang: 5, distance_tt_hub: 2}
+        elastic_properties_mb: {system_mass: 1000, system_center_mass: [0, 0, 1]}
+",
+    );
+    let rna = read(&text).description.rna;
+    assert_eq!(rna.mass_kg, 1500.0);
+    assert!((rna.center_m[0] + 5.0 * 500.0 / 1500.0).abs() < 1e-12);
+}
+
+/// The first files of version 1 have the whole assembly as one body, its inertia about the tower
+/// top: 3000 kg at (-2, 0, 1) m add 3000, 15000 and 12000 kg m2 to the diagonal of an inertia of
+/// 100, 200 and 300 kg m2, and 6000 kg m2 to the entry xz.
+#[test]
+fn a_whole_assembly_stands_for_its_parts() {
+    let (start, rest) = VERSION_1.split_once("    hub:\n").expect("a hub");
+    let (_, tower) = rest.split_once("    tower:\n").expect("a tower");
+    let body = "    RNA:
+        elastic_properties_mb:
+            mass: 3000
+            inertia: [3100, 15200, 12300, 0, 6000, 0]
+            center_mass: [-2, 0, 1]
+";
+    let text = format!("{start}{body}    tower:\n{tower}");
+    let rna = read(&text).description.rna;
+    assert_eq!((rna.mass_kg, rna.center_m), (3000.0, [-2.0, 0.0, 1.0]));
+    let inertia = rna.inertia_kg_m2;
+    assert_eq!([inertia.xx, inertia.yy, inertia.zz], [100.0, 200.0, 300.0]);
+    assert_eq!([inertia.xy, inertia.xz, inertia.yz], [0.0, 0.0, 0.0]);
+    assert!(notes(&text, "INCOMPLETE").is_empty());
+    assert_eq!(
+        notes(&text, "the inertia of RNA is about the tower top").len(),
+        1
+    );
+}
+
+#[test]
+fn what_holds_the_tower_and_is_not_read_is_missing() {
+    let text = VERSION_2.replacen(
+        "components:\n",
+        "components:\n    floating_platform: {joints: []}\n    mooring: {lines: []}\n",
+        1,
+    );
+    let missing = read(&text).description.missing_parts;
+    assert_eq!(missing, [MissingPart::Platform, MissingPart::MooringLines]);
+    assert!(read(VERSION_2).description.missing_parts.is_empty());
 }
 
 #[test]

@@ -97,10 +97,17 @@ impl TurbineCampbell {
         })
     }
 
-    /// The worst verdict: `pass`, `warn` or `fail`.
+    /// The worst verdict: `pass`, `warn`, `fail`, or `undecided` where nothing is checked.
     #[getter]
     fn verdict(&self) -> &'static str {
         self.diagram.verdict().name()
+    }
+
+    /// Why nothing is checked; empty if it is.
+    #[getter]
+    fn not_checked(&self) -> Vec<String> {
+        let reasons = self.diagram.campbell.not_checked.iter();
+        reasons.map(ToString::to_string).collect()
     }
 
     /// The conclusion in sentences.

@@ -26,7 +26,9 @@ Where the tower stands in soil or on an elastic foundation, a second table has t
 
 For a turbine with flexible blades ([turbine] in the tower file, or an ElastoDyn deck with its blade files) the diagram is that of the whole turbine while its rotor turns: coupled modes of tower, drivetrain and blades in the fixed frame, each proved by counts, whirl modes in pairs, crossings and veerings. Structure only: no aerodynamics, no controller, constant speed. --uncoupled gives the diagram of the tower with a rigid rotor; so does every option that applies to it alone: --method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits, --soil-factor.
 
-Exit codes: 0 no pair fails; 1 at least one pair fails, or the computation or the output failed; 2 wrong usage or wrong input.";
+Without operating speeds (a simulation's initial speed is no range), or with parts of the structure that are not in the model, there is a diagram and no verdict.
+
+Exit codes: 0 no pair fails; 1 at least one pair fails, nothing could be checked, or the computation or the output failed; 2 wrong usage or wrong input.";
 
 /// The arguments of `campbell`.
 #[derive(Debug, Args)]

@@ -108,7 +108,13 @@ impl Model {
         let reading = reading.map_err(|mistake| ReadError::mistake(&tower_source, mistake))?;
         let blades = match options.without_rna {
             true => Blades::default(),
-            false => blades(&main, &named)?,
+            false => match blades(&main, &named) {
+                // With BeamDyn, ElastoDyn reads no blade files.
+                Err(_) if found.beamdyn_note.is_some() && !named.has_blades(&main) => {
+                    Blades::default()
+                }
+                blades => blades?,
+            },
         };
         let fst = found.fst.as_ref().filter(|_| main.machine_dofs.yaw);
         let yaw = fst.filter(|_| !options.without_rna);
@@ -152,6 +158,9 @@ impl Model {
         description.rna = rna.into();
         description.rotor = rotor::rotor(main, self.speeds.as_ref());
         description.missing_parts = missing_parts(main, &self.found.missing_parts);
+        if self.has_no_blades(options) {
+            description.missing_parts.push(MissingPart::Blades);
+        }
         if !options.without_gravity {
             let fst = self.found.fst.as_ref().map(|fst| fst.name.as_str());
             let of_fst = self.found.gravity_m_per_s2.zip(fst);
@@ -182,6 +191,9 @@ impl Model {
         if options.without_rna {
             return TurbineReading::default();
         }
+        if self.has_no_blades(options) {
+            return TurbineReading::missing(self.no_blades());
+        }
         let mut turbine = turbine::turbine(&Parts {
             main: &self.main,
             source: &self.found.source,
@@ -195,6 +207,18 @@ impl Model {
         turbine
     }
 
+    /// Whether the blades are those of BeamDyn, without blade files of ElastoDyn.
+    fn has_no_blades(&self, options: &ReadOptions) -> bool {
+        !options.without_rna && self.blades.files.is_empty() && self.found.beamdyn_note.is_some()
+    }
+
+    /// The note on blades that no file of ElastoDyn has.
+    fn no_blades(&self) -> Note {
+        let message = "CompElast is 2 and BldFile(1) is not there: the blades are those of BeamDyn, whose files are not read, so the rotor-nacelle assembly has no blades";
+        let at = self.main.place(BLADES[0]).start;
+        Note::missing_part(message).at(&self.found.source, at)
+    }
+
     /// The notes on the files, on the tower and on the rotor-nacelle assembly.
     fn notes(&self, ends: Ends, options: &ReadOptions) -> Vec<Note> {
         let main = &self.main;
@@ -205,6 +229,7 @@ impl Model {
         notes.extend(foundation_note(main));
         notes.extend(main.tower_hangs().then(|| hanging_note(ends)));
         if !options.without_rna {
+            notes.extend(self.has_no_blades(options).then(|| self.no_blades()));
             let masses = &self.blades.masses;
             notes.extend(lump::notes(main, &self.found.source, masses, options.rotor));
         }
@@ -281,6 +306,14 @@ impl Named<'_> {
                 };
                 ReadError::mistake(self.source, Diagnostic::new(span, kind).with_hint(hint))
             })
+    }
+}
+
+impl Named<'_> {
+    /// Whether the file of the first blade is there.
+    fn has_blades(&self, main: &MainFile) -> bool {
+        let first = main.blade_files.first();
+        first.is_some_and(|path| self.files.read(&beside(self.folder, path)).is_ok())
     }
 }
 

@@ -77,16 +77,39 @@ pub(super) fn parameters(text: &str) -> Result<BTreeMap<&'static str, Placed<'_>
         return Err(not_understood(named, &layout, &lines, &names));
     }
     let mut places = BTreeMap::new();
-    for (index, entry) in layout.into_iter().enumerate() {
+    for (index, &entry) in layout.iter().enumerate() {
         let Some(line) = lines.get(index) else {
             return Err(all.ended(entry.name()));
         };
-        check(entry, line, names[index])?;
+        if !is_exchanged(index, &layout, (&lines, &names)) {
+            check(entry, line, names[index])?;
+        }
         if let Entry::Parameter(record) = entry {
             places.insert(record.name, (record, *line));
         }
     }
     Ok(places)
+}
+
+/// Whether a line and its neighbour have each other's names and equal values: then it does not
+/// matter that OpenFAST goes by the position and not by the name.
+fn is_exchanged(
+    index: usize,
+    layout: &[Entry],
+    (lines, names): (&[Line<'_>], &[Option<&'static str>]),
+) -> bool {
+    let value = |index: usize| {
+        let first = lines.get(index)?.first()?;
+        Some(first.text.to_ascii_lowercase())
+    };
+    let with = |other: usize| {
+        let own = layout.get(index).zip(names.get(other));
+        let others = layout.get(other).zip(names.get(index));
+        let mut pairs = own.into_iter().chain(others).peekable();
+        let is_pair = pairs.peek().is_some() && pairs.all(|(entry, name)| entry.is(*name));
+        is_pair && value(index).is_some() && value(index) == value(other)
+    };
+    index.checked_sub(1).is_some_and(with) || with(index + 1)
 }
 
 /// The parameter whose name is on each line, if any.

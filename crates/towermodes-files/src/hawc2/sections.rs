@@ -116,8 +116,9 @@ fn offsets(
 fn off_axis(row: &Row<'_>, column: usize, fraction: f64) -> Diagnostic {
     let (name, unit) = row::name_and_unit(column);
     let kind = DiagnosticKind::Unsupported(format!(
-        "{name} is {}{unit}, {:.0} % of the radius of a tube with this I and A; \
+        "{name} (column {}) is {}{unit}, {:.0} % of the radius of a tube with this I and A; \
          centres that far off the axis are not modelled",
+        column + 1,
         row.of(column),
         100.0 * fraction
     ));
@@ -127,8 +128,9 @@ fn off_axis(row: &Row<'_>, column: usize, fraction: f64) -> Diagnostic {
 
 fn turned(row: &Row<'_>) -> Diagnostic {
     let kind = DiagnosticKind::Unsupported(format!(
-        "the principal axes are rotated by {} degrees and I_x = {} m4 differs from I_y = {} m4, \
+        "pitch (column {}) rotates the principal axes by {} degrees, and I_x = {} m4 differs from I_y = {} m4, \
          which couples both bending planes; this is not modelled",
+        row::PITCH + 1,
         row.of(row::PITCH),
         row.of(row::SECOND_MOMENT[0]),
         row.of(row::SECOND_MOMENT[1])

@@ -81,6 +81,7 @@ impl<'de> Fields<'de> for Components {
             "jacket" => jacket,
             "floating_platform" => floating_platform,
             "mooring" => mooring,
+            "RNA" => rna,
             "hub" => hub,
             "nacelle" => nacelle,
             "drivetrain" => drivetrain,

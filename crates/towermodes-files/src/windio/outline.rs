@@ -27,6 +27,8 @@ pub(super) struct Components {
     pub(super) jacket: Option<IgnoredAny>,
     pub(super) floating_platform: Option<IgnoredAny>,
     pub(super) mooring: Option<IgnoredAny>,
+    /// The whole rotor-nacelle assembly, in the first files of version 1.
+    pub(super) rna: Option<Node>,
     pub(super) hub: Option<Node>,
     /// Version 1.
     pub(super) nacelle: Option<Node>,

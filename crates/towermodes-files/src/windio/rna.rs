@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use towermodes::{Place, RigidBody, Rna};
+use towermodes::{Inertia, Place, RigidBody, Rna};
 
 use super::body::{NEW_KEYS, OLD_KEYS, body};
 use super::outline::{Outline, Version};
@@ -49,7 +49,14 @@ pub(super) fn rna(
         Version::One => assembly.read_nacelle_1(outline, reading)?,
         Version::Two => assembly.read_nacelle_2(outline, reading)?,
     }
-    assembly.read_rotor(outline, version, reading)?;
+    if assembly.bodies.is_empty()
+        && let Some(whole) = whole(outline, reading)?
+    {
+        assembly.missing.clear();
+        assembly.add("RNA", whole.body, &whole.span);
+    } else {
+        assembly.read_rotor(outline, version, reading)?;
+    }
     assembly.note(reading);
     for key in [TABLE, "mass", "center", "inertia"] {
         reading.remember(Place::Rna { key }, &assembly.span);
@@ -179,6 +186,45 @@ impl Assembly {
         };
         reading.note_at(self.span.start, note);
     }
+}
+
+/// The whole assembly, hub and blades included.
+struct Whole {
+    body: RigidBody,
+    span: Range<usize>,
+}
+
+/// The whole assembly under `RNA`, as the first files of version 1 have it: its inertia is about
+/// the tower top.
+fn whole(outline: &Outline, reading: &mut Reading<'_>) -> Result<Option<Whole>, Diagnostic> {
+    let components = outline.components.as_ref();
+    let Some(node) = components.and_then(|c| c.rna.as_ref()?.get(OLDER)) else {
+        return Ok(None);
+    };
+    let keys = ["mass", "inertia", "center_mass"];
+    let about_top = body(node, keys, "rotor-nacelle assembly", reading)?;
+    let message = "the inertia of RNA is about the tower top, as WISDEM writes it";
+    reading.note_at(node.span.start, Note::assumption(message));
+    let (m, [x, y, z]) = (about_top.mass_kg, about_top.center_m);
+    let own = about_top.inertia_kg_m2;
+    let inertia_kg_m2 = match own == Inertia::default() {
+        true => own,
+        false => Inertia {
+            xx: own.xx - m * (y * y + z * z),
+            yy: own.yy - m * (x * x + z * z),
+            zz: own.zz - m * (x * x + y * y),
+            xy: own.xy + m * x * y,
+            xz: own.xz + m * x * z,
+            yz: own.yz + m * y * z,
+        },
+    };
+    Ok(Some(Whole {
+        body: RigidBody {
+            inertia_kg_m2,
+            ..about_top
+        },
+        span: node.span.clone(),
+    }))
 }
 
 /// The key of the nacelle mass: `system_mass` as in the schema, or `above_yaw_mass` as WISDEM

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use towermodes::{MissingPart, Place};
-use towermodes_files::elastodyn::{ElastoDynDeck, read_elastodyn};
+use towermodes_files::elastodyn::{ElastoDynDeck, read_elastodyn, read_main_file};
 use towermodes_files::{InMemory, NoteKind, ReadOptions, tower_from_toml, write_toml};
 
 use crate::elastodyn::texts::{BLADE, TOWER, main_text, source};
@@ -195,6 +195,54 @@ fn a_platform_that_moves_is_missing() {
     };
     assert_eq!(moving(""), [MissingPart::Platform]);
     assert_eq!(moving("1 CompSub\n"), [MissingPart::Substructure]);
+}
+
+/// With BeamDyn, ElastoDyn reads no blade files: they need not be there, and the blades are a missing
+/// part.
+#[test]
+fn blades_of_beamdyn_need_no_blade_file() {
+    let read = |switch: &str| {
+        let fst =
+            format!("OpenFAST INPUT FILE\nx\n\"main.dat\" EDFile - file\n{switch} CompElast\n");
+        let main = main_text(5, &[]);
+        let files = [("main.dat", main.as_str()), ("tower.dat", TOWER)];
+        let files = files.map(|(name, text)| (name.to_owned(), text.to_owned()));
+        let files = InMemory {
+            files: files.into(),
+        };
+        read_elastodyn(source("a.fst", fst), &files, &ReadOptions::default())
+    };
+    let deck = read("2").expect("a deck");
+    let input = deck.input;
+    assert_eq!(input.description.missing_parts, [MissingPart::Blades]);
+    assert!(input.blade.is_none() && input.turbine.is_none());
+    let reason = input.turbine_missing.clone().expect("a reason").to_string();
+    assert!(
+        reason.contains("the blades are those of BeamDyn"),
+        "{reason}"
+    );
+    let tower = input.tower().expect("a tower");
+    let missing = tower.missing_parts().expect("blades").to_string();
+    assert_eq!(missing, "the file has blades, which are not in this model");
+    assert!(read("1").is_err());
+}
+
+/// OpenFAST reads by position: neighbours with each other's names and equal values are the same.
+#[test]
+fn neighbours_may_have_each_others_names() {
+    let text = main_text(5, &[("PtfmPDOF", "True"), ("PtfmYDOF", "True")]);
+    let exchanged = |text: &str| {
+        let text = text
+            .replace("PtfmPDOF", "@")
+            .replace("PtfmYDOF", "PtfmPDOF");
+        text.replace('@', "PtfmYDOF")
+    };
+    let main = read_main_file(&source("main.dat", exchanged(&text))).expect("a main file");
+    assert!(main.platform_dofs[4] && main.platform_dofs[5]);
+    // Which is which would matter here.
+    let text = main_text(5, &[("PtfmPDOF", "True"), ("PtfmYDOF", "False")]);
+    let mistake = read_main_file(&source("main.dat", exchanged(&text))).expect_err("a mistake");
+    assert!(mistake.message().contains("PtfmYDOF"), "{mistake}");
 }
 
 /// The warning is in a TOML file that the model is converted to, and in what is read from it.

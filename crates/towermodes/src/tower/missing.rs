@@ -21,19 +21,23 @@ pub enum MissingPart {
     MooringLines,
     /// The soil.
     Soil,
+    /// The blades of the rotor.
+    Blades,
 }
 
 impl MissingPart {
     /// All of them.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::Substructure,
         Self::Platform,
         Self::Water,
         Self::MooringLines,
         Self::Soil,
+        Self::Blades,
     ];
 
-    /// Its name in files: `substructure`, `platform`, `water`, `mooring-lines`, `soil`.
+    /// Its name in files: `substructure`, `platform`, `water`, `mooring-lines`, `soil`,
+    /// `blades`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Substructure => "substructure",
@@ -41,6 +45,7 @@ impl MissingPart {
             Self::Water => "water",
             Self::MooringLines => "mooring-lines",
             Self::Soil => "soil",
+            Self::Blades => "blades",
         }
     }
 
@@ -52,6 +57,7 @@ impl MissingPart {
             Self::Water => "water",
             Self::MooringLines => "mooring lines",
             Self::Soil => "soil",
+            Self::Blades => "blades",
         }
     }
 }
@@ -73,9 +79,10 @@ impl MissingParts {
         let mut parts = parts.to_vec();
         parts.sort_unstable();
         parts.dedup();
+        let holds = parts.iter().any(|part| *part != MissingPart::Blades);
         Self {
             parts,
-            is_clamped: *foundation == Foundation::Clamped,
+            is_clamped: *foundation == Foundation::Clamped && holds,
         }
     }
 }
@@ -86,7 +93,7 @@ impl std::fmt::Display for MissingParts {
         let words: Vec<&str> = self.parts.iter().map(|part| part.in_words()).collect();
         let (list, verb) = match &words[..] {
             [] => return Ok(()),
-            [MISSING_LINES] => (MISSING_LINES.to_owned(), "are"),
+            [plural] if PLURALS.contains(plural) => ((*plural).to_owned(), "are"),
             [one] => ((*one).to_owned(), "is"),
             [first @ .., last] => (format!("{} and {last}", first.join(", ")), "are"),
         };
@@ -97,8 +104,8 @@ impl std::fmt::Display for MissingParts {
     }
 }
 
-/// The only part whose words are a plural.
-const MISSING_LINES: &str = "mooring lines";
+/// The parts whose words are a plural.
+const PLURALS: [&str; 2] = ["mooring lines", "blades"];
 
 #[cfg(test)]
 mod tests {
@@ -121,5 +128,8 @@ mod tests {
                 .contains("a platform that moves, water and mooring lines, which are")
         );
         assert_eq!(said(&[]), "");
+        // They hold no tower.
+        let blades = said(&[MissingPart::Blades]);
+        assert_eq!(blades, "the file has blades, which are not in this model");
     }
 }

@@ -80,7 +80,7 @@ pub fn write_bmodes(
     let tip = tip::body(description, &layout, &mut notes);
     note_whole(tower, description, multiplier, &mut notes);
     let deck = deck::Deck {
-        title: tower.name(),
+        title: &title(tower),
         sections_file: &sections_file,
         modes: options.modes.max(1),
         tip: &tip,
@@ -141,4 +141,12 @@ fn shear_note(description: &TowerDescription) -> Note {
     Note::left_out(format!(
         "BModes has no shear deformation: {model} is left out"
     ))
+}
+
+/// The name of the tower, after a warning if it lacks parts of the structure.
+fn title(tower: &Tower) -> String {
+    match tower.missing_parts() {
+        Some(missing) => format!("WARNING: {missing}. {}", tower.name()),
+        None => tower.name().to_owned(),
+    }
 }

@@ -50,6 +50,10 @@ pub fn write_windio(
         true => format!("{WHOLE_ASSEMBLY}\n{text}"),
         false => text,
     };
+    let text = match tower.missing_parts() {
+        Some(missing) => format!("# WARNING: {missing}\n{text}"),
+        None => text,
+    };
     Ok((text, notes))
 }
 

@@ -74,6 +74,9 @@ fn overview(content: &ReportContent) -> Table {
             speed_range(rotor),
         ));
     }
+    if let Some(missing) = tower.missing_parts() {
+        facts.push(("limits of the model", missing.to_string()));
+    }
     facts.extend(damping(&description.damping));
     Table::of_facts("Overview", facts)
 }
