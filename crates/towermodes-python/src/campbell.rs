@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pyo3::prelude::*;
-use towermodes::{Solution, solve_certain};
+use towermodes::{Options, Solution, SolveError, solve_certain};
 use towermodes_analysis::resonance::{
     Campbell as Diagram, CampbellOptions, ChosenRotor, GivenRotor, assess, reach_hz, solve_to_reach,
 };
@@ -13,7 +13,7 @@ use towermodes_report::figures::{self, TitleWords, titled};
 use towermodes_report::svg::Look;
 use towermodes_report::wording::computed_by;
 
-use crate::error::{of_campbell, of_result, of_solve, usage};
+use crate::error::{of_campbell, of_result, of_solve};
 use crate::interrupt::interruptible;
 use crate::lock::released;
 use crate::options::SolveOptions;
@@ -41,19 +41,21 @@ pub struct RotorOptions {
 }
 
 impl RotorOptions {
-    /// The rotor, with the data of the file where none are given.
-    ///
-    /// # Errors
-    /// `ValueError` without a rotor speed.
-    pub fn rotor(&self, input: &TowerInput) -> PyResult<ChosenRotor> {
+    /// The rotor, with the data of the file where none are given; without operating speeds the ends
+    /// of the diagram, from a solution of the tower with a rigid rotor.
+    pub fn rotor<E>(
+        &self,
+        input: &TowerInput,
+        solve: impl FnOnce() -> Result<Solution, E>,
+    ) -> Result<ChosenRotor, E> {
         let given = GivenRotor {
             speeds_rpm: self.rpm,
             blades: self.blades,
         };
-        let chosen = given.in_place_of(input.description.rotor, input.blades);
-        chosen.ok_or_else(|| {
-            usage("the rotor speed is not given: give rpm=(lowest, highest), or add [rotor] with blades and rpm to the tower file")
-        })
+        match given.in_place_of(input.description.rotor, input.blades) {
+            Some(chosen) => Ok(chosen),
+            None => Ok(given.without_speeds(input.blades, &solve()?, input.tip_radius_m())),
+        }
     }
 
     /// The options of the library.
@@ -94,19 +96,20 @@ impl Campbell {
     ) -> PyResult<Self> {
         let model = Arc::clone(&tower.model);
         let Model { tower, input } = &*model;
-        let chosen = rotor.rotor(input)?;
-        let limits = rotor.of_library();
+        let mut limits = rotor.of_library();
         let mut solver = options.of(input)?;
-        let reach_hz = match options.has_modes() {
-            true => 0.0,
-            false => reach_hz(&chosen.rotor, &limits),
-        };
-        let solution = interruptible(py, |workspace| {
-            solve_to_reach(&mut solver, reach_hz, |options| {
-                solve_certain(tower, options, workspace)
-            })
+        let solved = interruptible(py, |workspace| {
+            let mut solve = |options: &Options| solve_certain(tower, options, workspace);
+            let chosen = rotor.rotor(input, || solve(&solver))?;
+            let reach_hz = match options.has_modes() {
+                true => 0.0,
+                false => reach_hz(&chosen.rotor, &limits),
+            };
+            let solution = solve_to_reach(&mut solver, reach_hz, solve)?;
+            Ok::<_, SolveError>((solution, chosen))
         })?;
-        let solution = solution.map_err(|error| of_solve(&error))?;
+        let (solution, chosen) = solved.map_err(|error| of_solve(&error))?;
+        limits.speeds_are_known = chosen.speeds_are_known;
         let blade = input.blade.as_ref();
         let assessed = released(py, || {
             assess(tower, &solution, blade, &chosen.rotor, &limits)

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use numpy::{PyArray1, PyArray2, PyArray3};
 use pyo3::prelude::*;
-use towermodes::{Options, solve_certain};
-use towermodes_analysis::resonance::{ChosenRotor, reach_hz, solve_to_reach};
+use towermodes::{Options, SolveError, solve_certain};
+use towermodes_analysis::resonance::{reach_hz, solve_to_reach};
 use towermodes_analysis::whirl::{
     AgainstRigid, CoupledCampbell, CoupledOptions, CurvePoint, RotorSpeeds, coupled_campbell,
     coupled_limit_hz,
@@ -37,7 +37,7 @@ fn rotor_of(
     input: &TowerInput,
     blades: usize,
     rpm: &[f64],
-) -> PyResult<(ChosenRotor, RotorOptions)> {
+) -> RotorOptions {
     options.blades.get_or_insert(blades);
     let turning = rpm.iter().copied().filter(|rpm| *rpm > 0.0);
     let lowest = turning.clone().fold(f64::INFINITY, f64::min);
@@ -45,7 +45,7 @@ fn rotor_of(
     if options.rpm.is_none() && input.description.rotor.is_none() && highest > 0.0 {
         options.rpm = Some((lowest, highest));
     }
-    Ok((options.rotor(input)?, options))
+    options
 }
 
 #[pymethods]
@@ -63,16 +63,17 @@ impl TurbineCampbell {
         let model = Arc::clone(&tower.model);
         let turbine = turbine_of(&model)?;
         let blades = turbine.machine().blades;
-        let (chosen, given) = rotor_of(rotor, &model.input, blades, &rpm)?;
-        let rotor = chosen.rotor;
+        let given = rotor_of(rotor, &model.input, blades, &rpm);
         let limits = given.of_library();
         let mut solver = Options::default();
-        let rigid = interruptible(py, |workspace| {
-            solve_to_reach(&mut solver, reach_hz(&rotor, &limits), |options| {
-                solve_certain(&model.tower, options, workspace)
-            })
+        let solved = interruptible(py, |workspace| {
+            let mut solve = |options: &Options| solve_certain(&model.tower, options, workspace);
+            let chosen = given.rotor(&model.input, || solve(&solver))?;
+            let rigid = solve_to_reach(&mut solver, reach_hz(&chosen.rotor, &limits), solve)?;
+            Ok::<_, SolveError>((rigid, chosen))
         })?;
-        let rigid = rigid.map_err(|error| of_solve(&error))?;
+        let (rigid, chosen) = solved.map_err(|error| of_solve(&error))?;
+        let rotor = chosen.rotor;
         let usual_hz = coupled_limit_hz(&rotor, &limits, &rigid, &turbine);
         let speeds = match rpm.is_empty() {
             true => RotorSpeeds::Equal(limits.speeds),
@@ -82,6 +83,7 @@ impl TurbineCampbell {
             margin: limits.margin,
             multiples: limits.multiples,
             speeds,
+            speeds_are_known: chosen.speeds_are_known,
             ..CoupledOptions::up_to(limit_hz.unwrap_or(usual_hz))
         };
         let diagram = looking(py, |mut look| {
