@@ -28,6 +28,7 @@ pub fn write_windio(
 ) -> Result<(String, Vec<Note>), WindIoWriteError> {
     let mut notes = left_out::notes(description);
     let axis = Axis::new(tower.base_m(), tower.top_m(), &tower.station_heights_m())?;
+    let missing = tower.missing_parts();
     let (tower, materials) = self::tower(description, &axis)?;
     if axis.has_steps() {
         notes.push(Note::approximation("steps are written as two equal positions: the schema of windIO requires different ones, for instance 1 mm apart"));
@@ -50,7 +51,7 @@ pub fn write_windio(
         true => format!("{WHOLE_ASSEMBLY}\n{text}"),
         false => text,
     };
-    let text = match tower.missing_parts() {
+    let text = match missing {
         Some(missing) => format!("# WARNING: {missing}\n{text}"),
         None => text,
     };
