@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use towermodes::{Blade, BladeDescription, BladeFamily, RigidBody, Rotor, solve_blade};
+use towermodes::{Blade, BladeDescription, BladeFamily, RigidBody, solve_blade};
 use towermodes_files::elastodyn::{ElastoDynDeck, read_elastodyn, read_main_file};
 use towermodes_files::{InMemory, ReadError, ReadOptions};
 
