@@ -213,6 +213,8 @@ pub fn assess(
     options: &CampbellOptions,
 ) -> Result<Assessment, CampbellError> {
     let warnings = tower.rotor_warnings(rotor).into_iter();
+    // The ends of a diagram are no input.
+    let warnings = warnings.filter(|_| options.speeds_are_known);
     let mut remarks: Vec<Remark> = warnings.map(Remark::Rotor).collect();
     let diagram = |blade| campbell(tower, solution, blade, rotor, options);
     let campbell = match diagram(blade) {

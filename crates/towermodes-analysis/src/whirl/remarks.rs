@@ -29,6 +29,8 @@ impl CoupledCampbell {
     pub fn remarks(&self, turbine: &Turbine) -> Vec<Remark> {
         let campbell = &self.campbell;
         let warnings = turbine.tower().rotor_warnings(&campbell.rotor).into_iter();
+        // The ends of a diagram are no input.
+        let warnings = warnings.filter(|_| campbell.speeds_are_known());
         let lines = campbell.lines.iter();
         let uncovered = campbell.uncovered_range_hz();
         let uncovered =
