@@ -1,5 +1,5 @@
-//! The height at which the structure is clamped, or enters the soil: the mudline, if the water depth is
-//! known.
+//! The height at which the structure is clamped, or enters the soil: the mudline, if the water
+//! depth is known.
 
 use super::outline::Outline;
 use super::part::SAME_M;

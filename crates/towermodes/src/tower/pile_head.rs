@@ -27,14 +27,18 @@ pub struct SpringsAt {
 }
 
 impl Tower {
-    /// The static stiffness of the embedded pile at
-    /// [`ground_surface_m`](Self::ground_surface_m), the surface of the [ground](super::TowerDescription::ground) in
-    /// the fore-aft plane; none without ground, and where the tip is held by more than springs.
+    /// The static stiffness of the embedded pile at [`ground_surface_m`](Self::ground_surface_m),
+    /// the surface of the [ground](super::TowerDescription::ground) in the fore-aft plane; none
+    /// without ground, and where the tip is held by more than springs.
     ///
-    /// The stiffness K at the upper end of a part of the pile grows by the springs of the soil, loses
-    /// the flexibility of the pile and moves with its point of reference:
-    /// dK_L/dz = k − K_L²/κGA − K_LR²/EI, dK_LR/dz = −K_L K_LR/κGA − K_LR K_R/EI − K_L,
-    /// dK_R/dz = k_θ − K_LR²/κGA − K_R²/EI − 2 K_LR. It is integrated from the tip up.
+    /// The stiffness K at the upper end of a part of the pile grows by the springs of the soil,
+    /// loses the flexibility of the pile and moves with its point of reference:
+    ///
+    /// - dK_L/dz = k − K_L²/κGA − K_LR²/EI,
+    /// - dK_LR/dz = −K_L K_LR/κGA − K_LR K_R/EI − K_L,
+    /// - dK_R/dz = k_θ − K_LR²/κGA − K_R²/EI − 2 K_LR.
+    ///
+    /// It is integrated from the tip up.
     pub fn pile_head(&self) -> Option<HeadStiffness> {
         let (surface_m, base) = (self.ground_surface_m()?, self.base());
         if !(base.moves[0] && base.moves[4]) {

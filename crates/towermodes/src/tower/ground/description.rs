@@ -13,8 +13,8 @@ use super::layer::{GroundLayer, LayerSoil};
 /// A monopile of 6 m in 36 m of sand and clay. Its tip is free to move sideways and to turn.
 /// ```
 /// use towermodes::{
-///     ApiEdition, Clay, Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, Material, Options, Rna,
-///     Sand, Scour, SoilModel, Station, Tower, TowerDescription, solve,
+///     ApiEdition, Clay, Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, Material,
+///     Options, Rna, Sand, Scour, SoilModel, Station, Tower, TowerDescription, solve,
 /// };
 ///
 /// let layer = |top_m, bottom_m, soil| GroundLayer {
@@ -94,8 +94,8 @@ impl Ground {
         self.surface_m - self.scour.general_m - self.scour.local_m
     }
 
-    /// Whether its springs depend on the [edition](Self::edition) of the standard of API: sand whose
-    /// modulus k is that of its friction angle, or whose axial springs are those of API.
+    /// Whether its springs depend on the [edition](Self::edition) of the standard of API: sand
+    /// whose modulus k is that of its friction angle, or whose axial springs are those of API.
     pub fn depends_on_edition(&self) -> bool {
         let depends = |layer: &GroundLayer| match &layer.soil {
             LayerSoil::Sand(sand) => {

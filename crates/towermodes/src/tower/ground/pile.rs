@@ -56,11 +56,11 @@ impl<'a> Pile<'a> {
         self.ground.factor * self.ground.layers[index].factor
     }
 
-    /// The depth at which undisturbed soil has the same effective stress, m: below a hole of depth S
-    /// min(z, (z − S) 6D/(6D − S)), with z below the surface around the hole.
+    /// The depth at which undisturbed soil has the same effective stress, m: below a hole of
+    /// depth S min(z, (z − S) 6D/(6D − S)), with z below the surface around the hole.
     ///
-    /// Source: API RP 2A and RP 2GEO, commentary on scour, as programmed in COSPIN: no stress at the
-    /// bottom of the hole, the full one six diameters below the surface around it.
+    /// Source: API RP 2A and RP 2GEO, commentary on scour, as programmed in COSPIN: no stress at
+    /// the bottom of the hole, the full one six diameters below the surface around it.
     pub(super) fn overburden_depth_m(&self, height_m: f64) -> f64 {
         let (depth_m, full_m) = (self.bed_m - height_m, self.full_overburden_m());
         if self.ground.scour.local_m == 0.0 || height_m <= full_m {

@@ -192,8 +192,8 @@ impl Layer<'_> {
         error(at(0, "height"), problem)
     }
 
-    /// A correlation of one soil has no meaning for another. What the soil of an elastic layer and of
-    /// a table is, only its user knows.
+    /// A correlation of one soil has no meaning for another. What the soil of an elastic layer
+    /// and of a table is, only its user knows.
     fn check_correlation(&self, modulus: &ShearModulus) -> Checked {
         let (correlation, own, is_right) = match modulus.own_soil() {
             None => return Ok(()),
