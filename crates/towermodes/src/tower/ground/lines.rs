@@ -70,8 +70,8 @@ impl Part {
         self.moments(pile, [-1.0, 1.0]).0[0].map(|mean| mean * length_m)
     }
 
-    /// What the lines miss of twice the work of each spring on a deflection that bends over a length
-    /// (m) as much as a pile does.
+    /// What the lines miss of twice the work of each spring on a deflection that bends over a
+    /// length (m) as much as a pile does.
     ///
     /// With v² = Σ v_n P_n the lines miss Σ v_n ∫ δ P_n dz, δ their difference from the springs.
     /// Of v = e^(−z/l) cos(z/l) the n-th derivative of v² is at most ½ (2ⁿ + 8^(n/2)) v²/lⁿ.

@@ -78,7 +78,7 @@ impl ShearModulus {
     /// | wave velocity | ρ V_s² | |
     /// | cone, sand | 1634 q_c^0.25 σ′_v^0.375, all in kPa | Rix & Stokoe (1991) |
     /// | cone, clay | 2.78 q_c^1.335, in kPa | Mayne & Rix (1993) |
-    /// | cone, any soil | V_s² = 10^(0.55 I_c + 1.68) (q_t − σ_v)/100 kPa | Robertson & Cabal (2015) |
+    /// | cone, any soil | V_s² = 10^(0.55 I_c + 1.68) (q_t − σ_v)/100 kPa | Robertson (2015) |
     /// | void ratio | 875 p_ref/(0.3 + 0.7 e²) √(p′/p_ref), p_ref = 101.3 kPa | Hardin, PISA |
     /// | blow count | V_s = 97 N^0.314 | Imai & Tonouchi (1982) |
     ///
