@@ -87,7 +87,10 @@ impl Family {
 
     /// Whether it is a rigid-body mode of a floating tower.
     pub fn is_rigid(self) -> bool {
-        Self::RIGID.contains(&self)
+        match self {
+            Self::ForeAft | Self::SideSide | Self::Torsion | Self::Axial => false,
+            Self::Surge | Self::Sway | Self::Heave | Self::Roll | Self::Pitch | Self::Yaw => true,
+        }
     }
 
     /// The name of one of its modes without the order: "fore-aft bending", "torsion".

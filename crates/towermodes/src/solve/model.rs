@@ -127,7 +127,7 @@ impl Model {
 
     /// Whether a subsystem has a single motion, which then has all the energy.
     pub(super) fn has_single_motion(&self, index: usize) -> bool {
-        self.motions(index).iter().nth(1).is_none()
+        self.motions(index).only_one().is_some()
     }
 
     /// Unknowns of the whole, an equal plane counted twice.

@@ -9,6 +9,7 @@ use crate::tower::{Motion, Motions, Plane, Tower};
 /// Families whose sums in the rule of names differ by no more than this get modes in their order:
 /// more than the rounding of shares, which tells equal motions in two planes apart.
 const TIE: f64 = 1e-6;
+const FAMILIES: usize = Family::ALL.len();
 
 /// The identity of a mode.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,9 +57,7 @@ pub(super) fn identify(
     let mut arrears = Arrears::new(Family::ALL.map(Family::is_rigid), TIE);
     identities.clear();
     for (found, forces) in found.iter().zip(forces) {
-        let mut identity = identity(model, found, forces, body.as_ref());
-        identity.name(motions_of(model, found.key), floats, &mut arrears);
-        identities.push(identity);
+        identities.push(identity(model, found, forces, body.as_ref(), &mut arrears));
     }
 }
 
@@ -92,12 +91,13 @@ fn motions_of(model: &Model, key: ModeKey) -> Motions {
     }
 }
 
-/// The identity of one mode; its name is not known yet.
+/// The identity of the next mode of a list.
 fn identity(
     model: &Model,
     found: &Found,
     forces: &ModalForces,
     body: Option<&RigidTower>,
+    arrears: &mut Arrears<FAMILIES>,
 ) -> Identity {
     let kinetic = forces.kinetic.shares();
     let strain = match forces.strain {
@@ -109,53 +109,56 @@ fn identity(
     let energy = Energy { kinetic, strain };
     // The vector has uᵀ(K − σM)u = 1, and so uᵀMu = 1/(λ − σ).
     let from_origin = found.eigenvalue.lambda - model.origin;
-    let mut motions = model.motions(found.key.subsystem).iter();
-    let shares = match (body, motions.next(), motions.next()) {
-        (Some(body), ..) => {
+    let motions = motions_of(model, found.key);
+    let shares = match body {
+        Some(body) => {
             let force = forces.force.map(|force| force * from_origin.sqrt());
-            Shares::afloat(&kinetic, &body.shares(&force))
+            let own = Shares::afloat(&kinetic, &body.shares(&force));
+            if found.key.is_turned {
+                own.turned_to_side_side()
+            } else {
+                own
+            }
         }
-        (None, Some(only), None) => Shares::only(Family::of(only)),
-        _ => Shares::of_motions(&energy.mean()),
+        None => match motions.only_one() {
+            Some(only) => Shares::only(Family::of(only)),
+            None => Shares::of_motions(&energy.mean()),
+        },
     };
-    let identity = Identity {
-        family: shares.largest(),
-        order: 0,
+    let (family, order) = name(motions, &shares, body.is_some(), arrears);
+    let effective_mass = forces.force.map(|force| force * force * from_origin);
+    let [x, y, z, rx, ry, rz] = effective_mass;
+    let (energy, effective_mass) = match found.key.is_turned {
+        true => (energy.turned_to_side_side(), [y, x, z, ry, rx, rz]),
+        false => (energy, effective_mass),
+    };
+    Identity {
+        family,
+        order,
         shares,
         energy,
-        effective_mass: forces.force.map(|force| force * force * from_origin),
-    };
-    match found.key.is_turned {
-        true => identity.turned_to_side_side(),
-        false => identity,
+        effective_mass,
     }
 }
 
-impl Identity {
-    /// Names the next mode of a list, whose subsystem couples these motions: by its motions, and
-    /// afloat by those of the tower as one rigid body too.
-    fn name(
-        &mut self,
-        motions: Motions,
-        floats: bool,
-        arrears: &mut Arrears<{ Family::ALL.len() }>,
-    ) {
-        let may = |place: usize| {
-            let family = Family::ALL[place];
-            (floats || !family.is_rigid()) && motions.contains(family.motion())
-        };
-        let (place, order) = arrears.name(self.shares.values(), may);
-        (self.family, self.order) = (Family::ALL[place], order);
+/// Names the next mode of a list, whose subsystem couples these motions: by its motions, and afloat
+/// by those of the tower as one rigid body too.
+fn name(
+    motions: Motions,
+    shares: &Shares,
+    floats: bool,
+    arrears: &mut Arrears<FAMILIES>,
+) -> (Family, usize) {
+    if let Some(only) = motions.only_one()
+        && !floats
+    {
+        let family = Family::of(only);
+        return (family, arrears.name_alone(family as usize));
     }
-
-    /// The same in the side-side plane, of a mode in the fore-aft plane.
-    fn turned_to_side_side(&self) -> Self {
-        let [x, y, z, rx, ry, rz] = self.effective_mass;
-        Self {
-            shares: self.shares.turned_to_side_side(),
-            energy: self.energy.turned_to_side_side(),
-            effective_mass: [y, x, z, ry, rx, rz],
-            ..*self
-        }
-    }
+    let may = |place: usize| {
+        let family = Family::ALL[place];
+        (floats || !family.is_rigid()) && motions.contains(family.motion())
+    };
+    let (place, order) = arrears.name(shares.values(), may);
+    (Family::ALL[place], order)
 }

@@ -75,6 +75,13 @@ impl Motions {
         Motion::ALL.into_iter().filter(move |m| self.contains(*m))
     }
 
+    /// The motion of the set, if there is only one.
+    pub fn only_one(self) -> Option<Motion> {
+        let mut motions = self.iter();
+        let first = motions.next()?;
+        motions.next().is_none().then_some(first)
+    }
+
     /// A vector (x, y, z, rotation about x, y, z) without the components of motions that are not in
     /// the set.
     pub fn masked(self, mut vector: [f64; 6]) -> [f64; 6] {
