@@ -524,8 +524,8 @@ const PAPER: View = View {
     is_dark: false,
 };
 
-/// Modes of an eccentric RNA on a coupled foundation have long names: "1st side-side bending (5
-/// % fore-aft, 1 % torsion)".
+/// Modes of an eccentric RNA on a coupled foundation have long names: "3rd side-side bending (89 %;
+/// 9 % fore-aft)".
 #[test]
 fn tables_of_coupled_modes_fit_the_window_and_the_paper() {
     let coupled = "../crates/towermodes-cli/tests/inputs/coupled.toml";
@@ -533,7 +533,7 @@ fn tables_of_coupled_modes_fit_the_window_and_the_paper() {
         return;
     };
     let names = "document.querySelector('#frequencies table').textContent";
-    assert!(page.text(names).contains("% torsion)"));
+    assert!(page.text(names).contains("% fore-aft)"));
     let beyond = "[...document.querySelectorAll('#frequencies .scroll')].filter((box) => box.scrollWidth > box.clientWidth).length";
     assert_eq!(page.value(beyond), Value::from(0));
     page.look(PAPER);
