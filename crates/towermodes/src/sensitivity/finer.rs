@@ -48,8 +48,9 @@ impl Derivative {
 }
 
 impl Sensitivities {
-    /// Takes the derivatives of a finer mesh with smaller errors, by the names of the modes.
-    pub(super) fn take_better(&mut self, finer: &Self) {
+    /// Takes the derivatives of a finer mesh, by the names of the modes. A coarse mesh claims small
+    /// errors by chance.
+    pub(super) fn take_finer(&mut self, finer: &Self) {
         let place = |mode: &ModeFrequency| {
             let mut modes = finer.modes.iter();
             modes.position(|other| other.name() == mode.name())
@@ -57,14 +58,12 @@ impl Sensitivities {
         let places: Vec<Option<usize>> = self.modes.iter().map(place).collect();
         for (own, finer) in self.changes.iter_mut().zip(&finer.changes) {
             for (own, place) in own.modes.iter_mut().zip(&places) {
-                let better = place.and_then(|place| finer.modes[place].as_ref().ok());
-                let (Ok(own), Some(better)) = (own, better) else {
+                let finer = place.and_then(|place| finer.modes[place].as_ref().ok());
+                let (Ok(own), Some(finer)) = (own, finer) else {
                     continue;
                 };
-                if better.error_hz_per_unit < own.error_hz_per_unit {
-                    own.hz_per_unit = better.hz_per_unit;
-                    own.error_hz_per_unit = better.error_hz_per_unit;
-                }
+                own.hz_per_unit = finer.hz_per_unit;
+                own.error_hz_per_unit = finer.error_hz_per_unit;
             }
         }
     }

@@ -98,8 +98,7 @@ impl ChangeSensitivity {
 /// The derivative of each frequency is exact up to the error that is given with it. It exists for
 /// every method, every number of the description and every kind of tower; heights move the mesh
 /// with them. Where fewer than 60 segments leave a derivative an error above 0.1 %, as in soil, all
-/// derivatives are computed on a finer mesh too, and the better ones are given; the frequencies are
-/// those of the mesh that was asked for.
+/// derivatives are those of a finer mesh; the frequencies are those of the mesh that was asked for.
 ///
 /// [`Options::points`] and [`Options::heights_m`] have no effect.
 ///
@@ -144,7 +143,7 @@ pub fn sensitivities(
     if let Some(options) = finer::options(&found, &neighbours, (options, segments)) {
         // Without the finer mesh the errors tell how coarse this one is.
         if let Ok((finer, _)) = on_mesh(&neighbours, numbers, &options, workspace) {
-            found.take_better(&finer);
+            found.take_finer(&finer);
         }
     }
     Ok(found)
