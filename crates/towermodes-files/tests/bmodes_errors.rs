@@ -149,7 +149,7 @@ fn a_centre_of_mass_beside_the_axis_of_a_blade_needs_inertia() {
         "about the axis of the blade",
         "add mass_den cg_offst^2",
     ];
-    refused(&blade_file(), &far, "secs.dat:8", &words);
+    refused(&blade_file(), &far, "secs.dat:7", &words);
 }
 
 #[test]
