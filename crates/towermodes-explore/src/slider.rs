@@ -81,7 +81,7 @@ impl<'d> Sliders<'d> {
             "kg m" => [-0.01 * mass_kg * height_m, 0.01 * mass_kg * height_m],
             "kg/m" => [0.0, mass_kg / height_m],
             "m/s2" => [0.0, 9.81],
-            "deg" => [-10.0, 10.0],
+            "degrees" => [-10.0, 10.0],
             _ => [0.0, 1.0],
         }
     }
@@ -100,7 +100,7 @@ fn column(parameter: Parameter) -> String {
 
 #[cfg(test)]
 mod tests {
-    use towermodes::{Material, Parameter, Rna, Station, TowerDescription};
+    use towermodes::{Material, Parameter, Rna, Station, TowerDescription, Wires};
 
     use super::Sliders;
 
@@ -118,6 +118,12 @@ mod tests {
                 Station::new(100.0, 4.0, 0.02),
             ],
             rna,
+            wires: vec![Wires {
+                height_m: 50.0,
+                count: 3,
+                stiffness_n_per_m: 1e6,
+                angle_deg: 0.0,
+            }],
             ..TowerDescription::default()
         };
         let sliders = Sliders::new(&description);
@@ -142,6 +148,7 @@ mod tests {
         is("stations[0].height", [-10.0, 1.9]);
         is("stations[1].height", [0.1, 12.0]);
         is("stations[2].height", [90.0, 110.0]);
+        is("wires[0].angle_deg", [-10.0, 10.0]);
         for parameter in Parameter::all(&description) {
             let value = parameter.value(&description);
             let [low, high] = sliders.range(parameter);

@@ -97,7 +97,22 @@ impl Method {
     pub fn unit(self) -> &'static str {
         match self {
             Self::Bmodes | Self::Spectral => "element",
-            _ => "segment",
+            Self::RmjeExact | Self::Rmje | Self::CardanicExact | Self::Cardanic | Self::Lumped => {
+                "segment"
+            }
+        }
+    }
+
+    /// Whether its elements converge by their degree, and so need no other meshes.
+    pub(crate) fn converges_by_degree(self) -> bool {
+        match self {
+            Self::Spectral => true,
+            Self::RmjeExact
+            | Self::Rmje
+            | Self::CardanicExact
+            | Self::Cardanic
+            | Self::Lumped
+            | Self::Bmodes => false,
         }
     }
 

@@ -4,8 +4,9 @@
 use crate::towers;
 
 use towermodes::{
-    Family, Inertia, Material, Method, Options, PointMass, Problem, Rna, Shear, Solution,
-    SolveError, Station, Tower, TowerDescription, Warning, Workspace, solve, solve_with,
+    Family, Inertia, Material, Method, Options, Planes, PointMass, Problem, Properties,
+    PropertyStation, Rna, Shear, Solution, SolveError, Station, Tower, TowerDescription, Warning,
+    Workspace, solve, solve_with,
 };
 use towers::{assert_close, elliptic, reference, reference_350t, rich, solved};
 
@@ -388,6 +389,41 @@ fn solving_takes_the_products_it_should() {
         },
     );
     assert!(fine.statistics.products <= 84, "{:?}", fine.statistics);
+}
+
+#[test]
+fn no_more_modes_of_a_motion_are_sought_than_are_listed() {
+    // A joint without torsional stiffness, and above it so much polar inertia that hundreds of modes
+    // of torsion lie below the first of bending.
+    let row = |height_m, torsion_n_m2, polar_inertia_kg_m| PropertyStation {
+        height_m,
+        properties: Properties {
+            mass_kg_per_m: 4000.0,
+            rotary_inertia_kg_m: Planes::both(0.0),
+            polar_inertia_kg_m,
+            bending_n_m2: Planes::both(3e11),
+            torsion_n_m2,
+            axial_n: 1e11,
+            shear_n: None,
+        },
+    };
+    let description = TowerDescription {
+        properties: vec![
+            row(0.0, 3e11, 3e4),
+            row(40.0, 1e-14, 3e4),
+            row(80.0, 1e11, 6e17),
+        ],
+        ..TowerDescription::default()
+    };
+    let options = Options {
+        method: Method::Spectral,
+        ..with_modes(8)
+    };
+    let solution = solved(&description, &options);
+    let mut lowest = solution.modes[..3].iter();
+    assert!(lowest.all(|mode| mode.family == Family::Torsion));
+    let products = solution.statistics.products;
+    assert!(products < 2000, "{products}");
 }
 
 #[test]

@@ -256,7 +256,7 @@ fn mode(
     let curves = subsystem.curves(borders_m, &|_, _, _| 0.0, vector);
     let normalized_by: &[usize] = match family {
         BladeFamily::Torsion => &[5],
-        _ => &[0, 1, 2],
+        BladeFamily::Flap | BladeFamily::Lag | BladeFamily::Axial => &[0, 1, 2],
     };
     let curve = ModeCurve::new(borders_m, &*curves, normalized_by);
     let frequency_hz = found.eigenvalue.frequency_hz();

@@ -170,7 +170,12 @@ impl Costs {
             // The elements of BModes have clusters of high modes, which take more.
             vectors: match options.method {
                 Method::Bmodes => [12.0, 2.5, 0.05],
-                _ => [12.0, 2.5, 0.0],
+                Method::RmjeExact
+                | Method::Rmje
+                | Method::CardanicExact
+                | Method::Cardanic
+                | Method::Lumped
+                | Method::Spectral => [12.0, 2.5, 0.0],
             },
         }
     }

@@ -13,7 +13,6 @@ use super::spectrum::Found;
 use super::stability::check_buckling;
 use super::warnings::is_uncertain_end;
 use super::workspace::Workspace;
-use crate::Method;
 use crate::eigen::EigenError;
 use crate::modes::{Family, ModeName, SecondFamily, Shares};
 use crate::tower::Tower;
@@ -152,9 +151,9 @@ pub(super) fn solve_keeping_vectors(
     let options = &options.without_shapes();
     options.check()?;
     workspace.model.monitor.restart();
-    match options.method {
-        Method::Spectral => p_refinement::solve_frequencies(tower, options, workspace),
-        _ => solve_segments(tower, options, workspace, vectors),
+    match options.method.converges_by_degree() {
+        true => p_refinement::solve_frequencies(tower, options, workspace),
+        false => solve_segments(tower, options, workspace, vectors),
     }
 }
 

@@ -119,9 +119,9 @@ impl FrozenModes {
     fn set_powers(&mut self, tower: &Tower, options: &Options, model: &Model) {
         let subsystems = self.keys.iter().map(|key| key.subsystem);
         self.motions = subsystems.map(|index| model.motions(index)).collect();
-        let of_mode = |key: &ModeKey| match options.method {
-            Method::Spectral => &[][..],
-            _ => powers(tower, options, model, *key),
+        let of_mode = |key: &ModeKey| match options.method.converges_by_degree() {
+            true => &[][..],
+            false => powers(tower, options, model, *key),
         };
         self.powers = self.keys.iter().map(of_mode).collect();
     }

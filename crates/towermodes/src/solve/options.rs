@@ -134,11 +134,11 @@ impl Options {
         }
     }
 
-    /// The recipe of the elements of a beam, with their degree if they are spectral.
+    /// The recipe of the elements of a method of beams, with their degree if they are spectral.
     pub(super) fn beam_recipe(&self, degree: usize) -> BeamRecipe {
-        match self.method {
-            Method::Bmodes => BeamRecipe::Bmodes,
-            _ => BeamRecipe::Spectral {
+        match self.method.converges_by_degree() {
+            false => BeamRecipe::Bmodes,
+            true => BeamRecipe::Spectral {
                 degree,
                 rotary_inertia: self.rotary_inertia,
                 shear: true,
@@ -148,9 +148,9 @@ impl Options {
 
     /// Where segments must end.
     pub(super) fn borders(&self) -> Borders {
-        match self.method {
-            Method::Spectral => Borders::Gradual,
-            _ => Borders::Pieces,
+        match self.method.converges_by_degree() {
+            true => Borders::Gradual,
+            false => Borders::Pieces,
         }
     }
 }

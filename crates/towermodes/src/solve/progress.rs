@@ -91,7 +91,7 @@ impl Monitor {
     pub(super) fn enter(&mut self, stage: Stage) {
         let segments = match stage {
             Stage::Modes { segments, .. } | Stage::Errors { segments, .. } => segments as f64,
-            _ => 0.0,
+            Stage::Certificate | Stage::Buckling | Stage::Shapes | Stage::Reference { .. } => 0.0,
         };
         self.done = [self.done[0] + self.done[1], segments];
         self.report(stage, 0);

@@ -122,7 +122,7 @@ impl Spectrum {
         let mut first = half.min(all_first);
         loop {
             self.solve_subsystem(model, 0, first)?;
-            self.count_below_first(model);
+            self.count_below_first(model, wanted);
             let of_first = self.of_subsystems[0].eigenvalues().len() * model.multiplicity(0);
             let total = of_first + self.wanted[1..].iter().sum::<usize>();
             if total >= wanted {
@@ -152,8 +152,10 @@ impl Spectrum {
         Ok(self.sorted(model))
     }
 
-    /// Counts how many modes each subsystem has below the highest mode found of the first.
-    fn count_below_first(&mut self, model: &mut Model) {
+    /// Counts how many modes each subsystem has below the highest mode found of the first. More than
+    /// the `wanted` lowest of a subsystem are not sought: a tower without torsional stiffness has a
+    /// mode of torsion for each element below the first of bending.
+    fn count_below_first(&mut self, model: &mut Model, wanted: usize) {
         let found = self.of_subsystems[0].eigenvalues();
         let ceiling = found.last().map_or(0.0, |e| e.lambda);
         // Just above the ceiling, so that a mode equal to it counts.
@@ -161,7 +163,7 @@ impl Spectrum {
         self.wanted.clear();
         self.wanted.push(found.len());
         for index in 1..model.count() {
-            self.wanted.push(count_of(model, index, above));
+            self.wanted.push(count_of(model, index, above).min(wanted));
         }
     }
 

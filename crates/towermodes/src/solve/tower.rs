@@ -9,7 +9,6 @@ use super::p_refinement;
 use super::solution::{ErrorBasis, Mode, Solution};
 use super::warnings::{irregular, uncertain_end, warnings};
 use super::workspace::Workspace;
-use crate::Method;
 use crate::tower::Tower;
 
 /// Computes the lowest modes of a tower, with the proof that none is missing.
@@ -57,9 +56,9 @@ pub fn solve_with(
 ) -> Result<Solution, SolveError> {
     options.check()?;
     workspace.model.monitor.restart();
-    match options.method {
-        Method::Spectral => p_refinement::solve(tower, options, workspace),
-        _ => solve_segments(tower, options, workspace),
+    match options.method.converges_by_degree() {
+        true => p_refinement::solve(tower, options, workspace),
+        false => solve_segments(tower, options, workspace),
     }
 }
 

@@ -166,15 +166,40 @@ impl Neighbours {
     }
 }
 
-/// What a description has besides the rows of the tower and its surroundings.
+/// What a description has besides the rows of the tower and its surroundings. Every field is named
+/// here, so that a new one is a decision.
 fn without_rows(description: &TowerDescription) -> TowerDescription {
+    let TowerDescription {
+        // The pieces are made of these.
+        materials: _,
+        stations: _,
+        properties: _,
+        shear: _,
+        soil: _,
+        ground: _,
+        added_mass: _,
+        water: _,
+        outfitting_factor,
+        rna,
+        point_masses,
+        wires,
+        foundation,
+        gravity_m_per_s2,
+        // No frequency depends on these.
+        name: _,
+        rna_is_point: _,
+        rotor: _,
+        damping: _,
+        drivetrain: _,
+        part_names: _,
+    } = description;
     TowerDescription {
-        outfitting_factor: description.outfitting_factor,
-        rna: description.rna,
-        point_masses: description.point_masses.clone(),
-        wires: description.wires.clone(),
-        foundation: description.foundation.clone(),
-        gravity_m_per_s2: description.gravity_m_per_s2,
+        outfitting_factor: *outfitting_factor,
+        rna: *rna,
+        point_masses: point_masses.clone(),
+        wires: wires.clone(),
+        foundation: foundation.clone(),
+        gravity_m_per_s2: *gravity_m_per_s2,
         ..TowerDescription::default()
     }
 }

@@ -532,8 +532,23 @@ impl Warning {
             | Self::PisaWithoutShear { site }
             | Self::NoCoupling { site }
             | Self::UnderWater { site, .. }
+            | Self::BedOffSurface { site, .. }
+            | Self::DryUnderWater { site, .. }
             | Self::TriangleInequality { site, .. } => Some(site),
-            _ => None,
+            Self::SoilUnresolved { .. }
+            | Self::SoilAndClamp
+            | Self::Symmetrized { .. }
+            | Self::UnusualFrequency { .. }
+            | Self::CutPair { .. }
+            | Self::MoreSegments { .. }
+            | Self::UncertainEnd { .. }
+            | Self::NotFound { .. }
+            | Self::ShearLeftOut
+            | Self::VergeOfBuckling { .. }
+            | Self::RowsMissed { .. }
+            | Self::Irregular { .. }
+            | Self::Unresolved { .. }
+            | Self::OnlyCertain { .. } => None,
         }
     }
 

@@ -354,6 +354,10 @@ fn water_that_contradicts_the_ground_is_warned_of() {
         matches!(dry[..], [Warning::DryUnderWater { .. }]),
         "{dry:?}"
     );
+    // Each names its value, so that it is shown at its line.
+    let place = |key| Some(Place::Water { key });
+    assert_eq!(off[0].place(), place("bed"));
+    assert_eq!(dry[0].place(), Some(Place::Ground { key: "submerged" }));
     let low = warnings(-21.0, None, false);
     assert!(matches!(low[..], [Warning::NoEffect { .. }]), "{low:?}");
 }

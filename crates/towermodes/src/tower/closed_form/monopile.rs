@@ -195,7 +195,9 @@ impl Monopile {
         };
         match form {
             PileBehaviour::Rigid => shadlou::rigid(&self.tube, &soil),
-            _ => shadlou::flexible(&self.tube, &soil),
+            PileBehaviour::Flexible | PileBehaviour::Between => {
+                shadlou::flexible(&self.tube, &soil)
+            }
         }
     }
 

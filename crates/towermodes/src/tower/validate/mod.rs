@@ -256,7 +256,7 @@ fn check_shear(shear: Shear) -> Result<(), TowerError> {
         Shear::Coefficient(value) if !(value > 0.0 && value <= 1.0) => {
             error(Place::Shear, Problem::ShearCoefficient { value })
         }
-        _ => Ok(()),
+        Shear::Coefficient(_) | Shear::Rigid | Shear::Cowper => Ok(()),
     }
 }
 
