@@ -4,6 +4,7 @@ use super::cut::Cut;
 use super::error::SolveError;
 use super::model::Model;
 use super::options::Options;
+use super::pairing::pair_by_name;
 use super::progress::Stage;
 use super::reference::Reference;
 use super::spectrum::{ModeKey, count_below};
@@ -71,7 +72,7 @@ pub(super) fn estimate_errors(
     if options.borders_m.is_some() {
         workspace.errors.ladder.meshes.clear();
         let all: Vec<usize> = (0..workspace.errors.modes.len()).collect();
-        let compared = compare(tower, options, &all, workspace);
+        let compared = compare(tower, options, &all, workspace)?;
         add_soil_error(tower, &mut workspace.errors.modes);
         return Ok(Estimates {
             elsewhere: count_below(&mut workspace.model, below),
@@ -99,7 +100,7 @@ pub(super) fn estimate_errors(
     }
     let compared = match doubtful.is_empty() {
         true => Vec::new(),
-        false => compare(tower, options, &doubtful, workspace),
+        false => compare(tower, options, &doubtful, workspace)?,
     };
     add_soil_error(tower, &mut workspace.errors.modes);
     Ok(Estimates {
@@ -129,22 +130,32 @@ fn is_steep(tower: &Tower, mesh: &Mesh) -> bool {
 /// Takes the errors of some modes from the reference beam solution, and returns the numbers of
 /// these modes. Where that cannot be solved, the estimates stay as they are, or are the whole
 /// frequency where there are none.
+///
+/// # Errors
+/// [`SolveError::Unstable`]: the beam is unstable, which the meshes hide.
 fn compare(
     tower: &Tower,
     options: &Options,
     which: &[usize],
     workspace: &mut Workspace,
-) -> Vec<usize> {
+) -> Result<Vec<usize>, SolveError> {
     let mut compared = Vec::with_capacity(which.len());
     let modes = &workspace.errors.modes;
     let keys: Vec<ModeKey> = which.iter().map(|&index| modes[index].key).collect();
     let found_hz: Vec<f64> = which.iter().map(|&i| modes[i].frequency_hz).collect();
-    let reference = Reference::solve(tower, options, &keys, &found_hz, workspace);
+    let reference = match Reference::solve(tower, options, &keys, &found_hz, workspace) {
+        Err(error @ SolveError::Unstable { .. }) => return Err(error),
+        reference => reference.ok(),
+    };
+    let partners = match reference {
+        Some(_) => pair_by_name(tower, options, &keys, which, workspace),
+        None => Vec::new(),
+    };
     for (place, &index) in which.iter().enumerate() {
         let mode = &mut workspace.errors.modes[index];
-        let beam_hz = reference.as_ref().ok().map(|reference| {
-            let beam_hz = reference.frequencies_hz[place];
-            beam_hz.map(|beam_hz| (beam_hz, reference.changes_hz[place]))
+        let beam_hz = reference.as_ref().map(|reference| {
+            let beam_hz = reference.frequencies_hz[partners[place]];
+            beam_hz.map(|beam_hz| (beam_hz, reference.changes_hz[partners[place]]))
         });
         match beam_hz {
             Some(Some((beam_hz, change_hz))) => {
@@ -158,7 +169,7 @@ fn compare(
             None => {}
         }
     }
-    compared
+    Ok(compared)
 }
 
 /// Computes the frequencies of the modes on all meshes of a ladder; returns how many modes the mesh

@@ -24,6 +24,7 @@ mod naming;
 mod one_mesh;
 mod options;
 mod p_refinement;
+mod pairing;
 mod progress;
 mod reference;
 mod solution;
