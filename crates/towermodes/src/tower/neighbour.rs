@@ -192,6 +192,7 @@ fn without_rows(description: &TowerDescription) -> TowerDescription {
         damping: _,
         drivetrain: _,
         part_names: _,
+        missing_parts: _,
     } = description;
     TowerDescription {
         outfitting_factor: *outfitting_factor,

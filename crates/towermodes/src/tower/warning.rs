@@ -538,6 +538,7 @@ impl Warning {
             Self::SoilUnresolved { .. }
             | Self::SoilAndClamp
             | Self::Symmetrized { .. }
+            | Self::PartsMissing(_)
             | Self::UnusualFrequency { .. }
             | Self::CutPair { .. }
             | Self::MoreSegments { .. }
