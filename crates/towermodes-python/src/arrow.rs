@@ -121,8 +121,8 @@ fn of_type<T: ArrowPrimitiveType>(
 }
 
 /// A table of results as a stream: the number of each row, the inputs, the mass, whether it is
-/// certified, frequency, error and share of each mode, and why a row failed. A number that is NaN is
-/// missing.
+/// certified, frequency, error and share of each mode, and why a row failed. A number that is NaN
+/// is missing.
 #[pyfunction]
 #[pyo3(signature = (inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", share: "object", failures: "tuple[object, object, object]") -> "object")]
 #[allow(clippy::too_many_arguments)]

@@ -22,8 +22,8 @@ impl Campbell {
     }
 
     /// The worst verdict of all margins, and at best [`Verdict::Warn`] where the list of modes does
-    /// not [cover all excitations](Self::uncovered_range_hz); [`Verdict::Undecided`] where something
-    /// is [not checked](Campbell::not_checked).
+    /// not [cover all excitations](Self::uncovered_range_hz); [`Verdict::Undecided`] where
+    /// something is [not checked](Campbell::not_checked).
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         if !self.not_checked.is_empty() {

@@ -26,8 +26,8 @@ pub struct Variable {
 }
 
 /// The band of a frequency: of the mode with a name, and of every other mode that holds the name
-/// ([`Holders`](towermodes::modes::Holders)), because where two modes share a motion, a small change
-/// of the tower exchanges their names.
+/// ([`Holders`](towermodes::modes::Holders)), because where two modes share a motion, a small
+/// change of the tower exchanges their names.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Goal {
     /// The name of the mode.

@@ -13,8 +13,8 @@ const SERVO: &str =
 /// 36.0 and 122.9 rad/s of the generator at a ratio of 97.
 const ROSCO: &str = "! Controller\n0.1  ! F_LPFCornerFreq\t- x\n1 2 3 ! PC_GS_angles - x\n122.9000  ! PC_RefSpd\t- Desired speed, [rad/s].\n36.0 !VS_MinOMSpd - Minimum\n97.0 ! WE_GearboxRatio - ratio\n";
 
-/// A deck of a gearbox of 97 with an `.fst` file of these lines, a file of ServoDyn in a folder, and
-/// the input of a controller in a folder below.
+/// A deck of a gearbox of 97 with an `.fst` file of these lines, a file of ServoDyn in a folder,
+/// and the input of a controller in a folder below.
 fn with(lines: &str, servo: &str, controller: Option<&str>) -> ElastoDynDeck {
     let fst = format!("OpenFAST INPUT FILE\nx\n\"main.dat\" EDFile - file\n{lines}");
     let main = main_text(5, &[("GBRatio", "97")]);
@@ -197,8 +197,8 @@ fn a_platform_that_moves_is_missing() {
     assert_eq!(moving("1 CompSub\n"), [MissingPart::Substructure]);
 }
 
-/// With BeamDyn, ElastoDyn reads no blade files: they need not be there, and the blades are a missing
-/// part.
+/// With BeamDyn, ElastoDyn reads no blade files: they need not be there, and the blades are a
+/// missing part.
 #[test]
 fn blades_of_beamdyn_need_no_blade_file() {
     let read = |switch: &str| {

@@ -22,8 +22,8 @@ impl Multiblade<TurningBlade> {
         3 * self.body().degrees_of_freedom()
     }
 
-    /// The rotor as [`seen_from_hub`](Self::seen_from_hub) with a M added to the D of each harmonic,
-    /// where `added` gives a, rad²/s², for the frequency in the turning frame.
+    /// The rotor as [`seen_from_hub`](Self::seen_from_hub) with a M added to the D of each
+    /// harmonic, where `added` gives a, rad²/s², for the frequency in the turning frame.
     pub fn seen_with_inertia(
         &mut self,
         frequency: f64,

@@ -152,9 +152,9 @@ impl Spectrum {
         Ok(self.sorted(model))
     }
 
-    /// Counts how many modes each subsystem has below the highest mode found of the first. More than
-    /// the `wanted` lowest of a subsystem are not sought: a tower without torsional stiffness has a
-    /// mode of torsion for each element below the first of bending.
+    /// Counts how many modes each subsystem has below the highest mode found of the first. More
+    /// than the `wanted` lowest of a subsystem are not sought: a tower without torsional stiffness
+    /// has a mode of torsion for each element below the first of bending.
     fn count_below_first(&mut self, model: &mut Model, wanted: usize) {
         let found = self.of_subsystems[0].eigenvalues();
         let ceiling = found.last().map_or(0.0, |e| e.lambda);

@@ -118,8 +118,8 @@ impl Turbine {
         &self.tower
     }
 
-    /// The mesh that it is solved on usually: the default one, with a higher degree for a blade with
-    /// long elements.
+    /// The mesh that it is solved on usually: the default one, with a higher degree for a blade
+    /// with long elements.
     pub fn mesh(&self) -> TurbineMesh {
         let borders = borders(&self.blade);
         let lengths = borders.windows(2).map(|ends| ends[1] - ends[0]);

@@ -23,8 +23,8 @@ pub struct CoupledFrequency {
     /// How many modes have this frequency.
     pub multiplicity: usize,
     /// Whether the energy of the mode in the fixed frame is negative: a whirl that runs backward on
-    /// the blades more slowly than the rotor turns, so that the rotation carries it forward. Damping
-    /// in the fixed frame makes it grow.
+    /// the blades more slowly than the rotor turns, so that the rotation carries it forward.
+    /// Damping in the fixed frame makes it grow.
     pub has_negative_energy: bool,
 }
 
@@ -45,9 +45,10 @@ pub struct CoupledSpectrum {
     /// Intervals, Hz, in which counts do not exclude two more modes, one of positive and one of
     /// negative energy; they may lie above the limit. There are none if the list is complete.
     pub unproven_hz: Vec<[f64; 2]>,
-    /// How many modes grow without limit, at least: as many as there are too few of negative energy,
-    /// where no interval is unproven; 0 if none does, or if this is not known. (Two modes of opposite
-    /// energies beside a third within some 1/1000 of the range that is searched are not excluded.)
+    /// How many modes grow without limit, at least: as many as there are too few of negative
+    /// energy, where no interval is unproven; 0 if none does, or if this is not known. (Two modes
+    /// of opposite energies beside a third within some 1/1000 of the range that is searched are not
+    /// excluded.)
     pub growing: usize,
     /// How many motions are slower than 1e-5 rad/s (1.6e-6 Hz) and not in the list, beside the
     /// rotation of a free shaft: those that nothing resists.

@@ -14,8 +14,9 @@ use crate::modes::RigidTower;
 use crate::rotor::reactionless;
 use crate::subsystem::{Coefficients, Subsystem};
 
-/// A motion slower than this, rad/s, a period of a week, is one that nothing resists: rounding makes
-/// a stiffness of zero one of some 1e-16 of the square of the rotor's speed times the inertia.
+/// A motion slower than this, rad/s, a period of a week, is one that nothing resists: rounding
+/// makes a stiffness of zero one of some 1e-16 of the square of the rotor's speed times the
+/// inertia.
 pub(super) const UNRESISTED: f64 = 1e-5;
 
 /// The equations of motion of a turbine on a mesh, with the memory to work on them:

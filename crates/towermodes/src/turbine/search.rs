@@ -116,7 +116,8 @@ impl<'a, G: Gyroscopic + ?Sized> Search<'a, G> {
         }
     }
 
-    /// By how much the known counts fall, in all: at least so many frequencies have negative energy.
+    /// By how much the known counts fall, in all: at least so many frequencies have negative
+    /// energy.
     pub(super) fn falls(&self) -> usize {
         let pairs = self.samples.windows(2);
         let falls = pairs.map(|pair| pair[0].negative.saturating_sub(pair[1].negative));
