@@ -80,8 +80,8 @@ impl<const K: usize> Arrears<K> {
         (family, self.named[family])
     }
 
-    /// The order of the next mode of a family that no other mode has a share of, and that has all of
-    /// its modes' energy: its arrears stay zero.
+    /// The order of the next mode of a family that no other mode has a share of, and that has all
+    /// of its modes' energy: its arrears stay zero.
     pub fn name_alone(&mut self, family: usize) -> usize {
         self.named[family] += 1;
         self.named[family]
