@@ -113,7 +113,7 @@ def test_impossible_diagrams_are_refused(turbine: tm.Turbine) -> None:
 def test_a_table_has_a_row_for_each_mode(turbine: tm.Turbine) -> None:
     modes = turbine.modes(12.1, 1.0)
     table = modes.to_dict()
-    assert list(table)[:3] == ["name", "second_name", "frequency_hz"]
+    assert list(table)[:3] == ["name", "share", "frequency_hz"]
     assert all(len(column) == len(modes) for column in table.values())  # type: ignore[arg-type]
     lines = repr(modes).splitlines()
     assert len(lines) == len(modes) + 2

@@ -80,7 +80,7 @@ class Turbine:
         >>> import towermodes as tm
         >>> turbine = tm.read("examples/nrel-5mw-turbine.toml").turbine
         >>> turbine.modes(0.0, 1.0).names[2]
-        '1st flapwise yaw'
+        '1st flapwise backward whirl'
         """
         speed, limit = number("rpm", rpm), number("limit_hz", limit_hz)
         if not isfinite(speed):
@@ -240,13 +240,24 @@ class TurbineModes(Computed):
 
     @property
     def names(self) -> list[str]:
-        """Their names, by elastic energy: "1st flapwise backward whirl"."""
+        """Their names, each of one mode: "1st flapwise backward whirl"."""
         return self._core.names
 
     @property
-    def second_names(self) -> list[str]:
-        """Their names by kinetic energy; they differ where motions are coupled."""
-        return self._core.second_names
+    def share(self) -> Array:
+        """Fractions of their elastic energy in the parts that name them: (modes,)."""
+        array: Array = self._core.share
+        return array
+
+    @property
+    def second(self) -> list[tuple[str, float] | None]:
+        """The parts with the most elastic energy besides, each with its fraction."""
+        return self._core.second
+
+    @property
+    def nodding(self) -> list[str | None]:
+        """What whirls whose waves are alike do to the nacelle, as at standstill: "tilt" or "yaw"."""
+        return self._core.nodding
 
     @property
     def energy(self) -> dict[str, Array]:
@@ -269,7 +280,7 @@ class TurbineModes(Computed):
         """A table with a row for each mode: `pandas.DataFrame(modes.to_dict())`."""
         return {
             "name": self.names,
-            "second_name": self.second_names,
+            "share": self.share,
             "frequency_hz": self.frequency_hz,
             "lower_hz": self.bounds_hz[:, 0],
             "upper_hz": self.bounds_hz[:, 1],
@@ -362,8 +373,31 @@ class TurbineCampbell(Tabular):
 
     @property
     def names(self) -> list[str]:
-        """The names of the curves: those of their modes over most of the operating speeds."""
+        """The titles of the curves: the names of their modes over most of the operating speeds.
+
+        Where curves veer, the names change along them: see `names_at`.
+        """
         return self._core.names
+
+    @property
+    def names_at(self) -> list[list[str | None]]:
+        """The name of the mode of each curve at each speed, None where it has left the diagram.
+
+        At each speed a name is that of one mode, as in `Turbine.modes` at this speed.
+
+        >>> import towermodes as tm
+        >>> turbine = tm.read("examples/nrel-5mw-turbine.toml").turbine
+        >>> campbell = turbine.campbell([0.0, 12.1], limit_hz=1.0)
+        >>> sorted(row[-1] for row in campbell.names_at if row[-1])[:2]
+        ['1st edgewise backward whirl', '1st flapwise backward whirl']
+        """
+        return self._core.names_at
+
+    @property
+    def share(self) -> Array:
+        """Fractions of the elastic energy in the parts of `names_at`: (curves, speeds)."""
+        array: Array = self._core.share
+        return array
 
     @property
     def partners(self) -> list[int | None]:
@@ -425,8 +459,9 @@ class TurbineCampbell(Tabular):
 
         is_there = np.isfinite(self.frequency_hz)
         curve, speed = np.nonzero(is_there)
-        names = self.names
+        names, names_at = self.names, self.names_at
         numbers = {
+            "share": self.share,
             "frequency_hz": self.frequency_hz,
             "lower_hz": self.lower_hz,
             "upper_hz": self.upper_hz,
@@ -435,7 +470,8 @@ class TurbineCampbell(Tabular):
         }
         return {
             "curve": curve,
-            "name": [names[k] for k in curve],
+            "curve_name": [names[k] for k in curve],
+            "name": [names_at[k][j] for k, j in zip(curve, speed, strict=True)],
             "rpm": self.rpm[speed],
             **{name: values[is_there] for name, values in numbers.items()},
         }

@@ -71,4 +71,14 @@ impl Assignment {
         let rival = rivals.map(|(_, mac)| *mac).fold(0.0, f64::max);
         macs[column] - rival
     }
+
+    /// How much larger the MAC of a followed mode with one mode is than with another.
+    pub(crate) fn lead_over(&self, row: usize, column: usize, other: usize) -> f64 {
+        self.mac[row][column] - self.mac[row][other]
+    }
+
+    /// Exchanges the modes of two followed modes.
+    pub(crate) fn exchange(&mut self, a: usize, b: usize) {
+        self.chosen.swap(a, b);
+    }
 }

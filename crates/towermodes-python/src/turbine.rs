@@ -153,18 +153,35 @@ impl TurbineModes {
         self.of_each(py, |mode| mode.discretization_error_hz.unwrap_or(f64::NAN))
     }
 
-    /// Their names by elastic energy.
+    /// Their names.
     #[getter]
     fn names(&self) -> Vec<String> {
         let modes = self.modes.modes.iter();
         modes.map(|mode| mode.name.to_string()).collect()
     }
 
-    /// Their names by kinetic energy.
+    /// The fractions of their elastic energy in the parts that name them.
     #[getter]
-    fn second_names(&self) -> Vec<String> {
+    fn share<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.of_each(py, |mode| mode.share)
+    }
+
+    /// The parts with the most elastic energy besides, with their fractions.
+    #[getter]
+    fn second(&self) -> Vec<Option<(String, f64)>> {
         let modes = self.modes.modes.iter();
-        modes.map(|mode| mode.second_name.to_string()).collect()
+        let second = modes.map(|mode| mode.second);
+        second
+            .map(|second| second.map(|(part, share)| (part.to_string(), share)))
+            .collect()
+    }
+
+    /// `tilt` or `yaw` of whirls whose waves are alike.
+    #[getter]
+    fn nodding(&self) -> Vec<Option<String>> {
+        let modes = self.modes.modes.iter();
+        let nodding = modes.map(TurbineMode::nodding);
+        nodding.map(|of| of.map(|of| of.to_string())).collect()
     }
 
     /// The names of the parts of `energy`.

@@ -144,11 +144,26 @@ impl TurbineCampbell {
         array::vector(py, speeds.map(|speed| speed.rotor_speed_rpm))
     }
 
-    /// The names of the curves.
+    /// The titles of the curves.
     #[getter]
     fn names(&self) -> Vec<String> {
         let curves = self.diagram.curves.iter();
-        curves.map(|curve| curve.name.to_string()).collect()
+        curves.map(|curve| curve.title.clone()).collect()
+    }
+
+    /// The names of the modes of each curve at each speed; none where it has none.
+    #[getter]
+    fn names_at(&self) -> Vec<Vec<Option<String>>> {
+        let points = self.points();
+        let name = |point: &Option<&CurvePoint>| point.map(|point| point.name.to_string());
+        let of_curve = |points: &[Option<&CurvePoint>]| points.iter().map(name).collect();
+        points.chunks(self.shape()[1].max(1)).map(of_curve).collect()
+    }
+
+    /// The fractions of the elastic energy in the parts that name the modes.
+    #[getter]
+    fn share<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.of_each(py, |point| point.share)
     }
 
     /// The index of the other curve of each whirl pair.

@@ -9,7 +9,7 @@ use towermodes::blade::BladeError;
 use towermodes::modes::Family;
 use towermodes::tower::TowerError;
 use towermodes::tower::{Rotor, Rpm};
-use towermodes::turbine::{TurbineModeName, TurbinePart};
+use towermodes::turbine::TurbineModeName;
 use towermodes::{BladeFamily, SolveError};
 
 /// The margin that certification guidelines require: an excitation must be at least 5 % away from a
@@ -85,10 +85,15 @@ pub enum Excited {
         /// Its order in the family, from 1.
         order: usize,
     },
-    /// A mode of the whole turbine, followed from speed to speed; see [`mod@crate::whirl`].
+    /// A mode of the whole turbine at speeds at which it has one name; see [`mod@crate::whirl`].
     Turbine {
-        /// The name of its curve.
+        /// The name.
         name: TurbineModeName,
+        /// The index of the curve that has the name there.
+        curve: usize,
+        /// Whether it is judged as a mode of the tower; see
+        /// [`counts_as_tower`](crate::whirl::CurvePoint::counts_as_tower).
+        counts_as_tower: bool,
     },
 }
 
@@ -109,12 +114,22 @@ pub struct FrequencyLine {
 }
 
 impl FrequencyLine {
-    /// Whether it belongs to a blade mode, of a blade alone or of the blades of a turbine.
+    /// Whether it is judged as a blade mode, of a blade alone or of the blades of a turbine.
     pub fn is_of_blade(&self) -> bool {
         match self.of {
             Excited::Tower { .. } => false,
             Excited::Blade { .. } => true,
-            Excited::Turbine { name } => matches!(name.part, TurbinePart::Blades(..)),
+            Excited::Turbine {
+                counts_as_tower, ..
+            } => !counts_as_tower,
+        }
+    }
+
+    /// Whether both have the modes of one name: a turbine has a line for each curve with the name.
+    pub fn is_of_same_mode(&self, other: &Self) -> bool {
+        match (self.of, other.of) {
+            (Excited::Turbine { name, .. }, Excited::Turbine { name: other, .. }) => name == other,
+            (of, other) => of == other,
         }
     }
 }
@@ -193,9 +208,11 @@ pub struct Campbell {
     /// The frequency below which the list of tower modes is complete, Hz; none if the list has all
     /// modes.
     pub known_to_hz: Option<f64>,
-    /// The lines: tower modes by frequency, then blade modes.
+    /// The lines: tower modes by frequency, then blade modes. A mode of a turbine has one for each
+    /// curve with its name.
     pub lines: Vec<FrequencyLine>,
-    /// The distance of every line from every multiple, by line, then by multiple.
+    /// The distance of every mode from every multiple, by line, then by multiple. Of a mode with
+    /// several lines it is that of the worst.
     pub margins: Vec<Margin>,
     /// The stiffness class of the lowest fore-aft and of the lowest side-side bending mode, if they
     /// are in the list. Empty if nothing is checked.
@@ -205,6 +222,16 @@ pub struct Campbell {
     pub first_bending: Vec<usize>,
     /// Why there are no verdicts; empty if there are.
     pub not_checked: Vec<NotChecked>,
+}
+
+impl Campbell {
+    /// Whether a distance is one of a first bending mode.
+    #[must_use]
+    pub fn is_of_first_bending(&self, margin: &Margin) -> bool {
+        let own = &self.lines[margin.line];
+        let mut first = self.first_bending.iter();
+        first.any(|line| self.lines[*line].is_of_same_mode(own))
+    }
 }
 
 /// Why there is no Campbell diagram.

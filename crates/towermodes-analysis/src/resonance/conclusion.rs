@@ -152,7 +152,9 @@ fn least_distance(campbell: &Campbell, firsts: &[First]) -> Option<String> {
         };
         for multiple in bounds {
             let mut margins = campbell.margins.iter();
-            let own = margins.find(|m| m.line == first.line && m.multiple == multiple)?;
+            let line = campbell.lines.get(first.line)?;
+            let is_own = |m: &&Margin| campbell.lines[m.line].is_of_same_mode(line);
+            let own = margins.find(|m| m.multiple == multiple && is_own(m))?;
             let is_less = least.is_none_or(|least| own.distance.abs() < least.distance.abs());
             least = if is_less { Some(own) } else { least };
         }

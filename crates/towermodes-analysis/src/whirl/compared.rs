@@ -6,12 +6,10 @@ use towermodes::{Mode, Solution};
 
 use super::diagram::CoupledCampbell;
 
-/// A mode of the tower with a rigid rotor, and the curve of the same name.
+/// A mode of the tower with a rigid rotor, and the coupled mode of the same name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AgainstRigid {
-    /// The index of the curve, from 0.
-    pub curve: usize,
-    /// The name of the curve.
+    /// The name.
     pub name: TurbineModeName,
     /// The frequency of the tower with its rotor-nacelle assembly as a rigid body, Hz.
     pub rigid_hz: f64,
@@ -31,7 +29,7 @@ pub struct Change {
 }
 
 impl CoupledCampbell {
-    /// Each mode of the tower below the limit that has a curve of the same name, by frequency: what
+    /// Each mode of the tower below the limit that has a coupled mode of the same name, by frequency: what
     /// the flexible and turning rotor changes. The solution is that of the same tower with the
     /// machine as a rigid body, which does not turn about its shaft relative to the nacelle.
     #[must_use]
@@ -45,15 +43,12 @@ impl CoupledCampbell {
             part: part(mode.family)?,
             order: mode.order,
         };
-        let curve = self.curves.iter().position(|curve| curve.name == name)?;
         let rigid_hz = mode.frequency_hz;
-        if rigid_hz > self.limit_hz {
+        if rigid_hz > self.limit_hz || !self.names.contains(&name) {
             return None;
         }
         let change = |rpm: f64| {
-            let mut points = self.curves.iter().filter_map(|curve| curve.at_rpm(rpm));
-            // Curves have the names that they have in operation; at rest another may have this one.
-            let point = points.find(|point| point.name == name)?;
+            let point = self.at_rpm(name, rpm)?;
             let coupled_hz = point.frequency.frequency_hz;
             Some(Change {
                 coupled_hz,
@@ -61,7 +56,6 @@ impl CoupledCampbell {
             })
         };
         Some(AgainstRigid {
-            curve,
             name,
             rigid_hz,
             at_rest: change(0.0),

@@ -1,15 +1,22 @@
-//! The curve of a mode over the rotor speed.
+//! The curve of a mode over the rotor speed, and the names along it.
 
-use towermodes::turbine::{CoupledFrequency, TurbineEnergy, TurbineModeName};
+use towermodes::turbine::{CoupledFrequency, Nodding, TurbineEnergy, TurbineModeName, TurbinePart};
 
 use crate::resonance::LineEnd;
 
-/// A mode of a turbine followed over the rotor speed.
+/// A mode whose name has less than this share of its energy …
+const SHARED: f64 = 0.6;
+/// … and the tower at least this one counts as a mode of the tower too.
+const GOOD_PART: f64 = 0.25;
+
+/// A mode of a turbine followed over the rotor speed by its shape. Its name at each speed is that of
+/// the mode there: beyond a veering the name changes where the shape has changed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoupledCurve {
-    /// Its name: the part that names its modes over most of the operating speeds, and its order by
-    /// mean frequency among the curves of that part.
+    /// The name that it has over most of the operating speeds.
     pub name: TurbineModeName,
+    /// Its title: this name; with rotor speeds if another curve has the same name over more.
+    pub title: String,
     /// Its points by rising rotor speed. Modes that leave the frequencies of the diagram have no
     /// points there.
     pub points: Vec<CurvePoint>,
@@ -32,12 +39,38 @@ pub struct CurvePoint {
     /// The estimated error of the mesh, Hz; known at the ends of the diagram and of the operating
     /// range.
     pub error_hz: Option<f64>,
-    /// Its name at this speed, by elastic energy.
+    /// Its name at this speed.
     pub name: TurbineModeName,
-    /// Its name at this speed by kinetic energy.
-    pub second_name: TurbineModeName,
+    /// The fraction of its elastic energy in the part that names it.
+    pub share: f64,
+    /// The part with the most energy besides, with its fraction.
+    pub second: Option<(TurbinePart, f64)>,
     /// Fractions of its elastic energy.
     pub energy: TurbineEnergy,
+}
+
+/// Neighbouring points of a curve at which it has one name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NameRange {
+    /// The name.
+    pub name: TurbineModeName,
+    /// The lowest speed, rpm, at which the turbine was solved and the curve has the name.
+    pub from_rpm: f64,
+    /// The highest.
+    pub to_rpm: f64,
+}
+
+/// A place where a curve changes its name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NameChange {
+    /// The name at lower speeds.
+    pub before: TurbineModeName,
+    /// The name at higher speeds.
+    pub after: TurbineModeName,
+    /// The middle between the last speed with one name and the first with the other, rpm.
+    pub rotor_speed_rpm: f64,
+    /// The frequency there, Hz.
+    pub frequency_hz: f64,
 }
 
 impl CurvePoint {
@@ -45,6 +78,25 @@ impl CurvePoint {
     pub fn place(&self) -> [f64; 2] {
         [self.rotor_speed_rpm, self.frequency.frequency_hz]
     }
+
+    /// What the mode does to the nacelle if it is a whirl of which both waves are alike.
+    pub fn nodding(&self) -> Option<Nodding> {
+        self.energy.nodding_of(self.name.part)
+    }
+
+    /// Whether it is judged as a mode of the tower: its name is not one of the blades, or the part
+    /// that names it has less than 60 % of its energy and the tower at least 25 %. So both modes
+    /// are judged where the tower shares two.
+    pub fn counts_as_tower(&self) -> bool {
+        let is_of_blades = matches!(self.name.part, TurbinePart::Blades(..));
+        !is_of_blades || self.share < SHARED && self.energy.of_tower() >= GOOD_PART
+    }
+}
+
+/// The point in the middle of two neighbours.
+pub(super) fn middle(a: &CurvePoint, b: &CurvePoint) -> [f64; 2] {
+    let ([a_rpm, a_hz], [b_rpm, b_hz]) = (a.place(), b.place());
+    [0.5 * (a_rpm + b_rpm), 0.5 * (a_hz + b_hz)]
 }
 
 impl CoupledCurve {
@@ -58,6 +110,40 @@ impl CoupledCurve {
         self.points.iter().find(|point| {
             (point.rotor_speed_rpm - rpm).abs() <= 1e-9 * rpm.abs().max(f64::MIN_POSITIVE)
         })
+    }
+
+    /// Its names by rising rotor speed.
+    pub fn names(&self) -> Vec<NameRange> {
+        let runs = self.points.chunk_by(|a, b| a.name == b.name);
+        let range = |run: &[CurvePoint]| NameRange {
+            name: run[0].name,
+            from_rpm: run[0].rotor_speed_rpm,
+            to_rpm: run[run.len() - 1].rotor_speed_rpm,
+        };
+        runs.map(range).collect()
+    }
+
+    /// The places where its name changes.
+    pub fn changes(&self) -> Vec<NameChange> {
+        let steps = self.points.windows(2);
+        let changes = steps.filter(|step| step[0].name != step[1].name);
+        let change = |step: &[CurvePoint]| {
+            let [rotor_speed_rpm, frequency_hz] = middle(&step[0], &step[1]);
+            NameChange {
+                before: step[0].name,
+                after: step[1].name,
+                rotor_speed_rpm,
+                frequency_hz,
+            }
+        };
+        changes.map(change).collect()
+    }
+
+    /// Its name at a rotor speed (rpm): that at the nearest speed below, or at its first.
+    pub fn name_at(&self, rpm: f64) -> TurbineModeName {
+        let below = self.points.partition_point(|p| p.rotor_speed_rpm <= rpm);
+        let point = self.points.get(below.saturating_sub(1));
+        point.map_or(self.name, |point| point.name)
     }
 
     /// The largest error of its frequencies that is known, Hz: that of the mesh and half the width

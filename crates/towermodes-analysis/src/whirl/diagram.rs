@@ -2,19 +2,16 @@
 
 use std::f64::consts::PI;
 
-use towermodes::modes::Family;
 use towermodes::tower::Rotor;
 use towermodes::turbine::{
-    Turbine, TurbineError, TurbineModeName, TurbineModel, TurbineModes, TurbinePart,
+    Turbine, TurbineError, TurbineModeName, TurbineModel, TurbineModes,
 };
 
-use crate::resonance::{
-    Campbell, Excited, FrequencyLine, StiffnessClass, check_options, class_along, margins,
-    not_checked,
-};
+use crate::resonance::{Campbell, check_options, not_checked};
 
-use super::curve::CoupledCurve;
+use super::curve::{CoupledCurve, CurvePoint, NameChange};
 use super::follow::{Track, tracks};
+use super::judged;
 use super::meeting::{Meeting, meetings};
 use super::named;
 use super::options::{CoupledError, CoupledOptions};
@@ -31,8 +28,8 @@ const STEPS: f64 = 3.0;
 /// excitations.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoupledCampbell<S = TurbineModes> {
-    /// The curves as lines, with margins, classes, conclusion and verdict. A line has the index of
-    /// its curve.
+    /// The names along the curves as lines, with margins, classes, conclusion and verdict: a line
+    /// is a piece of a curve with one name, and a margin the worst of all pieces with its name.
     pub campbell: Campbell,
     /// The frequency up to which all modes are followed, Hz.
     pub limit_hz: f64,
@@ -40,11 +37,52 @@ pub struct CoupledCampbell<S = TurbineModes> {
     pub speeds: Vec<SolvedSpeed<S>>,
     /// The curves: tower and drivetrain by mean frequency, then the blades.
     pub curves: Vec<CoupledCurve>,
+    /// The names of all modes in the diagram: tower and drivetrain by mean frequency, then the
+    /// blades.
+    pub names: Vec<TurbineModeName>,
     /// Where curves cross or veer, by rotor speed.
     pub meetings: Vec<Meeting>,
 }
 
 impl CoupledCampbell {
+    /// The mode of a name at a rotor speed at which the turbine was solved, rpm.
+    #[must_use]
+    pub fn at_rpm(&self, name: TurbineModeName, rpm: f64) -> Option<&CurvePoint> {
+        let mut points = self.curves.iter().filter_map(|curve| curve.at_rpm(rpm));
+        points.find(|point| point.name == name)
+    }
+
+    /// The name of the mode that whirls the other way, if it is in the diagram.
+    #[must_use]
+    pub fn whirls_with(&self, name: TurbineModeName) -> Option<TurbineModeName> {
+        named::opposite(name).filter(|other| self.names.contains(other))
+    }
+
+    /// The places where curves change their names, by rotor speed.
+    #[must_use]
+    pub fn changes(&self) -> Vec<NameChange> {
+        let mut changes: Vec<NameChange> = Vec::new();
+        changes.extend(self.curves.iter().flat_map(CoupledCurve::changes));
+        changes.retain(|change| change.frequency_hz <= self.limit_hz);
+        changes.sort_by(|a, b| a.rotor_speed_rpm.total_cmp(&b.rotor_speed_rpm));
+        changes
+    }
+
+    /// The largest known error of the frequencies of a name, Hz; see [`CoupledCurve::error_hz`].
+    #[must_use]
+    pub fn error_hz(&self, name: TurbineModeName) -> f64 {
+        let has = |curve: &&CoupledCurve| curve.points.iter().any(|point| point.name == name);
+        let own = self.curves.iter().filter(has);
+        own.map(CoupledCurve::error_hz).fold(0.0, f64::max)
+    }
+
+    /// Whether a mode of a name has negative energy at some speed.
+    #[must_use]
+    pub fn has_negative_energy(&self, name: TurbineModeName) -> bool {
+        let mut points = self.curves.iter().flat_map(|curve| &curve.points);
+        points.any(|point| point.name == name && point.frequency.has_negative_energy)
+    }
+
     /// Whether counts prove at every speed that no mode below the limit is missing and that none is
     /// unstable.
     #[must_use]
@@ -71,12 +109,17 @@ impl CoupledCampbell {
 /// stay cross; curves that come close, turn away and exchange their shapes veer. Two curves that
 /// exchange their shapes within 1/32 of a step are taken for curves that cross.
 ///
+/// Names are those of the modes at each speed, which depend on that speed alone: see
+/// [`TurbineModes::modes`]. Where curves veer, the name goes from one to the other as the shape
+/// does.
+///
 /// Frequencies are those in the fixed frame: what acts on the tower with a frequency excites the
 /// modes that have it. On a blade, which turns, the same forward whirl has that frequency less the
 /// rotor speed, the same backward whirl that frequency plus the rotor speed. The margins compare
-/// each curve with the multiples of the rotor speed in the fixed frame, by the table of
+/// each name with the multiples of the rotor speed in the fixed frame, by the table of
 /// [`campbell`](crate::campbell()): modes of the tower and the drivetrain as tower modes, those of
-/// the blades as blade modes.
+/// the blades as blade modes. A mode of the blades that shares its energy with the tower counts as
+/// one of the tower; see [`CurvePoint::counts_as_tower`].
 ///
 /// Between two speeds f² is interpolated linearly in Ω², as for blades. For a whirl that is an
 /// approximation, whose error falls with the square of the step.
@@ -155,15 +198,16 @@ pub(super) fn diagram<S: Solved>(
     let solve = |rpm: f64, last: Option<&S>| solve(rpm, sought_hz, last);
     let speeds = solved_speeds(&speeds_rpm, limit_hz, options.most_added, solve)?;
     let (curves, tracks) = curves(&speeds, rotor, limit_hz);
-    let lines: Vec<FrequencyLine> = curves.iter().map(line).collect();
-    let first = first_bending(&curves, rotor);
+    let names = named::all_names(&curves, rotor);
+    let lines = judged::lines(&curves, &names);
+    let first = judged::first_bending(&curves, &lines, rotor);
     Ok(CoupledCampbell {
         campbell: Campbell {
             rotor: *rotor,
             margin: options.margin,
             multiples: common.multiples_of(rotor),
             known_to_hz: Some(limit_hz),
-            margins: margins(&lines, rotor, &common),
+            margins: judged::worst(&lines, rotor, &common),
             classes: first.iter().map(|(of, class, _)| (*of, *class)).collect(),
             first_bending: first.iter().map(|(.., curve)| *curve).collect(),
             lines,
@@ -173,6 +217,7 @@ pub(super) fn diagram<S: Solved>(
         meetings: meetings(&speeds, &tracks, limit_hz),
         speeds,
         curves,
+        names,
     })
 }
 
@@ -184,15 +229,16 @@ fn curves<S: Solved>(
 ) -> (Vec<CoupledCurve>, Vec<Track>) {
     let curve = |track: &Track| {
         let places = (track.first..).zip(&track.modes);
-        let points = places.map(|(speed, mode)| super::CurvePoint {
+        let points = places.map(|(speed, mode)| CurvePoint {
             rotor_speed_rpm: speeds[speed].rotor_speed_rpm,
             ..speeds[speed].modes.point(*mode)
         });
-        let points: Vec<super::CurvePoint> = points.collect();
+        let points: Vec<CurvePoint> = points.collect();
         let last_hz = points.last().map(|point| point.frequency.frequency_hz);
         let is_left = last_hz.is_some_and(|hz| hz > limit_hz);
         CoupledCurve {
             name: points[0].name,
+            title: String::new(),
             partner: None,
             lost: track.lost.filter(|_| !is_left),
             points,
@@ -202,49 +248,19 @@ fn curves<S: Solved>(
         let mut points = curve.points.iter();
         points.any(|point| point.frequency.frequency_hz <= limit_hz)
     };
-    let mut all: Vec<(CoupledCurve, Track)> = tracks(speeds)
+    let all = tracks(speeds)
         .into_iter()
-        .map(|track| (curve(&track), track))
-        .filter(|(curve, _)| is_shown(curve))
-        .collect();
-    let keys = all.iter().map(|(curve, _)| {
-        let points = &curve.points;
-        (named::part(points, rotor), named::mean_hz(points, rotor))
+        .map(|track| (curve(&track), track));
+    let all = all.filter(|(curve, _)| is_shown(curve));
+    let (mut curves, tracks): (Vec<CoupledCurve>, Vec<Track>) = all.unzip();
+    named::name(&mut curves, rotor);
+    let mut both: Vec<(CoupledCurve, Track)> = curves.into_iter().zip(tracks).collect();
+    both.sort_by(|a, b| {
+        let [a, b] = [a, b].map(|(curve, _)| named::mean_hz(&curve.points, rotor));
+        a.total_cmp(&b)
     });
-    let keys: Vec<(TurbinePart, f64)> = keys.collect();
-    let order = named::in_order(&keys);
-    let parts: Vec<TurbinePart> = order.iter().map(|index| keys[*index].0).collect();
-    let ordered = order.iter().map(|index| all[*index].clone());
-    all = ordered.collect();
-    let (mut curves, tracks): (Vec<CoupledCurve>, Vec<Track>) = all.into_iter().unzip();
-    for (curve, name) in curves.iter_mut().zip(TurbineModeName::numbered(parts)) {
-        curve.name = name;
-    }
+    both.sort_by_key(|(curve, _)| named::is_of_blades(curve.name));
+    let (mut curves, tracks): (Vec<CoupledCurve>, Vec<Track>) = both.into_iter().unzip();
     named::pair(&mut curves);
     (curves, tracks)
-}
-
-fn line(curve: &CoupledCurve) -> FrequencyLine {
-    FrequencyLine {
-        of: Excited::Turbine { name: curve.name },
-        label: curve.name.to_string(),
-        points: curve.places(),
-        error_hz: curve.error_hz(),
-        lost: curve.lost,
-    }
-}
-
-/// The curves of the first bending modes of the tower with their classes.
-fn first_bending(curves: &[CoupledCurve], rotor: &Rotor) -> Vec<(Family, StiffnessClass, usize)> {
-    let planes = [
-        (Family::ForeAft, TurbinePart::TowerForeAft),
-        (Family::SideSide, TurbinePart::TowerSideSide),
-    ];
-    let first = planes.into_iter().filter_map(|(family, part)| {
-        let is_first = |curve: &CoupledCurve| curve.name.part == part && curve.name.order == 1;
-        let index = curves.iter().position(is_first)?;
-        let class = class_along(&curves[index].places(), rotor)?;
-        Some((family, class, index))
-    });
-    first.collect()
 }

@@ -9,6 +9,9 @@ use super::solved::{Solved, SolvedSpeed};
 /// much larger than with any other mode.
 const CLEAR: f64 = 0.4;
 
+/// Two modes continue one alike if their modal assurance criteria with it differ by less than this.
+const OPEN: f64 = 0.2;
+
 /// Frequencies closer than this are a pair whose shapes any computation may mix.
 const REPEATED: f64 = 1e-9;
 
@@ -34,6 +37,18 @@ impl Track {
             reference: (speed, mode),
         }
     }
+
+    /// Speed and mode at the last speed at which it was found.
+    fn last(&self) -> (usize, usize) {
+        let last = self.modes.len() - 1;
+        (self.first + last, self.modes[last])
+    }
+
+    /// Its frequency there, Hz.
+    fn last_hz<S: Solved>(&self, speeds: &[SolvedSpeed<S>]) -> f64 {
+        let (speed, mode) = self.last();
+        speeds[speed].modes.frequency_hz(mode)
+    }
 }
 
 /// Follows all modes at solved speeds; modes that continue no other begin where they are first
@@ -41,12 +56,7 @@ impl Track {
 pub(super) fn tracks<S: Solved>(speeds: &[SolvedSpeed<S>]) -> Vec<Track> {
     let mut tracks: Vec<Track> = Vec::new();
     for (speed, solved) in speeds.iter().enumerate() {
-        let rows: Vec<(&S, usize)> = tracks
-            .iter()
-            .map(|track| (&speeds[track.reference.0].modes, track.reference.1))
-            .collect();
-        let macs = macs(&rows, &solved.modes);
-        let assignment = Assignment::greedy(macs, |track| tracks[track].lost.is_none());
+        let assignment = continued(&tracks, speeds, speed);
         let mut is_new = vec![true; solved.modes.count()];
         for (index, track) in tracks.iter_mut().enumerate() {
             if track.lost.is_some() {
@@ -75,18 +85,78 @@ pub(super) fn tracks<S: Solved>(speeds: &[SolvedSpeed<S>]) -> Vec<Track> {
     tracks
 }
 
+/// Which modes at a speed continue the tracks.
+///
+/// A track is compared by the shape at the last speed where it was continued without doubt. Between
+/// two modes that exchange their shapes within one step it so keeps its shape. But two modes that
+/// are close at standstill, tilt and yaw, become whirls within one step for good, and their shapes
+/// there are those of neither. So a track that is in doubt by this shape and in none by that at the
+/// last speed is compared by the latter. Two tracks that are in doubt between the same two modes
+/// keep their order.
+fn continued<S: Solved>(tracks: &[Track], speeds: &[SolvedSpeed<S>], speed: usize) -> Assignment {
+    let modes = &speeds[speed].modes;
+    let is_followed = |track: usize| tracks[track].lost.is_none();
+    let macs_from = |places: Vec<(usize, usize)>| {
+        let rows: Vec<(&S, usize)> = places
+            .into_iter()
+            .map(|(speed, mode)| (&speeds[speed].modes, mode))
+            .collect();
+        macs(&rows, modes)
+    };
+    let mut by_reference = macs_from(tracks.iter().map(|track| track.reference).collect());
+    let by_last = macs_from(tracks.iter().map(Track::last).collect());
+    let old = Assignment::greedy(by_reference.clone(), is_followed);
+    let near = Assignment::greedy(by_last.clone(), is_followed);
+    for (row, last) in by_last.into_iter().enumerate() {
+        if !is_clear(&old, row) && is_clear(&near, row) {
+            by_reference[row] = last;
+        }
+    }
+    let mut assignment = Assignment::greedy(by_reference, is_followed);
+    for a in 0..tracks.len() {
+        for b in 0..tracks.len() {
+            let last_hz = |track: usize| tracks[track].last_hz(speeds);
+            let are_followed = is_followed(a) && is_followed(b);
+            if a != b && are_followed && last_hz(a) < last_hz(b) {
+                keep_order(&mut assignment, [a, b]);
+            }
+        }
+    }
+    assignment
+}
+
+/// Gives two tracks, the lower one first, their modes in this order if both are in doubt between
+/// the two.
+fn keep_order(assignment: &mut Assignment, [lower, upper]: [usize; 2]) {
+    let (Ok(of_lower), Ok(of_upper)) = (assignment.found(lower), assignment.found(upper)) else {
+        return;
+    };
+    let is_open = |row: usize| assignment.lead_over(row, of_lower, of_upper).abs() < OPEN;
+    if of_lower > of_upper && is_open(lower) && is_open(upper) {
+        assignment.exchange(lower, upper);
+    }
+}
+
 /// Whether a mode is continued without doubt.
 pub(super) fn is_clear(assignment: &Assignment, row: usize) -> bool {
     let found = assignment.found(row);
     found.is_ok_and(|column| assignment.lead(row, column) >= CLEAR)
 }
 
-/// The modal assurance criteria of modes with those at a speed; those of a repeated pair there have
-/// that with the plane that both span.
+/// The modal assurance criteria of modes with those at a speed; of a repeated pair, here and there,
+/// those of the plane that both span.
 pub(super) fn macs<S: Solved>(rows: &[(&S, usize)], modes: &S) -> Vec<Vec<f64>> {
     let all = 0..modes.count();
     let of_row = |(from, mode): &(&S, usize)| {
-        let single: Vec<f64> = all.clone().map(|i| from.mac(*mode, modes, i)).collect();
+        let twins = (0..from.count()).filter(|other| are_pair(*from, *other, *mode));
+        let twins: Vec<usize> = twins.collect();
+        let of_twins = |i: usize| {
+            twins
+                .iter()
+                .map(|own| from.mac(*own, modes, i))
+                .sum::<f64>()
+        };
+        let single: Vec<f64> = all.clone().map(of_twins).collect();
         let of_plane = |i: usize| {
             let own = all.clone().filter(|other| are_pair(modes, *other, i));
             own.map(|other| single[other]).sum::<f64>().min(1.0)

@@ -2,13 +2,14 @@
 //! rotor together, against the rotor speed.
 //!
 //! Modes are followed from speed to speed by their shapes; curves that cross are told from curves
-//! that veer; whirl modes are paired; the excitations are judged against the coupled frequencies by
-//! the rules of [`crate::resonance`].
+//! that veer; whirl modes are paired; the excitations are judged against the frequencies of each
+//! name by the rules of [`crate::resonance`].
 
 mod compared;
 mod curve;
 mod diagram;
 mod follow;
+mod judged;
 mod meeting;
 mod named;
 mod options;
@@ -19,7 +20,7 @@ mod solved;
 mod tests;
 
 pub use compared::{AgainstRigid, Change};
-pub use curve::{CoupledCurve, CurvePoint};
+pub use curve::{CoupledCurve, CurvePoint, NameChange, NameRange};
 pub use diagram::{CoupledCampbell, coupled_campbell};
 pub use meeting::{Meeting, MeetingKind};
 pub use options::{CoupledError, CoupledOptions, RotorSpeeds, coupled_limit_hz};

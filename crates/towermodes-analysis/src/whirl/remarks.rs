@@ -85,7 +85,7 @@ fn negative_energy(curve: &CoupledCurve) -> Option<Remark> {
     let mut points = curve.points.iter();
     let first = points.find(|point| point.frequency.has_negative_energy)?;
     Some(Remark::NegativeEnergy {
-        label: curve.name.to_string(),
+        label: first.name.to_string(),
         from_rpm: first.rotor_speed_rpm,
     })
 }

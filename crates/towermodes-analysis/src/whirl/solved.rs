@@ -54,7 +54,8 @@ impl Solved for TurbineModes {
             frequency: own.frequency,
             error_hz: own.discretization_error_hz,
             name: own.name,
-            second_name: own.second_name,
+            share: own.share,
+            second: own.second,
             energy: own.energy,
         }
     }

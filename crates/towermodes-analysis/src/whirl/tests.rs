@@ -52,7 +52,8 @@ impl Solved for Mixtures {
             },
             error_hz: None,
             name,
-            second_name: name,
+            share: 1.0,
+            second: None,
             energy: TurbineEnergy::default(),
         }
     }

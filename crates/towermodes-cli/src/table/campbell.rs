@@ -13,7 +13,7 @@ use super::text::{text_table, title, wrapped};
 pub fn campbell(tower: &Tower, campbell: &Campbell, has_blade: bool, all: bool) -> String {
     let is_strong = |multiple| multiple == 1 || multiple == campbell.rotor.blades;
     let is_shown = |margin: &&Margin| {
-        let is_first = campbell.first_bending.contains(&margin.line) && is_strong(margin.multiple);
+        let is_first = campbell.is_of_first_bending(margin) && is_strong(margin.multiple);
         all || is_first || margin.is_near()
     };
     let shown: Vec<&Margin> = campbell.margins.iter().filter(is_shown).collect();

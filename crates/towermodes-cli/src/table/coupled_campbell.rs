@@ -1,11 +1,12 @@
-//! The coupled Campbell diagram of a turbine as text: conclusion, curves, distances, meetings, what
-//! the flexible rotor changes, proof.
+//! The coupled Campbell diagram of a turbine as text: conclusion, modes, distances, meetings, changes
+//! of names, what the flexible rotor changes, proof.
 
 use towermodes::Tower;
 use towermodes::number::with_error;
 use towermodes::tower::Rpm;
+use towermodes::turbine::TurbineModeName;
 use towermodes_analysis::resonance::Margin;
-use towermodes_analysis::whirl::{AgainstRigid, Change, CoupledCampbell, CoupledCurve, Meeting};
+use towermodes_analysis::whirl::{AgainstRigid, Change, CoupledCampbell, Meeting};
 use towermodes_report::wording::{STRUCTURE_ONLY, counted, proved};
 
 use super::campbell::{hidden, pairs, summary_or};
@@ -22,7 +23,7 @@ pub fn coupled_campbell(
     let campbell = &coupled.campbell;
     let is_strong = |multiple| multiple == 1 || multiple == campbell.rotor.blades;
     let is_shown = |margin: &&Margin| {
-        let is_first = campbell.first_bending.contains(&margin.line) && is_strong(margin.multiple);
+        let is_first = campbell.is_of_first_bending(margin) && is_strong(margin.multiple);
         all || is_first || margin.is_near()
     };
     let shown: Vec<&Margin> = campbell.margins.iter().filter(is_shown).collect();
@@ -31,12 +32,13 @@ pub fn coupled_campbell(
     for sentence in campbell.conclusion() {
         text += &(wrapped(&sentence) + "\n");
     }
-    text += &format!("\n{}\n\n", curves(coupled));
+    text += &format!("\n{}\n\n", modes(coupled));
     if !shown.is_empty() {
         text += &format!("{}\n\n", pairs(campbell, &shown));
     }
     text.extend(hidden.map(|line| line + "\n\n"));
     text += &meetings(coupled, all);
+    text += &changes(coupled, all);
     if !against.is_empty() {
         text += &format!("{}\n\n", compared(coupled, against));
     }
@@ -46,32 +48,38 @@ pub fn coupled_campbell(
     text + &summary_or(campbell, "none is below the limit") + "\n"
 }
 
-/// Each curve with its frequencies at rest and at both ends of operation, and its whirl partner.
-fn curves(coupled: &CoupledCampbell) -> String {
+/// The modes by name with their frequencies at rest and at both ends of operation, and the other
+/// mode of each whirl pair.
+fn modes(coupled: &CoupledCampbell) -> String {
     let rotor = &coupled.campbell.rotor;
     let first_rpm = coupled.speeds.first().map_or(0.0, |s| s.rotor_speed_rpm);
     let mut columns = vec![first_rpm, rotor.lowest_rpm, rotor.highest_rpm];
     columns.dedup();
-    let at = |curve: &CoupledCurve, rpm: f64| match curve.at_rpm(rpm) {
+    let at = |name: TurbineModeName, rpm: f64| match coupled.at_rpm(name, rpm) {
         Some(point) => {
             let hz = point.frequency.frequency_hz;
-            with_error(hz, hz, curve.error_hz())
+            with_error(hz, hz, coupled.error_hz(name))
         }
         None => "-".to_owned(),
     };
-    let row = |(index, curve): (usize, &CoupledCurve)| {
-        let partner = curve
-            .partner
-            .map_or_else(String::new, |k| (k + 1).to_string());
-        let sign = match curve.has_negative_energy() {
+    let is_shown = |name: &TurbineModeName| {
+        let mut speeds = columns.iter();
+        speeds.any(|rpm| coupled.at_rpm(*name, *rpm).is_some())
+    };
+    let names: Vec<TurbineModeName> = coupled.names.iter().copied().filter(is_shown).collect();
+    let row = |(index, name): (usize, &TurbineModeName)| {
+        let other = coupled.whirls_with(*name);
+        let other = other.and_then(|other| names.iter().position(|name| *name == other));
+        let other = other.map_or_else(String::new, |k| (k + 1).to_string());
+        let sign = match coupled.has_negative_energy(*name) {
             true => " (negative energy)",
             false => "",
         };
-        let ends = columns.iter().map(|rpm| at(curve, *rpm));
-        let named = [(index + 1).to_string(), format!("{}{sign}", curve.name)];
-        named.into_iter().chain(ends).chain([partner]).collect()
+        let ends = columns.iter().map(|rpm| at(*name, *rpm));
+        let named = [(index + 1).to_string(), format!("{name}{sign}")];
+        named.into_iter().chain(ends).chain([other]).collect()
     };
-    let rows: Vec<Vec<String>> = coupled.curves.iter().enumerate().map(row).collect();
+    let rows: Vec<Vec<String>> = names.iter().enumerate().map(row).collect();
     let heading = |rpm: &f64| format!("Hz at {} rpm", Rpm(*rpm));
     let header = ["".to_owned(), "coupled mode".to_owned()].into_iter();
     let header = header.chain(columns.iter().map(heading));
@@ -94,8 +102,8 @@ fn meetings(coupled: &CoupledCampbell, all: bool) -> String {
     let operation = rotor.lowest_rpm..=rotor.highest_rpm;
     let is_shown = |meeting: &&Meeting| all || operation.contains(&meeting.rotor_speed_rpm);
     let shown: Vec<&Meeting> = coupled.meetings.iter().filter(is_shown).collect();
-    let name = |curve: usize| coupled.curves[curve].name.to_string();
     let rows = shown.iter().map(|meeting| {
+        let name = |curve: usize| coupled.curves[curve].name_at(meeting.rotor_speed_rpm);
         [
             format!(
                 "{} and {}",
@@ -120,6 +128,29 @@ fn meetings(coupled: &CoupledCampbell, all: bool) -> String {
         text += &format!("{more} of curves outside the operating speeds not shown (use --all)\n\n");
     }
     text
+}
+
+/// The places in operation, or all, where a curve changes its name.
+fn changes(coupled: &CoupledCampbell, all: bool) -> String {
+    let rotor = &coupled.campbell.rotor;
+    let operation = rotor.lowest_rpm..=rotor.highest_rpm;
+    let changes = coupled.changes().into_iter();
+    let shown = changes.filter(|change| all || operation.contains(&change.rotor_speed_rpm));
+    let rows: Vec<[String; 4]> = shown
+        .map(|change| {
+            [
+                change.before.to_string(),
+                change.after.to_string(),
+                format!("{:.2}", change.rotor_speed_rpm),
+                format!("{:.4}", change.frequency_hz),
+            ]
+        })
+        .collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    let header = ["curve of", "continues as", "rotor rpm", "Hz"];
+    format!("{}\n\n", text_table(header, rows.into_iter(), 2..=3))
 }
 
 /// The tower's modes with a rigid machine, and what the flexible rotor makes of them.

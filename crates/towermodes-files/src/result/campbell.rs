@@ -114,7 +114,7 @@ struct LineJson<'a> {
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct MarginJson<'a> {
-    /// Index of the line, from 0.
+    /// Index of the line, from 0; of a turbine that of the curve.
     line: usize,
     /// The name of its mode.
     label: &'a str,
@@ -189,7 +189,7 @@ fn named(of: Excited) -> (&'static str, Option<usize>, String, usize) {
             order,
         } => ("tower", Some(number), family.name().to_owned(), order),
         Excited::Blade { family, order } => ("blade", None, family.name().to_owned(), order),
-        Excited::Turbine { name } => ("turbine", None, name.part.to_string(), name.order),
+        Excited::Turbine { name, .. } => ("turbine", None, name.part.to_string(), name.order),
     }
 }
 
@@ -208,10 +208,15 @@ fn line_json(line: &FrequencyLine) -> LineJson<'_> {
     }
 }
 
+/// A distance with the index of its line, of a turbine that of its curve.
 pub(super) fn margin_json<'a>(campbell: &'a Campbell, margin: &Margin) -> MarginJson<'a> {
+    let line = &campbell.lines[margin.line];
     MarginJson {
-        line: margin.line,
-        label: &campbell.lines[margin.line].label,
+        line: match line.of {
+            Excited::Turbine { curve, .. } => curve,
+            Excited::Tower { .. } | Excited::Blade { .. } => margin.line,
+        },
+        label: &line.label,
         multiple: margin.multiple,
         nearest_rpm: margin.nearest_rpm,
         excitation_hz: margin.excitation_hz,

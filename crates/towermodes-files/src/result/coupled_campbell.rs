@@ -4,10 +4,11 @@ use std::io::Write;
 
 use serde::Serialize;
 use towermodes::Tower;
-use towermodes::turbine::{BladeEnergy, TurbineEnergy};
+use towermodes::turbine::{BladeEnergy, TurbineEnergy, TurbinePart};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::whirl::{
-    AgainstRigid, Change, CoupledCampbell, CoupledCurve, CurvePoint, Meeting, SolvedSpeed,
+    AgainstRigid, Change, CoupledCampbell, CoupledCurve, CurvePoint, Meeting, NameRange,
+    SolvedSpeed,
 };
 
 use super::campbell::{
@@ -48,14 +49,15 @@ pub(super) struct CoupledCampbellDocument<'a> {
     speeds: Vec<SpeedJson>,
     /// The curves: tower and drivetrain by mean frequency, then the blades.
     curves: Vec<CurveJson>,
-    /// The distance of every curve from every multiple; `line` is the index of the curve.
+    /// The distance of every name from every multiple; `line` is the index of the curve that has
+    /// the name at the nearest speed.
     margins: Vec<MarginJson<'a>>,
     /// The stiffness class of the first fore-aft and of the first side-side bending mode.
     classes: Vec<ClassJson>,
     /// Where curves cross or veer, by rotor speed.
     meetings: Vec<MeetingJson>,
-    /// The modes of the tower with its machine as a rigid body, against the curves of the same
-    /// name.
+    /// The modes of the tower with its machine as a rigid body, against the coupled modes of the
+    /// same name.
     against_rigid: Vec<AgainstRigidJson>,
     /// Assumptions of the reader, data that it omits, and possible input mistakes.
     warnings: Vec<String>,
@@ -86,16 +88,19 @@ struct SpeedJson {
     unresisted: usize,
 }
 
-/// A mode followed over the rotor speed.
+/// A mode followed over the rotor speed by its shape.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct CurveJson {
-    /// Its name: that of its modes over most of the operating speeds.
+    /// Its title: the name that it has over most of the operating speeds, with rotor speeds if
+    /// another curve has this name over more. The names at each speed are those of its points.
     label: String,
-    /// Its part: `tower fore-aft`, `drivetrain torsion`, `flapwise backward whirl` …
+    /// The part of this name: `tower fore-aft`, `drivetrain torsion`, `flapwise backward whirl` …
     part: String,
-    /// Its order by mean frequency among the curves with this part, from 1.
+    /// The order of this name among those with the part, from 1.
     order: usize,
+    /// Its names by rising rotor speed.
+    names: Vec<NameRangeJson>,
     /// Of a backward whirl the index of the curve of the forward whirl, and the reverse; null
     /// otherwise.
     partner: Option<usize>,
@@ -105,6 +110,32 @@ struct CurveJson {
     lost_at_rpm: Option<f64>,
     /// Its points by rising rotor speed.
     points: Vec<PointJson>,
+}
+
+/// Neighbouring rotor speeds at which a curve has one name.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct NameRangeJson {
+    /// The name.
+    label: String,
+    /// Its part.
+    part: String,
+    /// Its order, from 1.
+    order: usize,
+    /// The lowest of these speeds, rpm.
+    from_rpm: f64,
+    /// The highest, rpm.
+    to_rpm: f64,
+}
+
+/// A part of the turbine with a fraction of the elastic energy.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct ShareJson {
+    /// The part.
+    part: String,
+    /// The fraction.
+    share: f64,
 }
 
 /// A mode of a curve at a rotor speed.
@@ -128,10 +159,17 @@ struct PointJson {
     multiplicity: usize,
     /// Whether the energy of the mode in the fixed frame is negative: damping makes it grow.
     has_negative_energy: bool,
-    /// Its name at this speed, by elastic energy.
+    /// Its name at this speed; no other mode has it there.
     label: String,
-    /// Its name at this speed by kinetic energy.
-    second_label: String,
+    /// The fraction of its elastic energy in the part of the name.
+    share: f64,
+    /// The part with the most elastic energy besides; null if there is none elsewhere.
+    second: Option<ShareJson>,
+    /// `tilt` or `yaw` for a whirl of which both waves are alike, as at standstill; null otherwise.
+    nodding: Option<String>,
+    /// Whether it is judged as a mode of the tower: its name is not one of the blades, or it shares
+    /// its energy with the tower.
+    counts_as_tower: bool,
     /// Fractions of its elastic energy.
     energy: EnergyJson,
 }
@@ -190,7 +228,7 @@ struct MeetingJson {
     kind: &'static str,
     /// The indices of the curves, from 0.
     curves: [usize; 2],
-    /// The names of the curves.
+    /// The names of the curves at this speed.
     labels: [String; 2],
     /// The rotor speed where they are closest, rpm.
     rotor_speed_rpm: f64,
@@ -200,12 +238,10 @@ struct MeetingJson {
     least_distance_hz: f64,
 }
 
-/// A mode of the tower with its machine as a rigid body, and the curve of the same name.
+/// A mode of the tower with its machine as a rigid body, and the coupled mode of the same name.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct AgainstRigidJson {
-    /// The index of the curve, from 0.
-    curve: usize,
     /// Its name.
     label: String,
     /// The frequency with a rigid machine, Hz.
@@ -214,8 +250,8 @@ struct AgainstRigidJson {
     at_rest_hz: Option<f64>,
     /// Coupled over rigid − 1 at standstill.
     at_rest_difference: Option<f64>,
-    /// The coupled frequency at the highest operating speed, Hz; null if the curve does not reach
-    /// it.
+    /// The coupled frequency at the highest operating speed, Hz; null if no mode has the name
+    /// there.
     at_highest_hz: Option<f64>,
     /// Coupled over rigid − 1 at the highest operating speed.
     at_highest_difference: Option<f64>,
@@ -274,13 +310,31 @@ fn speed(solved: &SolvedSpeed) -> SpeedJson {
 
 fn curve(curve: &CoupledCurve) -> CurveJson {
     CurveJson {
-        label: curve.name.to_string(),
+        label: curve.title.clone(),
         part: curve.name.part.to_string(),
         order: curve.name.order,
+        names: curve.names().iter().map(name_range).collect(),
         partner: curve.partner,
         error_hz: curve.error_hz(),
         lost_at_rpm: curve.lost.map(|end| end.rotor_speed_rpm),
         points: curve.points.iter().map(point).collect(),
+    }
+}
+
+fn name_range(range: &NameRange) -> NameRangeJson {
+    NameRangeJson {
+        label: range.name.to_string(),
+        part: range.name.part.to_string(),
+        order: range.name.order,
+        from_rpm: range.from_rpm,
+        to_rpm: range.to_rpm,
+    }
+}
+
+fn share((part, share): (TurbinePart, f64)) -> ShareJson {
+    ShareJson {
+        part: part.to_string(),
+        share,
     }
 }
 
@@ -296,7 +350,10 @@ fn point(point: &CurvePoint) -> PointJson {
         multiplicity: frequency.multiplicity,
         has_negative_energy: frequency.has_negative_energy,
         label: point.name.to_string(),
-        second_label: point.second_name.to_string(),
+        share: point.share,
+        second: point.second.map(share),
+        nodding: point.nodding().map(|nodding| nodding.to_string()),
+        counts_as_tower: point.counts_as_tower(),
         energy: shares(&point.energy),
     }
 }
@@ -335,7 +392,8 @@ fn met(coupled: &CoupledCampbell, meeting: &Meeting) -> MeetingJson {
         curves: meeting.curves,
         labels: meeting
             .curves
-            .map(|curve| coupled.curves[curve].name.to_string()),
+            .map(|curve| coupled.curves[curve].name_at(meeting.rotor_speed_rpm))
+            .map(|name| name.to_string()),
         rotor_speed_rpm: meeting.rotor_speed_rpm,
         frequency_hz: meeting.frequency_hz,
         least_distance_hz: meeting.least_distance_hz,
@@ -346,7 +404,6 @@ fn compared(row: &AgainstRigid) -> AgainstRigidJson {
     let hz = |change: Option<Change>| change.map(|change| change.coupled_hz);
     let difference = |change: Option<Change>| change.map(|change| change.difference);
     AgainstRigidJson {
-        curve: row.curve,
         label: row.name.to_string(),
         rigid_hz: row.rigid_hz,
         at_rest_hz: hz(row.at_rest),

@@ -9,11 +9,9 @@ use super::ResultError;
 use super::campbell::not_checked;
 
 /// The columns before those of the energy.
-const HEADER: [&str; 15] = [
+const HEADER: [&str; 17] = [
     "curve",
-    "label",
-    "part",
-    "order",
+    "curve_label",
     "partner",
     "rotor_speed_rpm",
     "frequency_hz",
@@ -23,8 +21,12 @@ const HEADER: [&str; 15] = [
     "multiplicity",
     "has_negative_energy",
     "is_complete",
-    "label_at_speed",
-    "second_label_at_speed",
+    "label",
+    "part",
+    "order",
+    "share",
+    "second_part",
+    "second_share",
 ];
 
 /// The parts that are no blades, in the order of their columns.
@@ -46,9 +48,10 @@ const STATIONARY: [&str; 12] = [
 /// How blades follow each other, in the order of their columns.
 const HARMONICS: [&str; 5] = ["collective", "forward", "backward", "tilt", "yaw"];
 
-/// Writes a coupled Campbell diagram as CSV: one line per curve and rotor speed, with the fractions
-/// of the elastic energy. Curves are counted from 0; `is_complete` is the certificate of the speed,
-/// `not_checked` why there are no verdicts on the diagram.
+/// Writes a coupled Campbell diagram as CSV: one line per curve and rotor speed, with the name of
+/// the mode there and the fractions of its elastic energy. Curves are counted from 0; `curve_label`
+/// is the title of the curve, `is_complete` the certificate of the speed, `not_checked` why there are
+/// no verdicts on the diagram.
 ///
 /// # Errors
 /// [`ResultError`] if the writer refuses.
@@ -65,9 +68,7 @@ pub fn write_coupled_campbell_csv(
         for point in &curve.points {
             let named = [
                 index.to_string(),
-                curve.name.to_string(),
-                curve.name.part.to_string(),
-                curve.name.order.to_string(),
+                curve.title.clone(),
                 curve.partner.map_or_else(String::new, |k| k.to_string()),
             ];
             let is_complete = is_complete(coupled, point).to_string();
@@ -106,7 +107,15 @@ fn numbers(point: &CurvePoint, is_complete: String) -> Vec<String> {
         frequency.has_negative_energy.to_string(),
         is_complete,
         point.name.to_string(),
-        point.second_name.to_string(),
+        point.name.part.to_string(),
+        point.name.order.to_string(),
+        point.share.to_string(),
+        point
+            .second
+            .map_or_else(String::new, |(part, _)| part.to_string()),
+        point
+            .second
+            .map_or_else(String::new, |(_, share)| share.to_string()),
     ];
     let stationary = [
         energy.tower_fore_aft,

@@ -180,11 +180,6 @@ impl BeamSubsystem<6> {
         self.beam().base_coordinates()
     }
 
-    /// Twice the kinetic energy over the square of the frequency, by component.
-    pub(crate) fn inertia_energies(&self, x: &[Complex]) -> [f64; 6] {
-        self.of_matrix(0, x, false)
-    }
-
     /// xᴴ A x by component, for the base and one of the matrices of the elements, or the base
     /// alone.
     fn of_matrix(&self, place: usize, x: &[Complex], base_alone: bool) -> [f64; 6] {

@@ -50,15 +50,13 @@ pub struct TurningBlade {
     pub(super) factors: BladeFactors,
 }
 
-/// A section of a blade at a point of an element: what its strains store and its motion carries.
+/// A section of a blade at a point of an element: what its strains store.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Gauge {
     /// Sin and cos of the angle of its chord from X towards Y.
     pub(super) turn: (f64, f64),
     /// Stiffness against flap, edge, torsion and stretch, each times the length of the point.
     pub(super) stiffness: [f64; 4],
-    /// Mass, kg.
-    pub(super) mass_kg: f64,
 }
 
 impl TurningBlade {
@@ -196,7 +194,6 @@ impl Gauge {
         Self {
             turn,
             stiffness: [flap_n_m2, edge_n_m2, torsion_n_m2, axial_n].map(|s| length_m * s),
-            mass_kg: length_m * section.mass_kg_per_m,
         }
     }
 }

@@ -206,22 +206,4 @@ impl TurningBlade {
         }
         at
     }
-
-    /// Twice the kinetic energy over the square of the frequency, for a hub that stands still:
-    /// along the axis of the rotor, and across it.
-    pub fn own_inertia(&self, own: &[Complex]) -> [f64; 2] {
-        let still = [Complex::default(); 6];
-        let mut sum = [0.0; 2];
-        // The middles of the elements are enough for a vote.
-        let steps = 2;
-        let points = self.polynomials.len();
-        let along = motions_along(&self.beam, (still, own), steps);
-        for (element, gauges) in self.gauges.chunks_exact(points).enumerate() {
-            let motion = self.out_of_axes(&along[element * steps + 1].1);
-            let mass_kg: f64 = gauges.iter().map(|gauge| gauge.mass_kg).sum();
-            sum[0] += mass_kg * motion[0].norm_squared();
-            sum[1] += mass_kg * (motion[1].norm_squared() + motion[2].norm_squared());
-        }
-        sum
-    }
 }

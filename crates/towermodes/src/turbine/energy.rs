@@ -12,6 +12,9 @@ const PLATFORM: [Family; 6] = [
     Family::Yaw,
 ];
 
+/// Both waves tilt or yaw the nacelle if so much of their energy does.
+const CLEARLY: f64 = 2.0 / 3.0;
+
 /// How a blade deflects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum BladeMotion {
@@ -34,11 +37,6 @@ pub enum Harmonic {
     Forward,
     /// A wave that runs around the rotor against the rotation.
     Backward,
-    /// Both waves alike, as at standstill, so that the forces of the blades tilt the nacelle: flap
-    /// as the cosine of the azimuth, edge as its sine.
-    Tilt,
-    /// Both waves alike, so that the forces of the blades yaw the nacelle.
-    Yaw,
     /// A wave of this many periods around the rotor, 2 or more, with the rotation; it does not move
     /// the hub. Only rotors of more than three blades have it.
     ForwardOf(usize),
@@ -46,6 +44,16 @@ pub enum Harmonic {
     BackwardOf(usize),
     /// Neighbours against each other, in a rotor with an even number of blades, 4 or more.
     Alternating,
+}
+
+/// What a mode of the blades does to the nacelle if both waves are alike, as at standstill.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Nodding {
+    /// The forces of the blades tilt the nacelle: flap as the cosine of the azimuth, edge as its
+    /// sine.
+    Tilt,
+    /// They yaw it.
+    Yaw,
 }
 
 /// A part of a turbine that stores elastic energy.
@@ -129,18 +137,28 @@ impl BladeEnergy {
         self.collective + self.forward + self.backward
     }
 
-    /// By harmonic: collective and, of the two ways to take the rest apart, the one in which more
-    /// is in one of the two.
+    /// By harmonic.
     pub fn parts(&self) -> [(Harmonic, f64); 3] {
-        let are_waves = self.forward.max(self.backward) >= self.tilt.max(self.yaw);
-        let rest = match are_waves {
-            true => [
-                (Harmonic::Forward, self.forward),
-                (Harmonic::Backward, self.backward),
-            ],
-            false => [(Harmonic::Tilt, self.tilt), (Harmonic::Yaw, self.yaw)],
+        [
+            (Harmonic::Backward, self.backward),
+            (Harmonic::Forward, self.forward),
+            (Harmonic::Collective, self.collective),
+        ]
+    }
+
+    /// Of both waves.
+    pub fn asymmetric(&self) -> f64 {
+        self.forward + self.backward
+    }
+
+    /// Whether both waves together tilt or yaw the nacelle: if so at least two thirds of their
+    /// energy are in one of the two.
+    pub fn nodding(&self) -> Option<Nodding> {
+        let (nodding, more) = match self.tilt >= self.yaw {
+            true => (Nodding::Tilt, self.tilt),
+            false => (Nodding::Yaw, self.yaw),
         };
-        [(Harmonic::Collective, self.collective), rest[0], rest[1]]
+        (more >= CLEARLY * (self.tilt + self.yaw)).then_some(nodding)
     }
 }
 
@@ -205,16 +223,23 @@ impl TurbineEnergy {
         self.stationary().chain(blades).collect()
     }
 
-    /// The part with the most energy, and its fraction of the sum.
-    pub fn largest(&self) -> (TurbinePart, f64) {
-        let none = (TurbinePart::TowerForeAft, 0.0);
-        let parts = self.parts().into_iter();
-        let (part, energy) =
-            parts.fold(none, |most, part| if part.1 > most.1 { part } else { most });
-        (part, energy / self.total())
+    /// What the two whirls of a motion together do to the nacelle; none of other parts.
+    pub fn nodding_of(&self, part: TurbinePart) -> Option<Nodding> {
+        let TurbinePart::Blades(motion, Harmonic::Backward | Harmonic::Forward) = part else {
+            return None;
+        };
+        let place = BladeMotion::ALL.iter().position(|other| *other == motion)?;
+        self.blades[place].nodding()
     }
 
-    fn stationary(&self) -> impl Iterator<Item = (TurbinePart, f64)> {
+    /// Of the tower and a floating platform.
+    pub fn of_tower(&self) -> f64 {
+        let bending = self.tower_fore_aft + self.tower_side_side;
+        self.platform.iter().sum::<f64>() + bending + self.tower_torsion + self.tower_axial
+    }
+
+    /// By part, without the blades: platform, tower, yaw drive, shaft.
+    pub(super) fn stationary(&self) -> impl Iterator<Item = (TurbinePart, f64)> {
         let platform = PLATFORM
             .map(TurbinePart::Platform)
             .into_iter()

@@ -173,21 +173,6 @@ impl Machine {
         })
     }
 
-    /// Twice the kinetic energies of the machine with rigid blades over the square of the
-    /// frequency, by the component of the tower top's motion.
-    pub(super) fn rigid_energies(&self, top: &Phasors, joints: &[Complex]) -> [f64; 6] {
-        let nacelle = self.nacelle_motion(top, joints[YAW]);
-        let force = times(&self.rigid, &nacelle);
-        std::array::from_fn(|i| (nacelle[i].conj() * force[i]).re.max(0.0))
-    }
-
-    /// The same for the rotation of rotor and generator against the nacelle.
-    pub(super) fn shaft_energy(&self, joints: &[Complex]) -> f64 {
-        let generator = self.generator_at_shaft();
-        let of_rotor = joints[GENERATOR] + joints[TWIST];
-        self.rotor_inertia * of_rotor.norm_squared() + generator * joints[GENERATOR].norm_squared()
-    }
-
     /// Square roots of twice the elastic energies of yaw drive and shaft.
     pub(super) fn springs(&self, joints: &[Complex]) -> [Complex; 2] {
         let scaled = |stiffness: f64, x: Complex| match stiffness.is_infinite() {

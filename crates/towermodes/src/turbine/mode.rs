@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::energy::TurbineEnergy;
+use super::energy::{Nodding, TurbineEnergy, TurbinePart};
 use super::frequencies::{CoupledFrequency, Part};
 use super::name::TurbineModeName;
 use super::shape::TurbineShape;
@@ -16,11 +16,13 @@ pub struct TurbineMode {
     /// An estimate of the error of the mesh, Hz: the change of the frequency to a finer one; none
     /// before [`TurbineModel::estimate_errors`](super::TurbineModel::estimate_errors).
     pub discretization_error_hz: Option<f64>,
-    /// Its name: where most of its elastic energy is.
+    /// Its name. Each name is that of one mode at a speed; see [`TurbineModes::modes`].
     pub name: TurbineModeName,
-    /// The name by kinetic energy, a second vote; it differs where modes veer or two motions are
-    /// coupled.
-    pub second_name: TurbineModeName,
+    /// The fraction of its elastic energy in the part that names it.
+    pub share: f64,
+    /// The part with the most energy besides, with its fraction; none if there is no energy
+    /// elsewhere.
+    pub second: Option<(TurbinePart, f64)>,
     /// Fractions of the elastic energy; they sum to 1.
     pub energy: TurbineEnergy,
     /// Its shape; the largest deflection is 1.
@@ -41,6 +43,12 @@ pub struct TurbineModes {
     /// The speed, rad/s.
     pub speed_rad_per_s: f64,
     /// The modes by frequency. The rotation of a free shaft, at 0, is not among them.
+    ///
+    /// Going up in frequency, each mode gets the part that is most in arrears: the one whose energy
+    /// in the modes so far exceeds the number of its names by most, as
+    /// [`Arrears`](crate::modes::Arrears) chooses with the weight 1/2 among the parts that have at
+    /// least a quarter of the energy of the largest. Backward and forward whirl of a motion are one
+    /// part first, and the same rule chooses between them. So a name depends on this speed alone.
     pub modes: Vec<TurbineMode>,
     /// The limit, Hz.
     pub limit_hz: f64,
@@ -64,6 +72,18 @@ pub struct TurbineModes {
 }
 
 impl TurbineMode {
+    /// What the mode does to the nacelle if it is a whirl of which both waves are alike, as at
+    /// standstill.
+    pub fn nodding(&self) -> Option<Nodding> {
+        self.energy.nodding_of(self.name.part)
+    }
+
+    /// Its name, with what it does to the nacelle if both waves are alike: "1st flapwise backward
+    /// whirl (yaw)".
+    pub fn label(&self) -> String {
+        self.name.with(self.nodding())
+    }
+
     /// The modal assurance criterion |⟨a, b⟩|² of this mode and another of the same model, at the
     /// same or another speed, in the inner product of the elastic energy (of a floating platform:
     /// the kinetic one): 1 for the same shape, 0 for shapes that share no energy.

@@ -2,14 +2,12 @@
 
 use std::f64::consts::TAU;
 
-use super::energy::{Harmonic, TurbinePart};
 use super::error::TurbineError;
 use super::frequencies::{Part, Whole, check};
 use super::mode::{TurbineMode, TurbineModes};
 use super::model::TurbineModel;
-use super::name::TurbineModeName;
+use super::naming::{Named, Naming};
 use super::search::{Found, Guess};
-use crate::rotor::Reactionless;
 
 impl TurbineModel {
     /// The modes up to a limit (Hz) at a speed of the rotor (rad/s), with names and shapes.
@@ -46,10 +44,10 @@ impl TurbineModel {
 
     fn named(&self, whole: Whole, limit_hz: f64, speed_rad_per_s: f64) -> TurbineModes {
         let (unproven_hz, growing) = (whole.unproven_hz(), whole.growing());
+        let mut naming = Naming::default();
         let found = whole.found.into_iter();
-        let mut modes: Vec<_> = found.map(|(part, found)| self.mode(part, found)).collect();
-        number(&mut modes, |mode| &mut mode.name);
-        number(&mut modes, |mode| &mut mode.second_name);
+        let modes = found.map(|(part, found)| self.mode(part, found, &mut naming));
+        let modes = modes.collect();
         TurbineModes {
             speed_rad_per_s,
             modes,
@@ -63,18 +61,21 @@ impl TurbineModel {
         }
     }
 
-    fn mode(&self, part: Part, found: Found) -> TurbineMode {
-        let energy = self.elastic_energy(part, &found.vector);
-        let kinetic = self.kinetic_energy(part, &found.vector);
-        let unnumbered = |part| TurbineModeName { part, order: 0 };
-        let name = |energy: &super::TurbineEnergy| unnumbered(of_part(energy.largest().0, part));
+    fn mode(&self, part: Part, found: Found, naming: &mut Naming) -> TurbineMode {
+        let energy = self.elastic_energy(part, &found.vector).as_fractions();
+        let Named {
+            name,
+            share,
+            second,
+        } = naming.next(part, &energy);
         let (shape, strains, springs) = self.shape(part, found.w, &found.vector);
         TurbineMode {
             frequency: found.as_hz(),
             discretization_error_hz: None,
-            name: name(&energy),
-            second_name: name(&kinetic),
-            energy: energy.as_fractions(),
+            name,
+            share,
+            second,
+            energy,
             shape,
             part,
             vector: found.vector,
@@ -103,14 +104,6 @@ impl TurbineModel {
             let own_hz = mode.frequency.frequency_hz;
             mode.discretization_error_hz = finer_hz.map(|hz| (hz - own_hz).abs());
         }
-    }
-}
-
-/// Numbers modes with the same part by frequency.
-fn number(modes: &mut [TurbineMode], name: impl Fn(&mut TurbineMode) -> &mut TurbineModeName) {
-    let parts: Vec<_> = modes.iter_mut().map(|mode| name(mode).part).collect();
-    for (mode, numbered) in modes.iter_mut().zip(TurbineModeName::numbered(parts)) {
-        *name(mode) = numbered;
     }
 }
 
@@ -149,19 +142,4 @@ fn guesses(part: Part, speed: f64, before: &[TurbineModes]) -> Vec<Guess<'_>> {
         }
     };
     places.iter().enumerate().map(guess).collect()
-}
-
-/// The part with the harmonic of blades that do not move the hub.
-fn of_part(part: TurbinePart, own: Part) -> TurbinePart {
-    match (part, own) {
-        (TurbinePart::Blades(motion, _), Some(wave)) => {
-            let harmonic = match wave {
-                Reactionless::Forward(waves) => Harmonic::ForwardOf(waves),
-                Reactionless::Backward(waves) => Harmonic::BackwardOf(waves),
-                Reactionless::Alternating(_) => Harmonic::Alternating,
-            };
-            TurbinePart::Blades(motion, harmonic)
-        }
-        _ => part,
-    }
 }

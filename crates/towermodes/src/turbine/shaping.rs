@@ -3,11 +3,11 @@
 use std::f64::consts::TAU;
 use std::ops::Range;
 
+use super::elastic::rigid_motions;
 use super::frequencies::Part;
 use super::machine_vectors::JOINTS;
 use super::model::TurbineModel;
 use super::shape::{BladeDeflection, TowerMotion, TurbineShape};
-use super::votes::rigid_motions;
 use crate::rotor::Reactionless;
 use crate::scalar::{Complex, Scalar};
 

@@ -26,18 +26,23 @@ fn names(modes: &TurbineModes) -> Vec<String> {
         .collect()
 }
 
-/// The dominant parts that the other program gives with its frequencies.
+/// The dominant parts that the other program gives with its frequencies; of yaw and tilt at rest,
+/// which it gives as such, the lower becomes the backward whirl.
 #[test]
 fn names_are_those_of_the_dominant_energy() {
     let at_rest = [
         "1st tower side-side",
         "1st tower fore-aft",
         "1st drivetrain torsion",
-        "1st flapwise yaw",
-        "1st flapwise tilt",
+        "1st flapwise backward whirl",
+        "1st flapwise forward whirl",
         "1st flapwise collective",
     ];
-    assert_eq!(names(&modes(straight(), 0.0))[..6], at_rest);
+    let still = modes(straight(), 0.0);
+    assert_eq!(names(&still)[..6], at_rest);
+    let labels: Vec<String> = still.modes.iter().map(TurbineMode::label).collect();
+    assert_eq!(labels[3], "1st flapwise backward whirl (yaw)");
+    assert_eq!(labels[4], "1st flapwise forward whirl (tilt)");
     let turning = [
         "1st tower fore-aft",
         "1st tower side-side",
@@ -91,18 +96,40 @@ fn shares_are_those_of_the_other_program() {
 }
 
 #[test]
-fn shares_sum_to_one_and_the_second_vote_is_of_the_same_kind() {
+fn shares_sum_to_one_and_name_their_modes() {
     for mode in modes(tilted(), 12.0).modes {
         let parts = mode.energy.parts();
         let sum: f64 = parts.iter().map(|(_, share)| share).sum();
         assert!((sum - 1.0).abs() < 1e-12, "{}: {sum}", mode.name);
         assert!(parts.iter().all(|(_, share)| *share >= 0.0));
-        let [first, second] = [mode.name, mode.second_name].map(|name| name.part);
-        let is_mixed = mode.energy.largest().1 < 0.6;
-        assert!(
-            first == second || is_mixed,
-            "{first} by elastic, {second} by kinetic energy"
-        );
+        assert_eq!(share(&mode, mode.name.part), mode.share, "{}", mode.name);
+        let (second, of_second) = mode.second.expect("a second part");
+        assert_eq!(share(&mode, second), of_second, "{}", mode.name);
+        assert!(second != mode.name.part && of_second <= 0.5);
+    }
+}
+
+/// Each name is that of one mode at a speed, and a longer list does not change it; at 0.01 and 1
+/// rpm the names are those at rest.
+#[test]
+fn names_are_given_once_and_do_not_depend_on_the_list() {
+    for machine in [straight(), tilted(), free(straight())] {
+        let mut model = model(machine);
+        let mut names_at =
+            |limit_hz, rpm| names(&model.modes(limit_hz, rad_per_s(rpm)).expect("modes"));
+        let at_rest = names_at(4.0, 0.0);
+        for rpm in [0.01, 1.0] {
+            assert_eq!(names_at(4.0, rpm), at_rest, "{rpm} rpm");
+        }
+        for rpm in [0.0, 3.0, 12.0, 16.0] {
+            let all = names_at(4.0, rpm);
+            let mut once = all.clone();
+            once.sort();
+            once.dedup();
+            assert_eq!(once.len(), all.len(), "{all:?}");
+            let some = names_at(1.5, rpm);
+            assert_eq!(some, all[..some.len()], "{rpm} rpm");
+        }
     }
 }
 

@@ -15,6 +15,8 @@ use crate::wording::speed_range;
 
 /// Below the fields: numbers and name of the axis.
 const BELOW: f64 = 46.0;
+/// Radius of the circle at a change of names.
+const CHANGE: f64 = 3.0;
 /// Below the legend.
 const FOOT: f64 = 6.0;
 /// The approximate number of numbers along the axis of the upper field.
@@ -134,6 +136,7 @@ fn operation(drawing: &mut Drawing, campbell: &Campbell, fields: &[Axes]) {
     drawing.text((middle, above - 6.0), &text, &style);
 }
 
+/// The lines of the modes, and circles where curves change their names.
 fn modes(drawing: &mut Drawing, shown: &Shown, axes: &Axes) {
     for group in &shown.groups {
         let places: Vec<(f64, f64)> = group
@@ -150,4 +153,17 @@ fn modes(drawing: &mut Drawing, shown: &Shown, axes: &Axes) {
             }
         }
     }
+    for [rpm, hz] in &shown.changes {
+        change(drawing, axes.at(*rpm, *hz));
+    }
+}
+
+/// The circle at a change of names.
+fn change(drawing: &mut Drawing, place: (f64, f64)) {
+    drawing.disc(
+        place,
+        CHANGE,
+        Colour::Paper,
+        Some(&Stroke::new(Colour::Ink, 1.0)),
+    );
 }

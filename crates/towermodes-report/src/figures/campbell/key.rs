@@ -28,6 +28,8 @@ pub(super) fn entries(
     entries.extend(is_counted.then(|| words(number)));
     let upper = "upper panel: higher modes at another scale".to_owned();
     entries.extend((shown.ends_hz.len() > 1).then(|| words(upper)));
+    let change = "circle: the name of a curve changes".to_owned();
+    entries.extend((!shown.changes.is_empty()).then(|| words(change)));
     entries
 }
 

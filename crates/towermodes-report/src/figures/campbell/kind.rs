@@ -26,7 +26,7 @@ impl Kind {
         match line.of {
             Excited::Tower { .. } => Self::Tower,
             Excited::Blade { .. } => Self::Blade,
-            Excited::Turbine { name } => Self::Turbine(name.part),
+            Excited::Turbine { name, .. } => Self::Turbine(name.part),
         }
     }
 
@@ -76,8 +76,8 @@ fn colour(motion: BladeMotion) -> Colour {
 
 fn dash(harmonic: Harmonic) -> Dash {
     match harmonic {
-        Harmonic::Backward | Harmonic::BackwardOf(_) | Harmonic::Tilt => Dash::Dashed,
-        Harmonic::Forward | Harmonic::ForwardOf(_) | Harmonic::Yaw => Dash::Whole,
+        Harmonic::Backward | Harmonic::BackwardOf(_) => Dash::Dashed,
+        Harmonic::Forward | Harmonic::ForwardOf(_) => Dash::Whole,
         Harmonic::Collective | Harmonic::Alternating => Dash::Dotted,
     }
 }
@@ -86,8 +86,6 @@ fn follow(harmonic: Harmonic) -> &'static str {
     match harmonic {
         Harmonic::Backward | Harmonic::BackwardOf(_) => "backward whirl",
         Harmonic::Forward | Harmonic::ForwardOf(_) => "forward whirl",
-        Harmonic::Tilt => "tilt",
-        Harmonic::Yaw => "yaw",
         Harmonic::Collective => "collective",
         Harmonic::Alternating => "alternating",
     }

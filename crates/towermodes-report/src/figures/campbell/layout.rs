@@ -83,7 +83,7 @@ impl<'a> Layout<'a> {
             .map(|labels| labels.multiples.len())
             .sum();
         [
-            shown.groups.len() - groups,
+            shown.groups.iter().filter(|group| !group.goes_on).count() - groups,
             shown.multiples.len() - right - self.above.len(),
         ]
     }
@@ -153,7 +153,8 @@ fn labels<'a>(campbell: &Campbell, shown: &'a Shown, width: f64) -> Vec<Labels<'
         let end = |multiple: &usize| shown.field_of(end_hz(*multiple, shown)) == field;
         let multiples: Vec<usize> = right.iter().copied().filter(end).take(room).collect();
         let last_hz = |group: &Group| group.points.last().map_or(0.0, |[_, hz]| *hz);
-        let groups = shown.groups.iter();
+        // A name that ends inside the field has no label at its edge.
+        let groups = shown.groups.iter().filter(|group| !group.goes_on);
         let groups = groups.filter(|group| shown.field_of(last_hz(group)) == field);
         Labels {
             groups: foremost(campbell, groups.collect(), room - multiples.len()),

@@ -1,6 +1,6 @@
 //! The lines of a Campbell diagram that are drawn, and their labels.
 
-use towermodes_analysis::resonance::{Campbell, FrequencyLine};
+use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine};
 
 use super::extent::{ends_hz, last_rpm};
 use super::kind::Kind;
@@ -30,6 +30,8 @@ pub(super) struct Shown {
     pub(super) above: Vec<usize>,
     /// How many lines are not drawn because their frequency is 0, or no number.
     pub(super) unresisted: usize,
+    /// Where curves of a turbine change their names: rotor speed (rpm) and frequency (Hz).
+    pub(super) changes: Vec<[f64; 2]>,
 }
 
 impl Shown {
@@ -65,6 +67,8 @@ pub(super) struct Group {
     pub(super) kind: Kind,
     /// Rotor speed (rpm) and frequency (Hz).
     pub(super) points: Vec<[f64; 2]>,
+    /// Whether its curve goes on under another name.
+    pub(super) goes_on: bool,
 }
 
 impl Group {
@@ -89,6 +93,9 @@ pub(super) fn shown(campbell: &Campbell) -> Shown {
     let (drawn, others): (Vec<Group>, Vec<Group>) = groups(campbell)
         .into_iter()
         .partition(|group| (f64::MIN_POSITIVE..=highest_hz).contains(&group.lowest_hz()));
+    let ends = drawn.iter().filter(|group| group.goes_on);
+    let changes = ends.filter_map(|group| group.points.last().copied());
+    let changes = changes.filter(|[_, hz]| *hz <= highest_hz).collect();
     let (above, unresisted): (Vec<Group>, Vec<Group>) = others.into_iter().partition(|group| {
         let lowest_hz = group.lowest_hz();
         lowest_hz > highest_hz && !group.points.is_empty()
@@ -105,6 +112,7 @@ pub(super) fn shown(campbell: &Campbell) -> Shown {
         groups: drawn,
         above: lines(&above),
         unresisted: lines(&unresisted).len(),
+        changes,
     }
 }
 
@@ -131,10 +139,23 @@ fn groups(campbell: &Campbell) -> Vec<Group> {
             label: label(&lines),
             kind: Kind::of(lines[0]),
             points: lines[0].points.clone(),
+            goes_on: goes_on(campbell, lines[0]),
             members,
         }
     };
     groups.into_iter().map(group).collect()
+}
+
+/// Whether the curve of a line has another name at higher speeds.
+fn goes_on(campbell: &Campbell, line: &FrequencyLine) -> bool {
+    let Excited::Turbine { curve, .. } = line.of else {
+        return false;
+    };
+    let mut others = campbell.lines.iter();
+    others.any(|other| {
+        let is_of_curve = matches!(other.of, Excited::Turbine { curve: own, .. } if own == curve);
+        is_of_curve && other.points.first() == line.points.last() && other != line
+    })
 }
 
 /// "1st side-side, 1st fore-aft: 0.3187 Hz".

@@ -50,7 +50,7 @@ pub struct WhirlAnimation {
 pub struct AnimatedWhirl {
     /// Place in the list of modes, from 1.
     pub number: usize,
-    /// Its name: "1st flapwise backward whirl".
+    /// Its name, at standstill with what it does to the nacelle: "1st flapwise backward whirl (yaw)".
     pub label: String,
     /// Natural frequency in axes that do not turn, Hz.
     pub frequency_hz: f64,
@@ -109,7 +109,7 @@ fn animated(number: usize, mode: &TurbineMode, heights: usize) -> AnimatedWhirl 
     tower.resize(heights, vec![0.0; 6]);
     AnimatedWhirl {
         number,
-        label: mode.name.to_string(),
+        label: mode.label(),
         frequency_hz: five_digits(mode.frequency.frequency_hz),
         tower,
         // Rotations are per metre.

@@ -33,7 +33,7 @@ pub(super) fn description(modes: &TurbineModes) -> String {
     let named = modes.modes.iter().take(MOST_NAMED);
     let named = named.map(|mode| {
         let frequency = four_digits(mode.frequency.frequency_hz);
-        format!("{} at {frequency} Hz", mode.name)
+        format!("{} at {frequency} Hz", mode.label())
     });
     let mut named: Vec<String> = named.collect();
     match modes.modes.len().saturating_sub(MOST_NAMED) {
@@ -78,10 +78,7 @@ fn row(mode: &TurbineMode) -> Vec<String> {
     let along = [0, 1, 2].map(|harmonic: usize| tip[harmonic][0]);
     let across = [0, 1, 2].map(|harmonic: usize| tip[harmonic][1]);
     let sizes = [top[0], top[1]].into_iter().chain(along).chain(across);
-    let name = [
-        mode.name.to_string(),
-        four_digits(mode.frequency.frequency_hz),
-    ];
+    let name = [mode.label(), four_digits(mode.frequency.frequency_hz)];
     name.into_iter().chain(sizes.map(size)).collect()
 }
 

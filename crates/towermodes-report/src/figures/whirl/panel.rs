@@ -106,7 +106,7 @@ pub(super) fn draw_panel(
     (number, mode): (usize, &TurbineMode),
     (left, top): (f64, f64),
 ) {
-    let name = format!("{number}. {}", mode.name);
+    let name = format!("{number}. {}", mode.label());
     let frequency = format!("{} Hz", four_digits(mode.frequency.frequency_hz));
     drawing.text((left, top + 12.0), &name, &TextStyle::new(11.0));
     let muted = TextStyle::new(10.5).colour(Colour::Muted);

@@ -16,7 +16,8 @@ use crate::svg::Figure;
 use crate::wording::{STRUCTURE_ONLY, proved};
 
 /// What the table of the modes means.
-const MEANING: &str = "The name is that of the part with most of the elastic energy; the second name goes by kinetic energy and differs where motions are coupled. \
+const MEANING: &str = "Each name is that of one mode. Going up in frequency, a mode gets the part of the turbine whose elastic energy so far exceeds the number of its names by most; \
+     a mode with less than 60 % of its energy in its name shares it with another part. \
      Counts prove the frequency of the model within the given half-width; the error of the mesh is the change of the frequency to a finer mesh.";
 
 /// What the frequencies mean for blades and tower.
@@ -50,8 +51,14 @@ fn diagram(results: &TurbineResults) -> Vec<Block> {
         Block::Statements(conclusion(results)),
         picture(figure, COUPLED),
         paragraph(FRAME),
-        table(tables::curves(coupled)),
+        table(tables::names(coupled)),
     ];
+    if !coupled.changes().is_empty() {
+        blocks.push(table(tables::changes(coupled)));
+        blocks.push(paragraph(
+            "A curve follows a mode by its shape. Where two curves veer and exchange their shapes, they exchange their names too; the diagram marks the places with circles.",
+        ));
+    }
     if !coupled.meetings.is_empty() {
         blocks.push(table(tables::meetings(coupled)));
         blocks.push(paragraph(

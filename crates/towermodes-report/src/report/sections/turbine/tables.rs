@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use towermodes::Rotor;
 use towermodes::number::with_error;
 use towermodes::tower::Rpm;
-use towermodes::turbine::{TurbineEnergy, TurbineMode, TurbineModes};
-use towermodes_analysis::whirl::{AgainstRigid, Change, CoupledCampbell, CoupledCurve};
+use towermodes::turbine::{TurbineEnergy, TurbineModeName, TurbineModes};
+use towermodes_analysis::whirl::{AgainstRigid, Change, CoupledCampbell};
 
 use super::super::super::table::Table;
 use crate::number::{NOTHING, digits, four_digits, frequency, percent, signed_percent, typeset};
@@ -14,39 +14,69 @@ use crate::number::{NOTHING, digits, four_digits, frequency, percent, signed_per
 /// Shares of the elastic energy below this are left out.
 const NOTABLE: f64 = 0.02;
 
-/// Each curve with its frequencies at the lowest speed of the diagram and at both ends of
-/// operation, and the other curve of its whirl pair.
-pub(super) fn curves(coupled: &CoupledCampbell) -> Table {
+/// The modes by name with their frequencies at the lowest speed of the diagram and at both ends of
+/// operation, and the other mode of each whirl pair.
+pub(super) fn names(coupled: &CoupledCampbell) -> Table {
     let rotor = &coupled.campbell.rotor;
     let first_rpm = coupled.speeds.first().map_or(0.0, |of| of.rotor_speed_rpm);
     let mut speeds = vec![first_rpm, rotor.lowest_rpm, rotor.highest_rpm];
     speeds.dedup();
     let heads = speeds.iter().map(|rpm| format!("#Hz at {} rpm", Rpm(*rpm)));
     let heads: Vec<String> = heads.collect();
-    let names = ["#no.", "coupled mode"].into_iter();
-    let names = names.chain(heads.iter().map(String::as_str));
-    let mut table = Table::new("Curves of the coupled modes", names.chain(["whirls with"]));
-    for (index, curve) in coupled.curves.iter().enumerate() {
-        let sign = match curve.has_negative_energy() {
+    let columns = ["#no.", "coupled mode"].into_iter();
+    let columns = columns.chain(heads.iter().map(String::as_str));
+    let columns = columns.chain(["whirls with"]);
+    let mut table = Table::new("Coupled modes against the rotor speed", columns);
+    let is_shown = |name: &TurbineModeName| {
+        let mut speeds = speeds.iter();
+        speeds.any(|rpm| coupled.at_rpm(*name, *rpm).is_some())
+    };
+    let names: Vec<TurbineModeName> = coupled.names.iter().copied().filter(is_shown).collect();
+    for (index, name) in names.iter().enumerate() {
+        let sign = match coupled.has_negative_energy(*name) {
             true => " (negative energy)",
             false => "",
         };
-        let partner = curve.partner.map(|of| format!("no. {}", of + 1));
-        let mut row = vec![(index + 1).to_string(), format!("{}{sign}", curve.name)];
-        row.extend(speeds.iter().map(|rpm| at(curve, *rpm)));
-        row.push(partner.unwrap_or_else(|| NOTHING.to_owned()));
+        let other = coupled.whirls_with(*name);
+        let other = other.and_then(|other| names.iter().position(|name| *name == other));
+        let other = other.map(|of| format!("no. {}", of + 1));
+        let mut row = vec![(index + 1).to_string(), format!("{name}{sign}")];
+        row.extend(speeds.iter().map(|rpm| at(coupled, *name, *rpm)));
+        row.push(other.unwrap_or_else(|| NOTHING.to_owned()));
         table.push(row);
     }
     table
 }
 
-/// The frequency of a curve at a speed.
-fn at(curve: &CoupledCurve, rpm: f64) -> String {
-    let hz = curve.at_rpm(rpm).map(|point| point.frequency.frequency_hz);
+/// The frequency of a name at a speed.
+fn at(coupled: &CoupledCampbell, name: TurbineModeName, rpm: f64) -> String {
+    let hz = coupled
+        .at_rpm(name, rpm)
+        .map(|point| point.frequency.frequency_hz);
     hz.map_or_else(
         || NOTHING.to_owned(),
-        |hz| typeset(&with_error(hz, hz, curve.error_hz())),
+        |hz| typeset(&with_error(hz, hz, coupled.error_hz(name))),
     )
+}
+
+/// Where curves change their names.
+pub(super) fn changes(coupled: &CoupledCampbell) -> Table {
+    let columns = ["curve of", "continues as", "#rotor speed (rpm)", "#f (Hz)"];
+    let mut table = Table::new("Names that change along the curves", columns);
+    let changes = coupled.changes();
+    for change in &changes {
+        table.push([
+            change.before.to_string(),
+            change.after.to_string(),
+            four_digits(change.rotor_speed_rpm),
+            four_digits(change.frequency_hz),
+        ]);
+    }
+    let rotor = &coupled.campbell.rotor;
+    let operation = rotor.lowest_rpm..=rotor.highest_rpm;
+    table.with_only("those in operation", |row| {
+        operation.contains(&changes[row].rotor_speed_rpm)
+    })
 }
 
 /// Where curves cross or veer.
@@ -62,7 +92,8 @@ pub(super) fn meetings(coupled: &CoupledCampbell) -> Table {
         ],
     );
     for meeting in &coupled.meetings {
-        let names = meeting.curves.map(|curve| coupled.curves[curve].name);
+        let name = |curve: usize| coupled.curves[curve].name_at(meeting.rotor_speed_rpm);
+        let names = meeting.curves.map(name);
         let distance_hz = meeting.least_distance_hz;
         table.push([
             format!("{} and {}", names[0], names[1]),
@@ -94,7 +125,6 @@ pub(super) fn modes(modes: &TurbineModes) -> Table {
             "#proved within (Hz)",
             "#error of the mesh (Hz)",
             "elastic energy",
-            "by kinetic energy",
         ],
     );
     for (index, mode) in modes.modes.iter().enumerate() {
@@ -103,12 +133,11 @@ pub(super) fn modes(modes: &TurbineModes) -> Table {
         let half_hz = 0.5 * (of.upper_hz - of.lower_hz);
         table.push([
             (index + 1).to_string(),
-            mode.name.to_string(),
+            mode.label(),
             frequency(of.frequency_hz, mesh_hz.unwrap_or_default() + half_hz),
             digits(half_hz, 1),
             mesh_hz.map_or_else(|| NOTHING.to_owned(), |hz| digits(hz, 2)),
             shares(&mode.energy),
-            second(mode),
         ]);
     }
     table
@@ -123,14 +152,6 @@ fn shares(energy: &TurbineEnergy) -> String {
         .iter()
         .map(|(part, share)| format!("{part} {} %", percent(*share)));
     texts.collect::<Vec<String>>().join(", ")
-}
-
-/// The second name, where it is another part's.
-fn second(mode: &TurbineMode) -> String {
-    match mode.second_name.part == mode.name.part {
-        true => "the same".to_owned(),
-        false => mode.second_name.to_string(),
-    }
 }
 
 /// The modes of the tower with a rigid rotor and with the flexible one.

@@ -1,4 +1,4 @@
-//! The energies of a mode by parts: elastic ones, and those of the masses that move.
+//! The elastic energies of a mode by parts.
 
 use super::energy::{BladeEnergy, TurbineEnergy};
 use super::frequencies::Part;
@@ -68,46 +68,6 @@ impl TurbineModel {
         let own = energies.strain.iter().zip(held);
         let mut own = own.map(|(strain, held)| (strain + held).max(0.0));
         (std::array::from_fn(|_| own.next().unwrap_or(0.0)), platform)
-    }
-
-    /// Kinetic energies, twice, over the square of the frequency: of the blades by their deflection
-    /// from the hub, and of all else with the blades rigid, by the direction of the motion.
-    /// Velocities are those in the frame of each part.
-    pub(super) fn kinetic_energy(&self, part: Part, vector: &[Complex]) -> TurbineEnergy {
-        let blade = self.machine.rotor.body();
-        let own = |own: &[Complex]| {
-            let [along, across] = blade.own_inertia(own);
-            [along, across, 0.0, 0.0]
-        };
-        if part.is_some() {
-            let blades = own(vector).map(|collective| BladeEnergy {
-                collective,
-                ..BladeEnergy::default()
-            });
-            return TurbineEnergy {
-                blades,
-                ..TurbineEnergy::default()
-            };
-        }
-        let [tower, joints, blades] = self.split(vector);
-        let beam = &self.tower.members()[0];
-        let top = self.top(tower);
-        let [x, y, z, rx, ry, rz] = self.machine.rigid_energies(&top, joints);
-        let of_tower = beam.inertia_energies(tower);
-        let all: [f64; 6] =
-            std::array::from_fn(|i| ([x, y, z, rx, ry, rz][i] + of_tower[i]).max(0.0));
-        let [x, y, z, rx, ry, rz] = all;
-        let shaft = self.machine.shaft_energy(joints);
-        TurbineEnergy {
-            platform: [0.0; 6],
-            tower_fore_aft: x + ry,
-            tower_side_side: y + rx,
-            tower_torsion: rz,
-            tower_axial: z,
-            yaw_drive: 0.0,
-            shaft,
-            blades: by_harmonic(blade, blades, own),
-        }
     }
 
     /// The motion of the tower top.

@@ -1,0 +1,148 @@
+//! What the excitations are judged against: each name, along the curves that have it.
+
+use towermodes::modes::Family;
+use towermodes::tower::Rotor;
+use towermodes::turbine::{TurbineModeName, TurbinePart};
+
+use super::curve::{CoupledCurve, CurvePoint, middle};
+use crate::resonance::{
+    CampbellOptions, Excited, FrequencyLine, Margin, StiffnessClass, class_along, margins,
+};
+
+/// A mode with less than this share of its energy in its name shares it with another …
+const SHARED: f64 = 0.6;
+/// … which has at least this one.
+const GOOD_PART: f64 = 0.25;
+
+/// Pieces of curves with one name each, in the order of these names and then by rotor speed. Where a
+/// curve changes its name, one piece ends and the next begins in the middle of the step.
+pub(super) fn lines(curves: &[CoupledCurve], names: &[TurbineModeName]) -> Vec<FrequencyLine> {
+    let mut all: Vec<(usize, FrequencyLine)> = Vec::new();
+    for (index, curve) in curves.iter().enumerate() {
+        for line in pieces(index, curve) {
+            let Excited::Turbine { name, .. } = line.of else {
+                continue;
+            };
+            let place = names.iter().position(|own| *own == name);
+            all.push((place.unwrap_or(names.len()), line));
+        }
+    }
+    let first_rpm = |line: &FrequencyLine| line.points.first().map_or(0.0, |[rpm, _]| *rpm);
+    all.sort_by(|a, b| first_rpm(&a.1).total_cmp(&first_rpm(&b.1)));
+    all.sort_by_key(|(place, _)| *place);
+    all.into_iter().map(|(_, line)| line).collect()
+}
+
+/// The pieces of a curve.
+fn pieces(index: usize, curve: &CoupledCurve) -> Vec<FrequencyLine> {
+    let alike = |a: &CurvePoint, b: &CurvePoint| {
+        a.name == b.name && a.counts_as_tower() == b.counts_as_tower()
+    };
+    let mut first = 0;
+    let runs = curve.points.chunk_by(alike);
+    let piece = |run: &[CurvePoint]| {
+        let last = first + run.len() - 1;
+        let before = first.checked_sub(1).map(|k| &curve.points[k]);
+        let after = curve.points.get(last + 1);
+        let begin = before.map(|before| middle(before, &run[0]));
+        let end = after.map(|after| middle(&run[run.len() - 1], after));
+        first = last + 1;
+        FrequencyLine {
+            of: Excited::Turbine {
+                name: run[0].name,
+                curve: index,
+                counts_as_tower: run[0].counts_as_tower(),
+            },
+            label: run[0].name.to_string(),
+            points: begin
+                .into_iter()
+                .chain(run.iter().map(CurvePoint::place))
+                .chain(end)
+                .collect(),
+            error_hz: curve.error_hz(),
+            lost: curve.lost.filter(|_| after.is_none()),
+        }
+    };
+    runs.map(piece).collect()
+}
+
+/// The distance of every name from every multiple: the worst of its pieces, and of these the
+/// nearest.
+pub(super) fn worst(
+    lines: &[FrequencyLine],
+    rotor: &Rotor,
+    options: &CampbellOptions,
+) -> Vec<Margin> {
+    let mut all: Vec<Margin> = Vec::new();
+    for margin in margins(lines, rotor, options) {
+        let is_same = |other: &&mut Margin| {
+            other.multiple == margin.multiple
+                && lines[other.line].is_of_same_mode(&lines[margin.line])
+        };
+        let rank = |of: &Margin| (of.verdict, -of.distance.abs());
+        match all.iter_mut().find(is_same) {
+            Some(other) if rank(other) >= rank(&margin) => {}
+            Some(other) => *other = margin,
+            None => all.push(margin),
+        }
+    }
+    all.sort_by_key(|margin| first_of(lines, margin));
+    all
+}
+
+/// The first piece of the mode of a margin, then its multiple.
+fn first_of(lines: &[FrequencyLine], margin: &Margin) -> (usize, usize) {
+    let own = &lines[margin.line];
+    let first = lines.iter().position(|line| line.is_of_same_mode(own));
+    (first.unwrap_or(margin.line), margin.multiple)
+}
+
+/// The first bending modes of the tower with their classes, and of each the piece at the highest
+/// operating speed.
+pub(super) fn first_bending(
+    curves: &[CoupledCurve],
+    lines: &[FrequencyLine],
+    rotor: &Rotor,
+) -> Vec<(Family, StiffnessClass, usize)> {
+    let planes = [
+        (Family::ForeAft, TurbinePart::TowerForeAft),
+        (Family::SideSide, TurbinePart::TowerSideSide),
+    ];
+    let first = planes.into_iter().filter_map(|(family, part)| {
+        let name = TurbineModeName { part, order: 1 };
+        let class = class_along(&places(curves, name), rotor)?;
+        let is_first =
+            |line: &FrequencyLine| matches!(line.of, Excited::Turbine { name: own, .. } if own == name);
+        let apart = |line: &FrequencyLine| {
+            let distances = line.points.iter().map(|[rpm, _]| (rpm - rotor.highest_rpm).abs());
+            distances.fold(f64::INFINITY, f64::min)
+        };
+        let own = (0..lines.len()).filter(|line| is_first(&lines[*line]));
+        let line = own.min_by(|a, b| apart(&lines[*a]).total_cmp(&apart(&lines[*b])))?;
+        Some((family, class, line))
+    });
+    first.collect()
+}
+
+/// Rotor speeds (rpm) and frequencies (Hz) of a name; at speeds where its mode has less than 60 % in
+/// it those of the mode that shares it too.
+fn places(curves: &[CoupledCurve], name: TurbineModeName) -> Vec<[f64; 2]> {
+    let points = || curves.iter().flat_map(|curve| &curve.points);
+    let mut places = Vec::new();
+    for point in points().filter(|point| point.name == name) {
+        places.push(point.place());
+        if point.share >= SHARED {
+            continue;
+        }
+        let of_part = |other: &CurvePoint| {
+            let (part, share) = other.second?;
+            let is_there = other.rotor_speed_rpm == point.rotor_speed_rpm;
+            (is_there && part == name.part && share >= GOOD_PART).then_some((share, other.place()))
+        };
+        let others = points().filter_map(of_part);
+        let other = others.reduce(|most, other| if other.0 > most.0 { other } else { most });
+        places.extend(other.map(|(_, place)| place));
+    }
+    places.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    places
+}
