@@ -34,6 +34,7 @@ mod toml_write;
 mod tower_file_schema;
 mod turbine_numbers;
 mod turbine_table;
+mod whirl;
 mod windio;
 mod windio_files;
 mod windio_slips;

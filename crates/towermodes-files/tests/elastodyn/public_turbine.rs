@@ -5,7 +5,9 @@
 use std::f64::consts::PI;
 
 use towermodes::Blade;
-use towermodes::turbine::{TurbineDescription, TurbineMesh, TurbineModel};
+use towermodes::turbine::{
+    BladeMotion, Harmonic, TurbineDescription, TurbineMesh, TurbineModel, TurbinePart,
+};
 use towermodes_files::{ReadOptions, TowerInput};
 
 use crate::elastodyn::public::{ONSHORE, peer_deck_with};
@@ -199,4 +201,82 @@ fn a_yawing_nacelle_and_the_weight_have_the_frequencies_of_the_tables() {
         };
         compare(&mut model(&input), 0.0, &expected, tolerance);
     }
+}
+
+/// The names of the rows of [`LOCKED`] from the shares of that program.
+#[test]
+fn the_names_with_a_locked_generator_are_those_of_the_dominant_parts() {
+    let Some(input) = input(true, |turbine| turbine.generator.is_locked = true) else {
+        return;
+    };
+    let names: [(f64, [&str; 14]); 3] = [
+        (
+            0.0,
+            [
+                "SS1", "FA1", "D1", "FB1", "FF1", "FC1", "EB1", "EF1", "FB2", "FF2", "FC2", "EC1",
+                "FA2", "SS2",
+            ],
+        ),
+        (
+            6.9,
+            [
+                "SS1", "FA1", "FB1", "D1", "FC1", "FF1", "EB1", "EF1", "FB2", "FC2", "FF2", "EC1",
+                "FA2", "SS2",
+            ],
+        ),
+        (
+            12.1,
+            [
+                "SS1", "FA1", "FB1", "D1", "FC1", "EB1", "FF1", "EF1", "FB2", "FC2", "FF2", "EC1",
+                "FA2", "SS2",
+            ],
+        ),
+    ];
+    let mut model = model(&input);
+    for (rpm, expected) in names {
+        assert_eq!(short_names(&mut model, rpm)[..14], expected, "{rpm} rpm");
+    }
+    // Neighbours at 0.25 rpm that exchange their names, by the same program.
+    let mut before = short_names(&mut model, 0.0);
+    let mut exchanges = Vec::new();
+    for step in 1..=60 {
+        let rpm = 0.25 * f64::from(step);
+        let names = short_names(&mut model, rpm);
+        let places = before.windows(2).zip(names.windows(2));
+        let exchanged = places.filter(|(a, b)| a[0] == b[1] && a[1] == b[0] && a != b);
+        exchanges.extend(exchanged.map(|(_, b)| (rpm, b[0].clone(), b[1].clone())));
+        before = names;
+    }
+    let expected = [
+        (1.75, "FC1", "FF1"),
+        (3.25, "FC2", "FF2"),
+        (4.0, "FB1", "D1"),
+        (11.5, "EB1", "FF1"),
+    ];
+    let exchanges: Vec<(f64, &str, &str)> = exchanges
+        .iter()
+        .map(|(rpm, a, b)| (*rpm, &a[..], &b[..]))
+        .collect();
+    assert_eq!(exchanges, expected);
+}
+
+/// "SS1", "FB2": tower side-side 1, flapwise backward whirl 2.
+fn short_names(model: &mut TurbineModel, rpm: f64) -> Vec<String> {
+    let modes = model.modes(3.0715 + 0.01, rpm * PI / 30.0).expect("modes");
+    let short = |part: TurbinePart| match part {
+        TurbinePart::TowerForeAft => "FA",
+        TurbinePart::TowerSideSide => "SS",
+        TurbinePart::Shaft => "D",
+        TurbinePart::Blades(BladeMotion::Flap, Harmonic::Backward) => "FB",
+        TurbinePart::Blades(BladeMotion::Flap, Harmonic::Forward) => "FF",
+        TurbinePart::Blades(BladeMotion::Flap, Harmonic::Collective) => "FC",
+        TurbinePart::Blades(BladeMotion::Edge, Harmonic::Backward) => "EB",
+        TurbinePart::Blades(BladeMotion::Edge, Harmonic::Forward) => "EF",
+        TurbinePart::Blades(BladeMotion::Edge, Harmonic::Collective) => "EC",
+        other => panic!("{other}"),
+    };
+    let names = modes.modes.iter().map(|mode| mode.name);
+    names
+        .map(|name| format!("{}{}", short(name.part), name.order))
+        .collect()
 }
