@@ -43,10 +43,26 @@ def test_rotation_splits_the_flapwise_pair(turbine: tm.Turbine) -> None:
     Flapwise modes in the turning frame are stiffer at speed, so it falls by less than 12.1/60 Hz.
     """
     rest, speed = turbine.modes(0.0, 1.0), turbine.modes(12.1, 1.0)
-    pair = [rest.frequency_hz[rest.names.index(f"1st flapwise {name}")] for name in ("yaw", "tilt")]
+    ways = [f"1st flapwise {way} whirl" for way in ("backward", "forward")]
+    pair = [rest.frequency_hz[rest.names.index(name)] for name in ways]
+    assert [rest.nodding[rest.names.index(name)] for name in ways] == ["yaw", "tilt"]
     backward = speed.frequency_hz[speed.names.index("1st flapwise backward whirl")]
     fall = np.mean(pair) - backward
     assert 0.5 * 12.1 / 60 < fall < 12.1 / 60
+
+
+def test_names_are_those_of_each_speed(turbine: tm.Turbine) -> None:
+    """Each name is that of one mode at a speed, in the diagram and in the modes at this speed."""
+    speeds = [0.0, 6.9, 12.1]
+    campbell = turbine.campbell(speeds, limit_hz=1.0)
+    for rpm in speeds:
+        column = int(np.argmin(np.abs(campbell.rpm - rpm)))
+        modes = turbine.modes(rpm, 1.0)
+        hz, names = campbell.frequency_hz[:, column], [row[column] for row in campbell.names_at]
+        shown = {n: f for n, f in zip(names, hz, strict=True) if n is not None and f <= 1.0}
+        assert sorted(shown) == sorted(modes.names)
+        assert [shown[name] for name in modes.names] == pytest.approx(modes.frequency_hz, rel=1e-9)
+        assert modes.share.shape == (len(modes),)
 
 
 def test_a_limit_below_cuts_the_list(turbine: tm.Turbine) -> None:

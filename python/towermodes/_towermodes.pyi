@@ -626,7 +626,12 @@ class TurbineCampbell:
     @property
     def names(self, /) -> list[str]:
         """
-        The names of the curves.
+        The titles of the curves.
+        """
+    @property
+    def names_at(self, /) -> list[list[str | None]]:
+        """
+        The names of the modes of each curve at each speed; none where it has none.
         """
     @property
     def notes(self, /) -> list[str]:
@@ -642,6 +647,11 @@ class TurbineCampbell:
     def rpm(self, /) -> Incomplete:
         """
         The rotor speeds, rpm.
+        """
+    @property
+    def share(self, /) -> Incomplete:
+        """
+        The fractions of the elastic energy in the parts that name the modes.
         """
     def svg(self, /) -> str:
         """
@@ -719,12 +729,17 @@ class TurbineModes:
     @property
     def names(self, /) -> list[str]:
         """
-        Their names by elastic energy.
+        Their names.
         """
     @property
     def negative_energy(self, /) -> tuple[int, int]:
         """
         How many modes of negative energy are expected and were found.
+        """
+    @property
+    def nodding(self, /) -> list[str | None]:
+        """
+        `tilt` or `yaw` of whirls whose waves are alike.
         """
     @property
     def notes(self, /) -> list[str]:
@@ -737,9 +752,14 @@ class TurbineModes:
         The speed, rpm.
         """
     @property
-    def second_names(self, /) -> list[str]:
+    def second(self, /) -> list[tuple[str, float] | None]:
         """
-        Their names by kinetic energy.
+        The parts with the most elastic energy besides, with their fractions.
+        """
+    @property
+    def share(self, /) -> Incomplete:
+        """
+        The fractions of their elastic energy in the parts that name them.
         """
     @property
     def unresisted(self, /) -> int:
