@@ -36,11 +36,12 @@ pub fn campbell(tower: &Tower, campbell: &Campbell, has_blade: bool, all: bool) 
 }
 
 pub(super) fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
-    let mut before = None;
+    let mut before: Option<&FrequencyLine> = None;
     let rows = shown.iter().map(|margin| {
         let line = &campbell.lines[margin.line];
         // The name of a mode is printed once.
-        let label = match before.replace(margin.line) == Some(margin.line) {
+        let is_same = |before: &FrequencyLine| before.is_of_same_mode(line);
+        let label = match before.replace(line).is_some_and(is_same) {
             true => String::new(),
             false => line.label.clone(),
         };

@@ -67,8 +67,10 @@ pub(super) struct Group {
     pub(super) kind: Kind,
     /// Rotor speed (rpm) and frequency (Hz).
     pub(super) points: Vec<[f64; 2]>,
-    /// Whether its curve goes on under another name.
+    /// Whether its curve goes on in another line.
     pub(super) goes_on: bool,
+    /// Whether it does so under another name.
+    pub(super) is_renamed: bool,
 }
 
 impl Group {
@@ -93,7 +95,7 @@ pub(super) fn shown(campbell: &Campbell) -> Shown {
     let (drawn, others): (Vec<Group>, Vec<Group>) = groups(campbell)
         .into_iter()
         .partition(|group| (f64::MIN_POSITIVE..=highest_hz).contains(&group.lowest_hz()));
-    let ends = drawn.iter().filter(|group| group.goes_on);
+    let ends = drawn.iter().filter(|group| group.is_renamed);
     let changes = ends.filter_map(|group| group.points.last().copied());
     let changes = changes.filter(|[_, hz]| *hz <= highest_hz).collect();
     let (above, unresisted): (Vec<Group>, Vec<Group>) = others.into_iter().partition(|group| {
@@ -139,22 +141,24 @@ fn groups(campbell: &Campbell) -> Vec<Group> {
             label: label(&lines),
             kind: Kind::of(lines[0]),
             points: lines[0].points.clone(),
-            goes_on: goes_on(campbell, lines[0]),
+            goes_on: next(campbell, lines[0]).is_some(),
+            is_renamed: next(campbell, lines[0])
+                .is_some_and(|next| !next.is_of_same_mode(lines[0])),
             members,
         }
     };
     groups.into_iter().map(group).collect()
 }
 
-/// Whether the curve of a line has another name at higher speeds.
-fn goes_on(campbell: &Campbell, line: &FrequencyLine) -> bool {
+/// The line in which the curve of a line of a turbine goes on at higher speeds.
+fn next<'a>(campbell: &'a Campbell, line: &FrequencyLine) -> Option<&'a FrequencyLine> {
     let Excited::Turbine { curve, .. } = line.of else {
-        return false;
+        return None;
     };
     let mut others = campbell.lines.iter();
-    others.any(|other| {
+    others.find(|other| {
         let is_of_curve = matches!(other.of, Excited::Turbine { curve: own, .. } if own == curve);
-        is_of_curve && other.points.first() == line.points.last() && other != line
+        is_of_curve && other.points.first() == line.points.last() && *other != line
     })
 }
 
