@@ -3,9 +3,7 @@
 use std::f64::consts::PI;
 
 use towermodes::tower::Rotor;
-use towermodes::turbine::{
-    Turbine, TurbineError, TurbineModeName, TurbineModel, TurbineModes,
-};
+use towermodes::turbine::{Turbine, TurbineError, TurbineModeName, TurbineModel, TurbineModes};
 
 use crate::resonance::{Campbell, check_options, not_checked};
 
