@@ -29,9 +29,10 @@ pub struct Change {
 }
 
 impl CoupledCampbell {
-    /// Each mode of the tower below the limit that has a coupled mode of the same name, by frequency: what
-    /// the flexible and turning rotor changes. The solution is that of the same tower with the
-    /// machine as a rigid body, which does not turn about its shaft relative to the nacelle.
+    /// Each mode of the tower below the limit that has a coupled mode of the same name, by
+    /// frequency: what the flexible and turning rotor changes. The solution is that of the same
+    /// tower with the machine as a rigid body, which does not turn about its shaft relative to the
+    /// nacelle.
     #[must_use]
     pub fn against(&self, rigid: &Solution) -> Vec<AgainstRigid> {
         let rows = rigid.modes.iter();

@@ -9,8 +9,8 @@ const SHARED: f64 = 0.6;
 /// … and the tower at least this one counts as a mode of the tower too.
 const GOOD_PART: f64 = 0.25;
 
-/// A mode of a turbine followed over the rotor speed by its shape. Its name at each speed is that of
-/// the mode there: beyond a veering the name changes where the shape has changed.
+/// A mode of a turbine followed over the rotor speed by its shape. Its name at each speed is that
+/// of the mode there: beyond a veering the name changes where the shape has changed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoupledCurve {
     /// The name that it has over most of the operating speeds.

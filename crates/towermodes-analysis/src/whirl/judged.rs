@@ -14,8 +14,8 @@ const SHARED: f64 = 0.6;
 /// … which has at least this one.
 const GOOD_PART: f64 = 0.25;
 
-/// Pieces of curves with one name each, in the order of these names and then by rotor speed. Where a
-/// curve changes its name, one piece ends and the next begins in the middle of the step.
+/// Pieces of curves with one name each, in the order of these names and then by rotor speed. Where
+/// a curve changes its name, one piece ends and the next begins in the middle of the step.
 pub(super) fn lines(curves: &[CoupledCurve], names: &[TurbineModeName]) -> Vec<FrequencyLine> {
     let mut all: Vec<(usize, FrequencyLine)> = Vec::new();
     for (index, curve) in curves.iter().enumerate() {
@@ -124,8 +124,8 @@ pub(super) fn first_bending(
     first.collect()
 }
 
-/// Rotor speeds (rpm) and frequencies (Hz) of a name; at speeds where its mode has less than 60 % in
-/// it those of the mode that shares it too.
+/// Rotor speeds (rpm) and frequencies (Hz) of a name; at speeds where its mode has less than 60 %
+/// in it those of the mode that shares it too.
 fn places(curves: &[CoupledCurve], name: TurbineModeName) -> Vec<[f64; 2]> {
     let points = || curves.iter().flat_map(|curve| &curve.points);
     let mut places = Vec::new();

@@ -1,5 +1,5 @@
-//! The coupled Campbell diagram of a turbine as text: conclusion, modes, distances, meetings, changes
-//! of names, what the flexible rotor changes, proof.
+//! The coupled Campbell diagram of a turbine as text: conclusion, modes, distances, meetings,
+//! changes of names, what the flexible rotor changes, proof.
 
 use towermodes::Tower;
 use towermodes::number::with_error;

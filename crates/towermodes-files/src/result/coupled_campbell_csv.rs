@@ -50,8 +50,8 @@ const HARMONICS: [&str; 5] = ["collective", "forward", "backward", "tilt", "yaw"
 
 /// Writes a coupled Campbell diagram as CSV: one line per curve and rotor speed, with the name of
 /// the mode there and the fractions of its elastic energy. Curves are counted from 0; `curve_label`
-/// is the title of the curve, `is_complete` the certificate of the speed, `not_checked` why there are
-/// no verdicts on the diagram.
+/// is the title of the curve, `is_complete` the certificate of the speed, `not_checked` why there
+/// are no verdicts on the diagram.
 ///
 /// # Errors
 /// [`ResultError`] if the writer refuses.

@@ -50,7 +50,8 @@ pub struct WhirlAnimation {
 pub struct AnimatedWhirl {
     /// Place in the list of modes, from 1.
     pub number: usize,
-    /// Its name, at standstill with what it does to the nacelle: "1st flapwise backward whirl (yaw)".
+    /// Its name, at standstill with what it does to the nacelle: "1st flapwise backward whirl
+    /// (yaw)".
     pub label: String,
     /// Natural frequency in axes that do not turn, Hz.
     pub frequency_hz: f64,
