@@ -278,7 +278,7 @@ fn the_rotor_is_held_or_free_with_a_note() {
     // 133070 + 2 kg m² locked; 133070 · 8/133088 = 7.9989 free.
     assert!(says(
         &locked,
-        "the inertia about the shaft is 1.3307e5 kg m2; use --rotor free"
+        "the inertia about the shaft is 1.3307e5 kg m2, in which GenIner counts once, without the factor GBRatio^2; use --rotor free"
     ));
     let free = read(RotorLock::Free);
     assert!(says(

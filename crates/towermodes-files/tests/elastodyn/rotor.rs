@@ -8,6 +8,12 @@ use towermodes_files::{InMemory, ReadError, ReadOptions};
 
 use crate::elastodyn::texts::{BLADE, TOWER, close, deck, files, main_text, source};
 
+/// The notes on the blade.
+fn notes_on_blade(deck: &ElastoDynDeck) -> Vec<String> {
+    let notes = deck.input.rotor_notes.others.iter();
+    notes.map(ToString::to_string).collect()
+}
+
 fn notes(deck: &ElastoDynDeck) -> Vec<String> {
     let notes = deck.input.rotor_notes.iter();
     notes.map(ToString::to_string).collect()
@@ -70,7 +76,7 @@ fn the_first_blade_bends_only() {
         ("TipMass(3)", "3"),
     ];
     let deck = deck(&changes);
-    let said = notes(&deck);
+    let said = notes_on_blade(&deck);
     assert_eq!(said.len(), 1, "{said:?}");
     assert!(said[0].contains("BlPitch(1) = 5 degrees, the initial pitch"));
     let blade = deck.input.blade.expect("a blade");
@@ -126,7 +132,7 @@ fn a_fine_table_has_as_many_elements() {
 
 #[test]
 fn what_is_left_out_of_the_blade_is_said() {
-    let said = notes(&deck(&[
+    let said = notes_on_blade(&deck(&[
         ("PreCone(1)", "-2.5"),
         ("TipMass(2)", "3"),
         ("BlPitch(3)", "90"),
