@@ -128,9 +128,7 @@ pub(super) fn rotor(
         let note = note.at(source, node.span.start);
         reading.rotor_notes.speeds.push(note);
     };
-    let Some(lowest) = limits.lowest(&mut note)? else {
-        return Ok(None);
-    };
+    let lowest = limits.lowest(&mut note)?;
     let factor = limits.rpm_of_unit(outline, highest, &mut note)?;
     limits.note_range(outline, &mut note)?;
     let blades = blade_count(outline)?;
@@ -139,11 +137,14 @@ pub(super) fn rotor(
         let note = Note::assumption(message).at(source, limits.highest.span.start);
         reading.rotor_notes.blades.push(note);
     }
-    Ok(Some(Rotor {
+    let rotor = Rotor {
         blades: blades.unwrap_or(USUAL_BLADES),
-        lowest_rpm: factor * lowest,
+        lowest_rpm: factor * lowest.unwrap_or(highest),
         highest_rpm: factor * highest,
-    }))
+    };
+    // What no rotor has is refused where it stands, also without a lowest speed.
+    let is_known = lowest.is_some() || rotor.validate().is_err();
+    Ok(is_known.then_some(rotor))
 }
 
 fn limits(outline: &Outline) -> Option<Limits<'_>> {
