@@ -273,6 +273,11 @@ fn keys(value: &Value) -> Vec<String> {
 
 /// Compares the keys of a value with its schema, and those of the objects inside it.
 fn check_keys(value: &Value, schema: &Value, definitions: &Value, path: &str) {
+    // What may be null is one of two schemas, of which the first has the keys.
+    let schema = match schema["anyOf"].as_array() {
+        Some(either) => &either[0],
+        None => schema,
+    };
     let named = schema["$ref"]
         .as_str()
         .and_then(|name| name.rsplit('/').next());

@@ -780,8 +780,9 @@ fn cans_designed_again_are_not_lighter() {
             "{name}: {}",
             again.mass_kg[1]
         );
-        // Where diameter/wall decides, a wall is up to a step thicker than its diameter needs.
-        let most = if name == "walls alone" { 1.002 } else { 1.012 };
+        // Where diameter/wall decides, a wall is up to a step thicker than its diameter needs: 1 mm
+        // of about 50 mm.
+        let most = if name == "walls alone" { 1.002 } else { 1.02 };
         assert!(of.mass_kg[1] < most * steps.without_steps_kg, "{name}");
     }
 }
