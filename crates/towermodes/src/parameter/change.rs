@@ -119,7 +119,7 @@ impl Change {
         let is_shared = self.parameters.iter().all(|one| one.unit() == unit);
         match self.operation {
             Operation::Set | Operation::Add if is_shared => unit,
-            _ => "",
+            Operation::Set | Operation::Add | Operation::Scale => "",
         }
     }
 }

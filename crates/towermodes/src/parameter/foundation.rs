@@ -12,17 +12,17 @@ use crate::tower::{
 macro_rules! foundation_of {
     ($get:ident, $get_mut:ident, $variant:ident, $type:ty) => {
         fn $get(description: &TowerDescription) -> Option<&$type> {
-            match &description.foundation {
-                Foundation::$variant(foundation) => Some(foundation),
-                _ => None,
-            }
+            let Foundation::$variant(foundation) = &description.foundation else {
+                return None;
+            };
+            Some(foundation)
         }
 
         fn $get_mut(description: &mut TowerDescription) -> Option<&mut $type> {
-            match &mut description.foundation {
-                Foundation::$variant(foundation) => Some(foundation),
-                _ => None,
-            }
+            let Foundation::$variant(foundation) = &mut description.foundation else {
+                return None;
+            };
+            Some(foundation)
         }
     };
 }

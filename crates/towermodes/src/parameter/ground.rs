@@ -148,20 +148,21 @@ fn value(description: &TowerDescription, indices: Indices, find: Find) -> Option
 }
 
 fn table(description: &TowerDescription, layer: usize) -> Option<&Vec<crate::tower::PyRow>> {
-    match &given(description)?.layers.get(layer)?.soil {
-        LayerSoil::Table(rows) => Some(rows),
-        _ => None,
-    }
+    let LayerSoil::Table(rows) = &given(description)?.layers.get(layer)?.soil else {
+        return None;
+    };
+    Some(rows)
 }
 
 fn table_mut(
     description: &mut TowerDescription,
     layer: usize,
 ) -> Option<&mut Vec<crate::tower::PyRow>> {
-    match &mut description.ground.as_mut()?.layers.get_mut(layer)?.soil {
-        LayerSoil::Table(rows) => Some(rows),
-        _ => None,
-    }
+    let LayerSoil::Table(rows) = &mut description.ground.as_mut()?.layers.get_mut(layer)?.soil
+    else {
+        return None;
+    };
+    Some(rows)
 }
 
 fn first(pair: &mut Option<[f64; 2]>) -> Option<&mut f64> {
@@ -173,42 +174,45 @@ fn second(pair: &mut Option<[f64; 2]>) -> Option<&mut f64> {
 }
 
 fn sand(layer: &mut GroundLayer) -> Option<&mut Sand> {
-    match &mut layer.soil {
-        LayerSoil::Sand(sand) => Some(sand),
-        _ => None,
-    }
+    let LayerSoil::Sand(sand) = &mut layer.soil else {
+        return None;
+    };
+    Some(sand)
 }
 
 fn clay(layer: &mut GroundLayer) -> Option<&mut Clay> {
-    match &mut layer.soil {
-        LayerSoil::Clay(clay) => Some(clay),
-        _ => None,
-    }
+    let LayerSoil::Clay(clay) = &mut layer.soil else {
+        return None;
+    };
+    Some(clay)
 }
 
 fn shear_modulus(layer: &mut GroundLayer) -> Option<&mut [f64; 2]> {
-    match layer.shear_modulus.as_mut()? {
-        ShearModulus::Given { shear_modulus_pa } => Some(shear_modulus_pa),
-        _ => None,
-    }
+    let ShearModulus::Given { shear_modulus_pa } = layer.shear_modulus.as_mut()? else {
+        return None;
+    };
+    Some(shear_modulus_pa)
 }
 
 /// Of rock, or as a form of the shear modulus.
 fn youngs_modulus(layer: &mut GroundLayer) -> Option<&mut [f64; 2]> {
-    match (&mut layer.soil, layer.shear_modulus.as_mut()) {
-        (LayerSoil::Rock(rock), _) => rock.youngs_modulus_pa.as_mut(),
-        (_, Some(ShearModulus::Youngs { youngs_modulus_pa })) => Some(youngs_modulus_pa),
-        _ => None,
+    if let LayerSoil::Rock(rock) = &mut layer.soil {
+        return rock.youngs_modulus_pa.as_mut();
     }
+    let ShearModulus::Youngs { youngs_modulus_pa } = layer.shear_modulus.as_mut()? else {
+        return None;
+    };
+    Some(youngs_modulus_pa)
 }
 
 fn velocity(layer: &mut GroundLayer) -> Option<&mut [f64; 2]> {
-    match layer.shear_modulus.as_mut()? {
-        ShearModulus::WaveVelocity {
-            velocity_m_per_s, ..
-        } => Some(velocity_m_per_s),
-        _ => None,
-    }
+    let ShearModulus::WaveVelocity {
+        velocity_m_per_s, ..
+    } = layer.shear_modulus.as_mut()?
+    else {
+        return None;
+    };
+    Some(velocity_m_per_s)
 }
 
 fn cone(layer: &mut GroundLayer) -> Option<&mut [f64; 2]> {
@@ -218,41 +222,47 @@ fn cone(layer: &mut GroundLayer) -> Option<&mut [f64; 2]> {
         | ShearModulus::RobertsonCabal {
             cone_resistance_pa, ..
         } => Some(cone_resistance_pa),
-        _ => None,
+        ShearModulus::Given { .. }
+        | ShearModulus::Youngs { .. }
+        | ShearModulus::WaveVelocity { .. }
+        | ShearModulus::Hardin { .. }
+        | ShearModulus::BlowCount { .. } => None,
     }
 }
 
 fn behaviour_index(layer: &mut GroundLayer) -> Option<&mut f64> {
-    match layer.shear_modulus.as_mut()? {
-        ShearModulus::RobertsonCabal {
-            behaviour_index, ..
-        } => Some(behaviour_index),
-        _ => None,
-    }
+    let ShearModulus::RobertsonCabal {
+        behaviour_index, ..
+    } = layer.shear_modulus.as_mut()?
+    else {
+        return None;
+    };
+    Some(behaviour_index)
 }
 
 fn void_ratio(layer: &mut GroundLayer) -> Option<&mut f64> {
-    match layer.shear_modulus.as_mut()? {
-        ShearModulus::Hardin { void_ratio, .. } => Some(void_ratio),
-        _ => None,
-    }
+    let ShearModulus::Hardin { void_ratio, .. } = layer.shear_modulus.as_mut()? else {
+        return None;
+    };
+    Some(void_ratio)
 }
 
 fn earth_pressure(layer: &mut GroundLayer) -> Option<&mut f64> {
-    match layer.shear_modulus.as_mut()? {
-        ShearModulus::Hardin {
-            earth_pressure_at_rest,
-            ..
-        } => Some(earth_pressure_at_rest),
-        _ => None,
-    }
+    let ShearModulus::Hardin {
+        earth_pressure_at_rest,
+        ..
+    } = layer.shear_modulus.as_mut()?
+    else {
+        return None;
+    };
+    Some(earth_pressure_at_rest)
 }
 
 fn blow_count(layer: &mut GroundLayer) -> Option<&mut [f64; 2]> {
-    match layer.shear_modulus.as_mut()? {
-        ShearModulus::BlowCount { blow_count, .. } => Some(blow_count),
-        _ => None,
-    }
+    let ShearModulus::BlowCount { blow_count, .. } = layer.shear_modulus.as_mut()? else {
+        return None;
+    };
+    Some(blow_count)
 }
 
 fn density(layer: &mut GroundLayer) -> Option<&mut f64> {
@@ -266,6 +276,10 @@ fn density(layer: &mut GroundLayer) -> Option<&mut f64> {
         | ShearModulus::BlowCount {
             density_kg_per_m3, ..
         } => Some(density_kg_per_m3),
-        _ => None,
+        ShearModulus::Given { .. }
+        | ShearModulus::Youngs { .. }
+        | ShearModulus::RixStokoe { .. }
+        | ShearModulus::MayneRix { .. }
+        | ShearModulus::Hardin { .. } => None,
     }
 }
