@@ -1160,7 +1160,7 @@ fn other_real_files_are_read() {
         (
             "windio/v1/IEA-15-240-RWT.yaml",
             TowerPart::All,
-            -30.0,
+            -75.0,
             144.386,
         ),
         (
