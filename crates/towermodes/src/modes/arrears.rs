@@ -122,7 +122,8 @@ mod tests {
         let three = |first: [f64; 4]| [&[first][..], &others].concat();
         // Shares, names, arrears that are left: an avoided crossing before and after; two
         // majorities of one family; another motion between; diagonal planes; three motions.
-        let cases: [(Vec<[f64; 4]>, &str, [f64; 4]); 8] = [
+        type Case = (Vec<[f64; 4]>, &'static str, [f64; 4]);
+        let cases: [Case; 8] = [
             (
                 vec![pure, ss_t(0.49), ss_t(0.51), pure],
                 "SS1 T1 SS2 SS3",

@@ -40,7 +40,7 @@ pub enum ParameterError {
         /// What the number is.
         meaning: &'static str,
         /// The names of the numbers that there are.
-        having: Vec<String>,
+        having: Box<[String]>,
     },
     /// The only material is meant, but there are several.
     #[error("`{name}` is not a number of this tower: it has {count} materials; write `{instead}`")]

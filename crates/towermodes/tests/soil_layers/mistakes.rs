@@ -461,7 +461,8 @@ fn silent_nonsense_is_refused_or_warned_of() {
             "{problem}"
         );
     }
-    let factors: [(fn(&mut towermodes::Clay), Quantity, &str); 4] = [
+    type Factor = (fn(&mut towermodes::Clay), Quantity, &'static str);
+    let factors: [Factor; 4] = [
         (
             |c| c.strength_factor = Some(5.0),
             Quantity::StrengthFactor,

@@ -55,7 +55,9 @@ impl Part {
             let fitted = whole.pair_of(spring);
             // No spring is negative.
             if fitted.iter().all(|value| *value >= 0.0) {
-                (0..4).for_each(|end| values[end][spring] = fitted[end]);
+                for (of_end, fitted) in values.iter_mut().zip(fitted) {
+                    of_end[spring] = fitted;
+                }
             }
         }
         for (row, values) in rows.iter_mut().zip(values) {
