@@ -173,3 +173,93 @@ fn tables_that_a_count_of_zero_drops_are_noted() {
     let zeros = with(&main, &[("7000. 6000. 0. :", "0. 0. 0. :")]);
     assert!(!notes(&zeros).iter().any(|(line, _)| *line == 83));
 }
+
+/// The deck of a monopile as later versions have it: guy wires after the offshore block. Both
+/// tables have no rows, and `added_mass` and `stiffness` are the lines after their counts.
+fn without_rows(added_mass: &str, stiffness: &str) -> String {
+    with(
+        &tower_file(OFFSHORE),
+        &[
+            ("2         tow_support", "1         tow_support"),
+            (
+                "3         n_secs_m_distr: rows\n0. 5. 10. : z_distr_m [m]\n7000. 6000. 0. : distr_m [kg/m]\n",
+                &format!("0         n_secs_m_distr: rows\n{added_mass}"),
+            ),
+            (
+                "2         n_secs_k_distr: rows\n0. 6.\n2*5.0e7   : distr_k [N/m2]\nEND\n",
+                &format!("0         n_secs_k_distr: rows\n{stiffness}{WIRES_AFTER}"),
+            ),
+        ],
+    )
+}
+
+const WIRES_AFTER: &str = "
+Tension wires
+2         n_attachments: places
+3 4       n_wires: wires
+3 5       node_attach: nodes
+1.e8 2.e8 wire_stfness: N/m
+60. 30.   th_wire: degrees
+";
+
+#[test]
+fn tables_of_no_rows_may_leave_out_their_empty_lines() {
+    let full = [
+        "0. 0. : z_distr_m [m]\n0. 0. : distr_m [kg/m]\n",
+        "0. 0. : z_distr_k [m]\n0. 0. : distr_k [N/m2]\n",
+    ];
+    let of = |main: &str| tower(main, SECTIONS, false).description;
+    let expected = of(&without_rows(full[0], full[1]));
+    assert_eq!(expected.wires.len(), 2);
+    for left in ["", "\n", "\n\n", "0. 0.\n"] {
+        for [added_mass, stiffness] in [[left, left], [left, full[1]], [full[0], left]] {
+            let main = without_rows(added_mass, stiffness);
+            assert_eq!(of(&main), expected, "{added_mass:?} {stiffness:?}");
+            // Without the names that show which line is which.
+            let bare = main.replace("n_secs_k_distr: rows", "");
+            assert_eq!(of(&bare), expected, "{added_mass:?} {stiffness:?}");
+            // Version 3.00 reads nothing after the tables.
+            let old = main.replace("1         tow_support", "2         tow_support");
+            let ended = old.split(WIRES_AFTER).collect::<String>();
+            assert_eq!(of(&old), of(&ended), "{added_mass:?} {stiffness:?}");
+            assert_eq!(of(&ended).wires, []);
+        }
+    }
+}
+
+#[test]
+fn a_table_of_rows_after_one_without_lines_keeps_them() {
+    let rows = "2         n_secs_k_distr: rows\n0. 6.\n2*5.0e7   : distr_k [N/m2]\n";
+    let table = "3         n_secs_m_distr: rows\n0. 5. 10. : z_distr_m [m]\n7000. 6000. 0. : distr_m [kg/m]\n";
+    let of = |lines: &str, rows_of_stiffness: &str| {
+        let changes = [(table, lines), (rows, rows_of_stiffness)];
+        tower(&with(&tower_file(OFFSHORE), &changes), SECTIONS, false).description
+    };
+    let expected = of("0 n_secs_m_distr\n0.\n0.\n", rows);
+    assert_eq!(of("0 n_secs_m_distr\n", rows), expected);
+    // Bare numbers: the number of rows must not be taken for a heading.
+    assert_eq!(of("0\n", "2\n0. 6.\n2*5.0e7\n"), expected);
+}
+
+#[test]
+fn tables_of_no_rows_before_something_else_are_refused() {
+    let said = |main: &str| mistakes(main, SECTIONS, false).1[0].to_string();
+    let main = without_rows("", "");
+    let torn = main
+        .split("\nDistributed stiffness")
+        .next()
+        .expect("a part");
+    assert!(said(torn).contains("ends"), "{}", said(torn));
+    let without_count = with(&main, &[("0         n_secs_k_distr: rows\n", "")]);
+    assert!(
+        said(&without_count).contains("n_"),
+        "{}",
+        said(&without_count)
+    );
+    let without_places = with(&main, &[("2         n_attachments: places\n", "")]);
+    assert!(
+        said(&without_places).contains("the heading of the wires"),
+        "{}",
+        said(&without_places)
+    );
+}

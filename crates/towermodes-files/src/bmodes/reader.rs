@@ -88,6 +88,18 @@ impl<'a> Reader<'a> {
         next.is_some_and(is_lone_number) || self.clone().comment("").is_err_and(|_| next.is_some())
     }
 
+    /// Whether a heading comes next, not a value, and after it a value of a parameter.
+    pub(super) fn block_follows(&self, heading: &str, first: &Parameter) -> bool {
+        let mut rest = self.clone();
+        !self.value_follows() && rest.heading(heading).is_ok() && rest.value(first).is_ok()
+    }
+
+    /// Whether any of the lines left begins with a number.
+    pub(super) fn values_follow(&self) -> bool {
+        let mut lines = self.lines.clone();
+        lines.any(|line| line.first().is_some_and(|token| token.is_number()))
+    }
+
     /// Whether the next line that is not blank begins with a number.
     pub(super) fn number_follows(&self) -> bool {
         let next = self.lines.clone().find(|line| !line.is_blank());

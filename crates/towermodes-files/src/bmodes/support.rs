@@ -33,7 +33,7 @@ pub(super) fn support(
             return Ok((Dialect::Later, support));
         }
         1 => {
-            reader.comment("the heading of the wires")?;
+            reader.comment(WIRES_HEADING)?;
             let count = reader.count(&p::N_ATTACHMENTS)?;
             let none = (count.value == 0).then(|| unread::no_attachments(reader, &count));
             unread.extend(none);
@@ -53,14 +53,10 @@ fn wires_if_any(
     nodes: usize,
     unread: &mut Vec<Unread>,
 ) -> Result<Vec<WireSet>, Diagnostic> {
-    let goes_on = reader.lines.clone().any(|line| {
-        let first = line.first();
-        first.is_some_and(|token| token.is_number())
-    });
-    if !goes_on {
+    if !reader.values_follow() {
         return Ok(Vec::new());
     }
-    reader.heading("the heading of the wires")?;
+    reader.heading(WIRES_HEADING)?;
     wires_at_all_heights(reader, nodes, unread)
 }
 
@@ -121,6 +117,19 @@ fn beyond_the_top(node: &Value<usize>, nodes: usize) -> Diagnostic {
     ))
 }
 
+const STIFFNESS_HEADING: &str = "the heading of the distributed stiffness";
+const WIRES_HEADING: &str = "the heading of the wires";
+
+/// Whether the table of stiffness comes next, with its heading.
+fn stiffness_follows(reader: &Reader<'_>) -> bool {
+    reader.block_follows(STIFFNESS_HEADING, &p::N_SECS_K_DISTR)
+}
+
+/// Whether the wires come next, with their heading, or no value at all: version 3.00 reads none.
+fn wires_or_nothing_follow(reader: &Reader<'_>) -> bool {
+    !reader.values_follow() || reader.block_follows(WIRES_HEADING, &p::N_ATTACHMENTS)
+}
+
 fn offshore_block(
     reader: &mut Reader<'_>,
     unread: &mut Vec<Unread>,
@@ -130,9 +139,9 @@ fn offshore_block(
     let reference_depth_m = reader.value(&p::REF_MSL)?;
     let [hydro_mass, hydro_stiffness, mooring_stiffness] = matrices(reader)?;
     reader.heading("the heading of the distributed added mass")?;
-    let added_mass = distribution(reader, p::ADDED_MASS, unread)?;
-    reader.heading("the heading of the distributed stiffness")?;
-    let stiffness = distribution(reader, p::STIFFNESS, unread)?;
+    let added_mass = distribution(reader, p::ADDED_MASS, stiffness_follows, unread)?;
+    reader.heading(STIFFNESS_HEADING)?;
+    let stiffness = distribution(reader, p::STIFFNESS, wires_or_nothing_follow, unread)?;
     Ok(Offshore {
         draft_m,
         cm_depth_m,
@@ -177,10 +186,12 @@ fn matrix<const N: usize>(
     Ok(matrix)
 }
 
-/// A table over the height: how many rows, their heights, their values.
+/// A table over the height: how many rows, their heights, their values. `is_next` tells whether
+/// what comes after the table is next.
 fn distribution(
     reader: &mut Reader<'_>,
     table @ [count, heights, values]: p::Table,
+    is_next: fn(&Reader<'_>) -> bool,
     unread: &mut Vec<Unread>,
 ) -> Result<Distribution, Diagnostic> {
     let count = reader.count(count)?;
@@ -188,9 +199,7 @@ fn distribution(
     if count.value == 0 {
         let at = count.span.start;
         unread.extend(unread::table_of_no_rows(&reader.lines, table, at));
-        // Fortran reads a record even for an empty list.
-        reader.skipped(heights)?;
-        reader.skipped(values)?;
+        no_rows(reader, [heights, values], is_next)?;
         return Ok(Distribution { count, rows });
     }
     let after = match count.value {
@@ -204,6 +213,24 @@ fn distribution(
         rows.extend(heights.into_iter().zip(values));
     }
     Ok(Distribution { count, rows })
+}
+
+/// Passes the heights and values of a table of no rows. Fortran reads a record even for an empty
+/// list; decks that leave one or both out are read if what comes after the table shows it.
+fn no_rows(
+    reader: &mut Reader<'_>,
+    lists: [&Parameter; 2],
+    is_next: fn(&Reader<'_>) -> bool,
+) -> Result<(), Diagnostic> {
+    let after = |records: usize| {
+        let mut rest = reader.clone();
+        let mut passed = lists.iter().take(records).map(|list| rest.skipped(list));
+        passed.try_for_each(|result| result).map(|()| rest)
+    };
+    let fits = |records: usize| after(records).ok().filter(is_next);
+    let shown = [2, 1, 0].into_iter().find_map(fits);
+    *reader = shown.map_or_else(|| after(2), Ok)?;
+    Ok(())
 }
 
 fn check_rising(heights: &[Value<f64>]) -> Result<(), Diagnostic> {

@@ -77,6 +77,17 @@ pub enum TurbineError {
         /// Its mass, kg.
         mass_kg: f64,
     },
+    /// An inertia at the blade tip that no body has: it breaks the triangle inequality.
+    #[error(
+        "the largest principal inertia of the body at the tip of the blade, {} kg m2, is more than the sum of the other two, {} kg m2, which no body has; it must be at most that sum",
+        Plain(*.largest_kg_m2), Plain(*.others_kg_m2)
+    )]
+    TipInertia {
+        /// The largest principal moment, kg m².
+        largest_kg_m2: f64,
+        /// The sum of the other two, kg m².
+        others_kg_m2: f64,
+    },
     /// No elements, or a degree that is too low or too high.
     #[error(
         "{elements} elements of degree {degree} are not possible for {part}; the number of elements must be 1 or more and the degree from 2 to {most}"

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_4;
 
 use super::description::TurbineDescription;
 use super::error::TurbineError;
-use crate::tower::RigidBody;
+use crate::tower::{Inertia, RigidBody};
 
 /// Checks the numbers of a turbine but for those of its tower and its blade.
 pub(super) fn check(turbine: &TurbineDescription) -> Result<(), TurbineError> {
@@ -77,7 +77,27 @@ fn check_blade(turbine: &TurbineDescription) -> Result<(), TurbineError> {
     if mass_kg != 0.0 && !blade.tip_is_pulled {
         return Err(TurbineError::TipNotPulled { mass_kg });
     }
-    Ok(())
+    check_tip_inertia(&blade.tip.inertia_kg_m2)
+}
+
+/// Refuses an inertia at the blade tip that no body has. The counts that prove an interval empty
+/// need |xᴴ C x| ≤ xᴴ M x of all that turns with the blade, and a body for which the largest
+/// principal moment exceeds the sum of the others breaks that. Bodies that do not turn may: of
+/// nacelles often the yaw inertia alone is given.
+fn check_tip_inertia(inertia: &Inertia) -> Result<(), TurbineError> {
+    for value in inertia.tensor().into_iter().flatten() {
+        finite("an inertia at the tip of the blade", value)?;
+    }
+    let [least, middle, largest_kg_m2] = inertia.principal_kg_m2();
+    let others_kg_m2 = least + middle;
+    // A flat disc has equality, up to the rounding of the principal moments.
+    match largest_kg_m2 - others_kg_m2 > 1e-9 * largest_kg_m2.abs() {
+        true => Err(TurbineError::TipInertia {
+            largest_kg_m2,
+            others_kg_m2,
+        }),
+        false => Ok(()),
+    }
 }
 
 fn finite(quantity: &'static str, value: f64) -> Result<(), TurbineError> {

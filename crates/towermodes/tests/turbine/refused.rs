@@ -99,6 +99,45 @@ fn blades_that_do_not_fit_are_refused() {
     ));
 }
 
+/// The proof of empty intervals needs a body: moments of which the largest is at most the sum of
+/// the other two, about any axes.
+#[test]
+fn inertias_at_the_tip_that_no_body_has_are_refused() {
+    let with = |xx: f64, yy: f64, zz: f64, xy: f64| {
+        let mut machine = straight();
+        let inertia = &mut machine.blade.tip.inertia_kg_m2;
+        (inertia.xx, inertia.yy, inertia.zz, inertia.xy) = (xx, yy, zz, xy);
+        Turbine::new(tower(), machine)
+    };
+    for [xx, yy, zz, xy] in [
+        [0.0; 4],
+        [50.0, 50.0, 50.0, 0.0],
+        // A flat disc, and a rod along the bisector of x and y.
+        [0.1, 0.2, 0.1 + 0.2, 0.0],
+        [10.0, 10.0, 20.0, -10.0],
+    ] {
+        assert!(with(xx, yy, zz, xy).is_ok(), "{xx} {yy} {zz} {xy}");
+    }
+    // Principal moments of the second: 5, 15 and 25 kg m².
+    for ([xx, yy, zz, xy], largest, others) in [
+        ([50.0, 0.0, 0.0, 0.0], 50.0, 0.0),
+        ([10.0, 10.0, 25.0, 5.0], 25.0, 20.0),
+    ] {
+        let error = with(xx, yy, zz, xy).expect_err("no body");
+        let TurbineError::TipInertia {
+            largest_kg_m2,
+            others_kg_m2,
+        } = error
+        else {
+            panic!("{error}");
+        };
+        assert!((largest_kg_m2 - largest).abs() < 1e-12 * largest);
+        assert!((others_kg_m2 - others).abs() < 1e-12 * largest);
+    }
+    let not_a_number = with(f64::NAN, 0.0, 0.0, 0.0).expect_err("no number");
+    assert!(matches!(not_a_number, TurbineError::NotFinite { .. }));
+}
+
 /// Sections whose inertia is less than that of their mass at its centre: the mass matrix would be
 /// indefinite, and modes of torsion would be missing without a word.
 #[test]
