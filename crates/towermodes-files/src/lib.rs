@@ -30,12 +30,14 @@
 
 mod bmodes;
 mod convert;
+mod csv_table;
 mod design_study;
 mod diagnostic;
 pub mod elastodyn;
 mod error;
 mod hawc2;
 mod input;
+mod layer_profile;
 mod measured;
 mod note;
 mod places;

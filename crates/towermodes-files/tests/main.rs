@@ -28,6 +28,7 @@ mod refused;
 mod rewritten;
 mod round_trips;
 mod settings;
+mod soil_profiles;
 mod station_tables;
 mod sweep_studies;
 mod toml_write;

@@ -5,6 +5,7 @@ use std::ops::Range;
 use towermodes::Station;
 
 use super::Placed;
+use crate::csv_table::MAX_MISTAKES;
 use crate::diagnostic::{Diagnostic, DiagnosticKind, line_and_column};
 use crate::number::Rounded;
 
@@ -68,7 +69,7 @@ pub(super) fn stations(
     }
     let gaps = join(&mut cans, text);
     if is_complete {
-        mistakes.extend(gaps.into_iter().take(super::MAX_MISTAKES));
+        mistakes.extend(gaps.into_iter().take(MAX_MISTAKES));
     }
     let mut stations: Vec<Placed> = Vec::with_capacity(2 * cans.len());
     for can in &cans {

@@ -1,8 +1,7 @@
 //! The header of a table: the quantity and unit of each column.
 
-use super::cells::{Cell, Record};
-use super::unit::Unit;
 use super::words::{Quantity, Said, quantity, unknown, words_and_unit};
+use crate::csv_table::{Cell, Record, Unit, Width, check_header};
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 
 /// Example headers.
@@ -48,10 +47,7 @@ pub(super) enum Layout {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Header {
     pub(super) layout: Layout,
-    /// The number of columns.
-    columns: usize,
-    /// The number of columns that must have a cell in each row.
-    needed: usize,
+    pub(super) width: Width,
 }
 
 /// A column as the header names it.
@@ -64,12 +60,7 @@ struct Column {
 impl Header {
     /// The header in a row.
     pub(super) fn of(record: &Record<'_>) -> Result<Self, Vec<Diagnostic>> {
-        let is_number = |cell: &Cell<'_>| cell.text.replace(',', ".").parse::<f64>().is_ok();
-        if record.cells.iter().all(is_number) {
-            let kind = DiagnosticKind::misplaced("a header with names of columns", "numbers");
-            let mistake = Diagnostic::new(record.span.clone(), kind);
-            return Err(vec![mistake.with_hint(EXAMPLE)]);
-        }
+        check_header(record, EXAMPLE).map_err(|mistake| vec![mistake])?;
         let (mut columns, mut mistakes) = (Vec::<Column>::new(), Vec::new());
         for (index, cell) in record.cells.iter().enumerate() {
             match column(index, cell, &columns) {
@@ -87,27 +78,11 @@ impl Header {
         let last = lengths.map(|column| column.index).max();
         Ok(Self {
             layout,
-            columns: record.cells.len(),
-            needed: last.map_or(0, |last| last + 1),
+            width: Width {
+                columns: record.cells.len(),
+                needed: last.map_or(0, |last| last + 1),
+            },
         })
-    }
-
-    /// Refuses a row with too few or too many cells; empty ones at its end do not count.
-    pub(super) fn check(&self, record: &Record<'_>) -> Result<(), Diagnostic> {
-        let filled = record.cells.iter().rposition(|cell| !cell.text.is_empty());
-        let filled = filled.map_or(0, |last| last + 1);
-        let found = record.cells.len();
-        if filled > self.columns {
-            let kind = DiagnosticKind::wrong_count_of("cells", "the row", filled, self.columns);
-            let hint = "if a decimal comma is meant, separate the columns by semicolons";
-            let span = record.cells[self.columns].span.clone();
-            return Err(Diagnostic::new(span, kind).with_hint(hint));
-        }
-        if found < self.needed {
-            let kind = DiagnosticKind::wrong_count_of("cells", "the row", found, self.columns);
-            return Err(Diagnostic::new(record.span.clone(), kind));
-        }
-        Ok(())
     }
 }
 

@@ -6,25 +6,19 @@
 //! commas, semicolons or tabs; with semicolons or tabs a comma may be the decimal sign.
 
 mod cans;
-mod cells;
 mod header;
-mod number;
-mod unit;
 mod words;
 
 use std::ops::Range;
 
 use towermodes::Station;
 
+use crate::csv_table::{MAX_MISTAKES, Numbers, Record, Records, no_rows, rows};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
-use cells::{Record, Records};
 use header::{Header, Layout};
-use number::Numbers;
 
 /// More rows than these are refused: no tower has them, and each takes memory in the solution.
 const MAX_ROWS: usize = 100_000;
-/// Largest number of mistakes that are collected; further ones have the same cause.
-const MAX_MISTAKES: usize = 20;
 
 /// A station with the places of its values.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,10 +66,7 @@ pub(crate) fn stations(
         return Err(reading.mistakes);
     }
     if stations.is_empty() {
-        let end = text.trim_end().len();
-        let expected = "a row after the header".to_owned();
-        let kind = DiagnosticKind::EndOfFile { expected };
-        return Err(vec![Diagnostic::new(end..end, kind)]);
+        return Err(vec![no_rows(text)]);
     }
     Ok(stations)
 }
@@ -95,30 +86,17 @@ impl<'a> Reading<'a> {
         records: Records<'a>,
         read: impl Fn(&mut Self, &Record<'a>) -> Option<T>,
     ) -> Vec<T> {
-        let mut rows = Vec::new();
-        for (index, record) in records.enumerate() {
+        let mut found = Vec::new();
+        for record in rows(records, self.header.width, MAX_ROWS) {
             if self.mistakes.len() >= MAX_MISTAKES {
                 break;
             }
-            let record = match record {
-                Ok(record) if index < MAX_ROWS => record,
-                Ok(record) => {
-                    let (what, found, limit) = ("rows".to_owned(), index + 1, MAX_ROWS);
-                    let kind = DiagnosticKind::TooMany { what, found, limit };
-                    self.mistakes.push(Diagnostic::new(record.span, kind));
-                    break;
-                }
-                Err(mistake) => {
-                    self.mistakes.push(mistake);
-                    break;
-                }
-            };
-            match self.header.check(&record) {
-                Ok(()) => rows.extend(read(self, &record)),
+            match record {
+                Ok(record) => found.extend(read(self, &record)),
                 Err(mistake) => self.mistakes.push(mistake),
             }
         }
-        rows
+        found
     }
 
     /// A row of a table of stations.

@@ -1,6 +1,6 @@
 //! The words of a column's header: which quantity they name, and in which unit.
 
-use super::unit::Unit;
+use crate::csv_table::Unit;
 
 /// The content of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -47,7 +47,7 @@ use crate::note::Note;
 use crate::places::Places;
 use crate::resolver::FileResolver;
 use crate::source::{FileError, Source};
-use reading::Reading;
+use reading::{ProfileFile, Reading, STATION_FILE};
 use schema::FILE;
 use syntax::syntax_mistake;
 use table::Table;
@@ -152,6 +152,12 @@ fn named_file(
     files.map(|files| files.read(path))
 }
 
+/// The files beside a tower file in the order of their places.
+fn others(stations: Vec<Source>, profiles: Vec<ProfileFile>, blade: Option<Source>) -> Vec<Source> {
+    let profiles = profiles.into_iter().filter_map(|file| file.source.ok());
+    stations.into_iter().chain(profiles).chain(blade).collect()
+}
+
 /// Reads the description of a file.
 fn describe(text: &str, files: Option<&dyn FileResolver>) -> Result<Described, Refused> {
     if text.trim().is_empty() {
@@ -180,8 +186,11 @@ fn describe(text: &str, files: Option<&dyn FileResolver>) -> Result<Described, R
             .with_hint("run it with `towermodes sweep FILE`")
             .into());
     }
+    let station_file = named_file(root, &["tower"], "stations", files);
+    let first = STATION_FILE + usize::from(station_file.is_some());
     let mut reading = Reading {
-        station_file: named_file(root, &["tower"], "stations", files),
+        station_file,
+        profiles: ground::profile_files(root, first, files),
         blade_file: named_file(root, &["turbine", "blade"], "file", files),
         ..Reading::default()
     };
@@ -194,11 +203,7 @@ fn describe(text: &str, files: Option<&dyn FileResolver>) -> Result<Described, R
             description,
             places: reading.places,
             notes: reading.notes,
-            others: reading
-                .others
-                .into_iter()
-                .chain(reading.blade_source)
-                .collect(),
+            others: others(reading.others, reading.profiles, reading.blade_source),
             turbine: reading.turbine,
         }),
         (_, Some((file, mistakes))) if reading.mistakes.is_empty() => {

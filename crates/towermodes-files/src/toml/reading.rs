@@ -15,6 +15,16 @@ const MAX_MISTAKES: usize = 100;
 /// The place of the file with the stations among a tower's files.
 pub(super) const STATION_FILE: usize = 1;
 
+/// A file with a profile of soil.
+#[derive(Debug)]
+pub(super) struct ProfileFile {
+    /// As the tower file names it.
+    pub(super) path: String,
+    /// Its place among a tower's files: after that of the stations, if there is one.
+    pub(super) index: usize,
+    pub(super) source: Result<Source, FileError>,
+}
+
 /// Mistakes, notes and places that were found so far.
 #[derive(Debug, Default)]
 pub(super) struct Reading {
@@ -24,6 +34,8 @@ pub(super) struct Reading {
     pub(super) station_file: Option<Result<Source, FileError>>,
     /// The blade file that the turbine names, until its rows are read.
     pub(super) blade_file: Option<Result<Source, FileError>>,
+    /// The profiles of soil that layers of the ground name.
+    pub(super) profiles: Vec<ProfileFile>,
     /// One of these files that has mistakes, and these.
     pub(super) in_other_file: Option<(Source, Vec<Diagnostic>)>,
     /// The files beside the tower file that were read, that of the stations first.

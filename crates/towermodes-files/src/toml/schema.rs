@@ -151,6 +151,11 @@ const LAYER: &[KeySchema] = keys! {
     optional "factor" Number "" "on the springs of the layer";
 };
 
+/// The key of a layer's profile.
+const PROFILE: &[KeySchema] = keys! {
+    optional "profile" Text "" "a table in CSV: depth or height, and values marked [top, bottom] in columns";
+};
+
 /// Keys of the shear modulus of a layer.
 const SHEAR_MODULUS: &[KeySchema] = keys! {
     optional "shear_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
@@ -441,6 +446,7 @@ tables! {
         optional "subgrade_modulus" Number "N/m3" "in place of friction_angle for api";
         optional "relative_density" Number "" "as a fraction";
         + SHEAR_MODULUS;
+        + PROFILE;
         + AXIAL;
 
     /// `[[ground.layer]]` of type `clay`.
@@ -450,16 +456,19 @@ tables! {
         optional "strength_factor" Number "" "J of Matlock, near the surface";
         optional "stiffness_factor" Number "" "for dnv: 10 normally consolidated, 30 overconsolidated";
         + SHEAR_MODULUS;
+        + PROFILE;
         + AXIAL;
 
     /// `[[ground.layer]]` of type `elastic`.
     ELASTIC = "[[ground.layer]] of type \"elastic\"" with LAYER:
         + SHEAR_MODULUS;
+        + PROFILE;
         + AXIAL;
 
     /// `[[ground.layer]]` of type `rock`.
     ROCK = "[[ground.layer]] of type \"rock\"" with LAYER:
         optional "youngs_modulus" Any "Pa" "initial, of the rock mass; one number or [top, bottom]";
+        + PROFILE;
         + AXIAL;
 
     /// `[[ground.layer]]` of type `py`.

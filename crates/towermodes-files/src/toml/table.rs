@@ -185,7 +185,7 @@ pub(super) fn every_table<T>(
     key: &str,
     one: &str,
     reading: &mut Reading,
-    read: fn(usize, &Value<'_>, &mut Reading) -> Option<T>,
+    mut read: impl FnMut(usize, &Value<'_>, &mut Reading) -> Option<T>,
 ) -> Option<Vec<T>> {
     let Some(value) = root.get(key) else {
         return Some(Vec::new());

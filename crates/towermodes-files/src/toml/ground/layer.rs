@@ -19,6 +19,13 @@ pub(super) struct Layer {
     model: Option<SoilModel>,
 }
 
+impl Layer {
+    /// Heights of top and bottom, m.
+    pub(super) fn ends_m(&self) -> [f64; 2] {
+        [self.layer.top_m, self.layer.bottom_m]
+    }
+}
+
 /// A layer with its name.
 pub(super) fn layer(
     index: usize,

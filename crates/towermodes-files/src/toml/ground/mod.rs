@@ -1,6 +1,7 @@
 //! `[ground]` and `[[ground.layer]]`: soil in layers around the embedded part of the tower.
 
 mod layer;
+mod profile;
 mod shear_modulus;
 mod soil;
 
@@ -14,7 +15,9 @@ use super::schema;
 use super::table::{Table, every_table, with_names};
 use super::values::truth;
 use crate::places::TABLE;
-use layer::layer;
+use profile::layers;
+
+pub(super) use profile::profile_files;
 
 /// The models of springs along the pile.
 pub(super) const MODELS: [(&str, SoilModel); 12] = [
@@ -71,8 +74,13 @@ pub(super) fn ground(
     let edition = edition(&table, reading);
     let hint = "write [[ground.layer]] once for each layer, from the surface down";
     let layers = table.require("layer", hint, reading).and_then(|_| {
-        let layers = every_table(&table, "layer", "layer", reading, layer);
-        with_names(layers)
+        let mut next = 0;
+        let every = every_table(&table, "layer", "layer", reading, |_, value, reading| {
+            let found = layers(next, value, surface, reading);
+            next += found.as_ref().map_or(1, Vec::len);
+            found
+        });
+        with_names(every.map(|every| every.into_iter().flatten().collect()))
     });
     let model = model(&table, reading);
     let (layers, names) = layers?;

@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind, line_and_column, quoted};
 
 /// How the numbers of a table are written.
 #[derive(Debug)]
-pub(super) struct Numbers<'a> {
+pub(crate) struct Numbers<'a> {
     text: &'a str,
     delimiter: char,
     /// The place of the first number with a decimal sign, and the sign.
@@ -13,7 +13,7 @@ pub(super) struct Numbers<'a> {
 }
 
 impl<'a> Numbers<'a> {
-    pub(super) fn new(text: &'a str, delimiter: char) -> Self {
+    pub(crate) fn new(text: &'a str, delimiter: char) -> Self {
         Self {
             text,
             delimiter,
@@ -22,7 +22,7 @@ impl<'a> Numbers<'a> {
     }
 
     /// The finite number of a cell.
-    pub(super) fn number(&mut self, cell: &Cell<'_>, what: &str) -> Result<f64, Diagnostic> {
+    pub(crate) fn number(&mut self, cell: &Cell<'_>, what: &str) -> Result<f64, Diagnostic> {
         let text = &*cell.text;
         if text.is_empty() {
             let what = what.to_owned();

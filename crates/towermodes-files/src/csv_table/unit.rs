@@ -2,7 +2,7 @@
 
 /// A unit of length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Unit {
+pub(crate) enum Unit {
     Metres,
     Centimetres,
     Millimetres,
@@ -31,14 +31,14 @@ const UNITS: [(&str, Unit); 16] = [
 ];
 
 impl Unit {
-    pub(super) fn called(name: &str) -> Option<Self> {
+    pub(crate) fn called(name: &str) -> Option<Self> {
         let found = UNITS.iter().find(|(unit, _)| *unit == name);
         found.map(|(_, unit)| *unit)
     }
 
     /// A length in metres; what a division leaves is the number nearest to it, so that 27 mm is
     /// 0.027 m to the last digit.
-    pub(super) fn metres(self, value: f64) -> f64 {
+    pub(crate) fn metres(self, value: f64) -> f64 {
         match self {
             Self::Metres => value,
             Self::Centimetres => value / 100.0,

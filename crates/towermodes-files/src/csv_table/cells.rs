@@ -11,21 +11,21 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 /// A cell: its text without quotation marks and blanks around it, and the bytes of the file it
 /// takes.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Cell<'a> {
-    pub(super) text: Cow<'a, str>,
-    pub(super) span: Range<usize>,
+pub(crate) struct Cell<'a> {
+    pub(crate) text: Cow<'a, str>,
+    pub(crate) span: Range<usize>,
 }
 
 /// A row.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Record<'a> {
-    pub(super) cells: Vec<Cell<'a>>,
-    pub(super) span: Range<usize>,
+pub(crate) struct Record<'a> {
+    pub(crate) cells: Vec<Cell<'a>>,
+    pub(crate) span: Range<usize>,
 }
 
 /// The rows of a text one after the other, without empty ones and comments, which begin with `#`.
 #[derive(Debug, Clone)]
-pub(super) struct Records<'a> {
+pub(crate) struct Records<'a> {
     text: &'a str,
     next: usize,
     delimiter: char,
@@ -34,7 +34,7 @@ pub(super) struct Records<'a> {
 impl<'a> Records<'a> {
     /// Finds the separator of columns: that of `sep=` in the first line, or else the semicolon, the
     /// tab or the comma of the header.
-    pub(super) fn new(text: &'a str) -> Self {
+    pub(crate) fn new(text: &'a str) -> Self {
         let next = if text.starts_with('\u{feff}') { 3 } else { 0 };
         let mut records = Self {
             text,
@@ -57,7 +57,7 @@ impl<'a> Records<'a> {
     }
 
     /// What separates columns.
-    pub(super) fn delimiter(&self) -> char {
+    pub(crate) fn delimiter(&self) -> char {
         self.delimiter
     }
 
