@@ -408,12 +408,6 @@ fn what_is_wrong_in_the_tower_file_is_shown_there() {
             (23, 10),
             "is not below its top",
         ),
-        (
-            "type = \"clay\"",
-            "type = \"py\"",
-            (24, 1),
-            "`profile` is not a key",
-        ),
     ];
     for (old, new, place, words) in cases {
         refused_tower(old, new, place, &[words]);

@@ -100,9 +100,9 @@ impl Frequencies {
 /// values bit by bit, and takes two to three times as long.
 ///
 /// After a first tower nothing is allocated for others with the same heights and options, except
-/// with [`Method::Bmodes`] and [`Method::Spectral`], and where an error needs the reference
-/// solution. A few segments suffice, because extrapolated frequencies are far more accurate than
-/// those of the mesh.
+/// with [`Bmodes`](crate::Method::Bmodes) and [`Spectral`](crate::Method::Spectral), and where an
+/// error needs the reference solution. A few segments suffice, because extrapolated frequencies are
+/// far more accurate than those of the mesh.
 ///
 /// [`Options::points`] and [`Options::heights_m`] have no effect.
 ///
