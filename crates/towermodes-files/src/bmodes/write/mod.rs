@@ -116,6 +116,11 @@ fn note_whole(
             rotor.blades, rotor.lowest_rpm, rotor.highest_rpm
         )));
     }
+    if tower.missing_parts().is_some() {
+        notes.push(Note::left_out(
+            "the parts of the structure that this model lacks are named in the title alone: results of the written deck look complete",
+        ));
+    }
     if description.damping.loss_factors != LossFactors::default() {
         notes.push(Note::left_out(
             "a deck has no damping: the loss factors are left out",

@@ -50,6 +50,10 @@ pub(super) fn notes(description: &TowerDescription) -> Vec<Note> {
                 || d.properties.first().is_some_and(|p| p.height_m < 0.0),
             "the part below z = 0, which may be a monopile, is written as a part of the tower",
         ),
+        (
+            !d.missing_parts.is_empty(),
+            "the parts of the structure that this model lacks are named in a comment, which no reader sees: results of the written file look complete",
+        ),
         (true, "the drag coefficient is unknown and written as 0"),
     ];
     let found = left_out.into_iter().filter(|(is_so, _)| *is_so);
