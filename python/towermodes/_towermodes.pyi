@@ -609,11 +609,6 @@ class TurbineCampbell:
         The JSON of the program.
         """
     @property
-    def not_checked(self, /) -> list[str]:
-        """
-        Why nothing is checked; empty if it is.
-        """
-    @property
     def limit_hz(self, /) -> float:
         """
         Up to which frequency, Hz.
@@ -632,6 +627,11 @@ class TurbineCampbell:
     def names_at(self, /) -> list[list[str | None]]:
         """
         The names of the modes of each curve at each speed; none where it has none.
+        """
+    @property
+    def not_checked(self, /) -> list[str]:
+        """
+        Why nothing is checked; empty if it is.
         """
     @property
     def notes(self, /) -> list[str]:
@@ -827,11 +827,11 @@ def stream_of_columns(texts: "list[tuple[str, list[str]]]", numbers: "list[tuple
 def stream_of_results(inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", share: "object", failures: "tuple[object, object, object]") -> "object":
     """
     A table of results as a stream: the number of each row, the inputs, the mass, whether it is
-    certified, frequency and error of each mode, and why a row failed. A number that is NaN is
-    missing.
+    certified, frequency, error and share of each mode, and why a row failed. A number that is NaN
+    is missing.
     """
 
-def sweep(tower: Tower, columns: "list[tuple[str, Incomplete]]", options: "dict[str, object]", *, progress: Any | None = None) -> tuple[list[tuple[str, int, str]], Incomplete, Incomplete, Incomplete, Incomplete, tuple[Incomplete, Incomplete, Incomplete], tuple[int, list[tuple[int, str]]]]:
+def sweep(tower: Tower, columns: "list[tuple[str, Incomplete]]", options: "dict[str, object]", *, progress: Any | None = None) -> tuple[list[tuple[str, int, str]], Incomplete, Incomplete, Incomplete, Incomplete, Incomplete, tuple[Incomplete, Incomplete, Incomplete], list[tuple[int, list[tuple[int, str]]]]]:
     """
     Solves the tower with the numbers of each row in place of its own.
     """

@@ -153,7 +153,8 @@ pub fn stream_of_results<'py>(
             certified.as_array().iter().map(|c| Some(*c)),
         )),
     );
-    let [frequency_hz, error_hz, share] = [&frequency_hz, &error_hz, &share].map(|of| of.as_array());
+    let [frequency_hz, error_hz, share] =
+        [&frequency_hz, &error_hz, &share].map(|of| of.as_array());
     for (place, mode) in modes.iter().enumerate() {
         let column =
             |of: &numpy::ndarray::ArrayView2<'_, f64>| present(of.column(place).iter().copied());

@@ -157,7 +157,10 @@ impl TurbineCampbell {
         let points = self.points();
         let name = |point: &Option<&CurvePoint>| point.map(|point| point.name.to_string());
         let of_curve = |points: &[Option<&CurvePoint>]| points.iter().map(name).collect();
-        points.chunks(self.shape()[1].max(1)).map(of_curve).collect()
+        points
+            .chunks(self.shape()[1].max(1))
+            .map(of_curve)
+            .collect()
     }
 
     /// The fractions of the elastic energy in the parts that name the modes.
