@@ -251,4 +251,4 @@ def test_progress_is_reported_and_its_exception_ends_the_work(monopile: tm.Tower
             monopile.design({"design": study}, progress=enough)
     with pytest.raises(Enough):
         for _ in range(100):
-            monopile.first_order({"sweep": {"vary": vary}}, segments=400, progress=enough)
+            monopile.first_order({"sweep": {"vary": vary}}, segments=4000, progress=enough)

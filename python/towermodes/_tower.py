@@ -83,6 +83,9 @@ class Tower:
         rotor: `blades` and `rpm`.
         drivetrain: `rotor_inertia` and others, for a rotor that turns freely.
         damping: Loss factors, and data of the blades: `tower_loss_factor` and others.
+        missing_parts: Parts of the structure that the source of the tower has and this model lacks:
+            `"substructure"`, `"mooring-lines"` and others. Results are marked, and nothing is
+            checked for resonance.
 
     Raises:
         TowerError: The numbers do not describe a valid tower.
@@ -124,6 +127,7 @@ class Tower:
         rotor: Table | None = None,
         drivetrain: Table | None = None,
         damping: Table | None = None,
+        missing_parts: Sequence[str] | None = None,
     ) -> None:
         given: dict[str, object] = dict(locals())
         del given["self"]
