@@ -49,8 +49,11 @@ depth [m],su [kPa],shaft friction [kPa],remark
 40,200,80,
 ";
 
+/// Name, ends (m), strength and shaft friction at both ends (Pa).
+type Piece = (&'static str, [f64; 2], [f64; 2], [f64; 2]);
+
 /// The clay by hand: cut at -14, -16, -24, -32 and -40 m.
-const PIECES: [(&str, [f64; 2], [f64; 2], [f64; 2]); 4] = [
+const PIECES: [Piece; 4] = [
     ("clay", [-14.0, -16.0], [80e3, 90e3], [35e3, 40e3]),
     ("clay", [-16.0, -24.0], [90e3, 130_500.0], [40e3, 50e3]),
     ("clay", [-24.0, -32.0], [150e3, 1005.0], [60e3, 20e3]),
@@ -378,7 +381,7 @@ fn rows_of_profiles_that_are_wrong_are_refused() {
     for (old, new, place, words) in cases {
         refused_table(old, new, place, &[words]);
     }
-    let rows: String = (0..1002).map(|i| format!("{},9\n", i)).collect();
+    let rows: String = (0..1002).map(|i| format!("{i},9\n")).collect();
     let long = format!("depth_m,su_kpa\n{rows}");
     let words = ["1001 rows are more than the limit of 1000"];
     refused(TOWER, &long, "clay.csv", (1002, 1), &words);
