@@ -15,6 +15,16 @@ pub trait FileResolver {
     fn read(&self, path: &str) -> Result<Source, FileError>;
 }
 
+/// A path that is relative to a folder, as seen from where the folder is.
+pub(crate) fn beside(folder: &str, path: &str) -> String {
+    let is_absolute = path.starts_with(['/', '\\']) || path.chars().nth(1) == Some(':');
+    if is_absolute || folder.is_empty() {
+        path.to_owned()
+    } else {
+        format!("{folder}/{path}")
+    }
+}
+
 /// Regular files on disk, relative to the folder of the main file or to the current folder.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SiblingFiles {

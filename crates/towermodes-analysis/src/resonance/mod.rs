@@ -14,6 +14,7 @@ mod remark;
 mod rotor;
 mod sweep;
 mod track;
+mod unchecked;
 
 pub use campbell::{
     BEYOND_OPERATION, Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited,

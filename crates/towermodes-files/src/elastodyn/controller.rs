@@ -14,12 +14,11 @@ use std::ops::Range;
 use towermodes::Plain;
 use towermodes::tower::Rpm;
 
-use super::deck::beside;
 use super::fst::switch;
 use super::main_file::MainFile;
 use super::names::line_of;
 use crate::note::Note;
-use crate::resolver::FileResolver;
+use crate::resolver::{FileResolver, beside};
 use crate::source::Source;
 
 /// Lowest and rated speed of the generator, rad/s, and the gearbox ratio, in the file of ROSCO.

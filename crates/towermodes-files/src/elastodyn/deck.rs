@@ -25,7 +25,7 @@ use crate::error::ReadError;
 use crate::input::{FileFormat, ReadOptions, RotorLock, TowerInput};
 use crate::note::Note;
 use crate::places::{Places, TABLE};
-use crate::resolver::FileResolver;
+use crate::resolver::{FileResolver, beside};
 use crate::source::Source;
 use crate::turbine::TurbineReading;
 
@@ -314,16 +314,6 @@ impl Named<'_> {
     fn has_blades(&self, main: &MainFile) -> bool {
         let first = main.blade_files.first();
         first.is_some_and(|path| self.files.read(&beside(self.folder, path)).is_ok())
-    }
-}
-
-/// A path that is relative to a folder, as seen from where the folder is.
-pub(super) fn beside(folder: &str, path: &str) -> String {
-    let is_absolute = path.starts_with(['/', '\\']) || path.chars().nth(1) == Some(':');
-    if is_absolute || folder.is_empty() {
-        path.to_owned()
-    } else {
-        format!("{folder}/{path}")
     }
 }
 
