@@ -515,6 +515,31 @@ fn each_plane_has_a_first_mode_where_both_bend_in_both() {
     assert_eq!(class_of(fast), both(StiffnessClass::SoftSoft));
 }
 
+/// A mass far from the axis couples the first two bending modes and the first torsion: with a
+/// little more of it the names of the lowest modes change.
+#[test]
+fn the_class_does_not_change_with_the_names() {
+    let classes = |mass_kg: f64| {
+        let mut description = reference_350t();
+        description.rna.mass_kg = mass_kg;
+        description.rna.center_m = [20.0, 20.0, 2.0];
+        let tower = Tower::new(description).expect("a tower");
+        let solution = solve(&tower, &Options::default()).expect("modes");
+        let options = CampbellOptions::default();
+        let diagram = campbell(&tower, &solution, None, &rotor(3, 7.0, 9.0), &options);
+        let names = solution.modes.iter().map(|mode| mode.label());
+        (diagram.expect("a diagram").classes, names.take(3).collect())
+    };
+    let both = vec![
+        (Family::ForeAft, StiffnessClass::SoftStiff),
+        (Family::SideSide, StiffnessClass::SoftStiff),
+    ];
+    let masses_kg = [240e3, 250e3, 300e3, 425e3, 430e3];
+    let of: Vec<(Vec<_>, Vec<String>)> = masses_kg.map(classes).to_vec();
+    assert!(of.iter().all(|(classes, _)| *classes == both), "{of:#?}");
+    assert!(of.iter().any(|(_, names)| *names != of[0].1), "{of:#?}");
+}
+
 /// The first two sentences on a tower whose first fore-aft and side-side modes have these
 /// frequencies.
 fn said(frequencies_hz: [f64; 2], rotor: Rotor) -> Vec<String> {

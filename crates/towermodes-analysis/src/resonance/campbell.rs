@@ -214,8 +214,9 @@ pub struct Campbell {
     /// The distance of every mode from every multiple, by line, then by multiple. Of a mode with
     /// several lines it is that of the worst.
     pub margins: Vec<Margin>,
-    /// The stiffness class of the lowest fore-aft and of the lowest side-side bending mode, if they
-    /// are in the list. Empty if nothing is checked.
+    /// The stiffness class of the first fore-aft and of the first side-side bending mode, if they
+    /// are in the list. Of modes that share the motion it is that of the lowest that [holds the
+    /// name](towermodes::modes::Holders). Empty if nothing is checked.
     pub classes: Vec<(Family, StiffnessClass)>,
     /// The indices of the lines of these modes, from 0, in the order of `classes` where there are
     /// any.

@@ -9,7 +9,7 @@ use super::not_checked::not_checked;
 use super::reach::known_to_hz;
 use super::sweep::{blade_lines, speeds_rpm};
 use towermodes::blade::BladeDescription;
-use towermodes::modes::Family;
+use towermodes::modes::{Family, Holders, ModeName};
 use towermodes::tower::Rotor;
 use towermodes::tower::Tower;
 use towermodes::{Mode, Solution};
@@ -164,11 +164,21 @@ fn tower_line(mode: &Mode, last_rpm: f64) -> FrequencyLine {
 }
 
 /// The index of the first bending mode of each plane, if it is in the list and its frequency is not
-/// 0.
+/// 0: of the modes that hold the name of the first mode, the lowest. The one with the name can be
+/// another where modes share the motion, and after a small change of the tower a third one.
 fn first_bending_modes(solution: &Solution) -> Vec<(Family, usize)> {
     let planes = [Family::ForeAft, Family::SideSide].into_iter();
-    let first_of = |plane| solution.modes.iter().position(|mode| mode.family == plane);
-    let first = planes.filter_map(|plane| Some((plane, first_of(plane)?)));
-    let resisted = first.filter(|(_, index)| solution.modes[*index].frequency_hz > 0.0);
-    resisted.collect()
+    let names = planes.map(|family| ModeName { family, order: 1 });
+    let modes = || {
+        solution
+            .modes
+            .iter()
+            .map(|mode| (mode.name(), &mode.shares))
+    };
+    let first = names.filter_map(|name| {
+        let held = Holders::of(name, modes())?.places.into_iter();
+        let mut resisted = held.filter(|index| solution.modes[*index].frequency_hz > 0.0);
+        Some((name.family, resisted.next()?))
+    });
+    first.collect()
 }

@@ -1,5 +1,10 @@
 //! The rule by which each mode gets one name: the family that is most in arrears.
 
+/// A mode is not named after a family with less than this fraction of its largest share. On 200
+/// random paths of towers this changes no name; on a turbine, or a tower with its mass far from its
+/// axis, a name could otherwise go to a mode that has next to none of the motion.
+const LEAST: f64 = 0.25;
+
 /// Gives each mode of a list, by rising frequency, the family that is most in arrears: the one
 /// whose energy so far exceeds the number of its names by most.
 ///
@@ -11,13 +16,16 @@
 /// r(f) ← r(f) + p(n, f) for all f, then r(f*) ← r(f*) − 1
 /// ```
 ///
+/// Families with less than a quarter of the mode's largest share are not considered.
+///
 /// Each family counts its names from 1, so no name is given twice and none is left out. A name
 /// depends on the modes up to its own alone, so a longer list changes no name. For K families,
 /// shares ≥ 0 that sum to 1, and w = 1, the energy of a family in the first n modes,
 /// C(n, f) = Σ p(m, f), differs little from the number of its names c(n, f):
-/// −(1 − 1/K) ≤ C − c ≤ 1/2 + … + 1/K. The energies C(n, f) are continuous in every number of the
-/// structure where the next frequency is apart. So a name changes its place only among the
-/// neighbouring modes that share its motion.
+/// −(1 − 1/K) ≤ C − c ≤ 1/2 + … + 1/K, as long as the quarter excludes no family that is most in
+/// arrears. The energies C(n, f) are continuous in every number of the structure where the next
+/// frequency is apart. So a name changes its place only among the neighbouring modes that share
+/// its motion.
 ///
 /// # Example
 /// Two modes that share two motions nearly equally, between two that do not:
@@ -35,6 +43,7 @@ pub struct Arrears<const K: usize> {
     once: [bool; K],
     tie: f64,
     weight: f64,
+    least: f64,
     /// Energy in the modes so far, less the number of names.
     arrears: [f64; K],
     named: [usize; K],
@@ -48,6 +57,7 @@ impl<const K: usize> Arrears<K> {
             once,
             tie,
             weight: 1.0,
+            least: LEAST,
             arrears: [0.0; K],
             named: [0; K],
         }
@@ -59,12 +69,21 @@ impl<const K: usize> Arrears<K> {
         Self { weight, ..self }
     }
 
+    /// The same rule that considers families with at least `least` of a mode's largest share: 0
+    /// keeps the bounds above for all shares.
+    pub fn with_least(self, least: f64) -> Self {
+        Self { least, ..self }
+    }
+
     /// The family of the next mode and its order in it, from 1. Only families that `may` name it
     /// are considered, as those of the motions that its structure couples.
     pub fn name(&mut self, shares: &[f64; K], may: impl Fn(usize) -> bool) -> (usize, usize) {
+        let is_left =
+            |family: usize| (!self.once[family] || self.named[family] == 0) && may(family);
+        let left = (0..K).filter(|family| is_left(*family));
+        let largest = left.fold(0.0, |largest, family| shares[family].max(largest));
         let sums: [f64; K] = std::array::from_fn(|family| {
-            let is_left = !self.once[family] || self.named[family] == 0;
-            match is_left && may(family) {
+            match is_left(family) && shares[family] >= self.least * largest {
                 true => self.weight * self.arrears[family] + shares[family],
                 false => f64::NEG_INFINITY,
             }
@@ -192,6 +211,28 @@ mod tests {
         assert_eq!(arrears.name(&[1.0, 0.0], |family| family == 1), (1, 1));
     }
 
+    /// Torsion has 31 % of the first mode and nothing of the third. It is most in arrears there, by
+    /// 0.31 to 0.30, and does not name the mode.
+    #[test]
+    fn a_family_without_a_share_does_not_name_a_mode() {
+        let first = [0.34, 0.35, 0.31, 0.0];
+        let modes = [first, [0.56, 0.44, 0.0, 0.0], [0.40, 0.50, 0.0, 0.10]];
+        let last = |least: f64| {
+            let mut arrears = Arrears::new([false; 4], 1e-6).with_least(least);
+            modes.map(|shares| arrears.name(&shares, |_| true))[2]
+        };
+        assert_eq!((last(0.0), last(0.25)), ((2, 1), (0, 2)));
+    }
+
+    /// The largest share of the second mode is of a family that has its one name.
+    #[test]
+    fn the_largest_share_is_that_of_the_families_left() {
+        let mut arrears = Arrears::new([true, false, false], 1e-6);
+        let modes = [[0.9, 0.1, 0.0], [0.9, 0.01, 0.09]];
+        let names = modes.map(|shares| arrears.name(&shares, |_| true));
+        assert_eq!(names, [(0, 1), (2, 1)]);
+    }
+
     /// The proved bounds of C − c, on random shares of four families: −3/4 and 13/12.
     #[test]
     fn energies_and_names_differ_by_no_more_than_the_bounds() {
@@ -200,7 +241,7 @@ mod tests {
             state = state.wrapping_mul(6364136223846793005).wrapping_add(1);
             (state >> 40) as f64 / (1_u64 << 24) as f64
         };
-        let mut arrears = Arrears::new([false; 4], 1e-6);
+        let mut arrears = Arrears::new([false; 4], 1e-6).with_least(0.0);
         let (mut least, mut most) = (0.0_f64, 0.0_f64);
         for _ in 0..20_000 {
             // Cubes make shares of all sizes.

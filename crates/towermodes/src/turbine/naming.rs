@@ -25,8 +25,6 @@ const TIE: f64 = 1e-4;
 /// The weight of the arrears. On 50 random turbines at 100 speeds the weights 1/2, 3/4 and 1 change
 /// about as many names; 1/2 gives the fewest modes a name that most of their energy contradicts.
 const WEIGHT: f64 = 0.5;
-/// A mode is not named after a part with less than this fraction of its largest share.
-const LEAST: f64 = 0.25;
 
 /// The names of the modes of one problem: all that moves the hub, or one wave that does not.
 struct Names {
@@ -49,9 +47,7 @@ impl Names {
     /// the rotor turns.
     fn next(&mut self, energy: &TurbineEnergy) -> TurbineModeName {
         let shares = shares(energy);
-        let largest = shares.iter().copied().fold(0.0, f64::max);
-        let may = |family: usize| shares[family] >= LEAST * largest;
-        let (family, order) = self.families.name(&shares, may);
+        let (family, order) = self.families.name(&shares, |_| true);
         let stationary = energy.stationary().nth(family);
         if let Some((part, _)) = stationary {
             return TurbineModeName { part, order };
