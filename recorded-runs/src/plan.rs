@@ -126,6 +126,25 @@ const SOLVES: [(Kind, &str); 32] = [
 
 const PICTURES: [&str; 4] = ["shapes", "convergence", "campbell", "error"];
 
+/// Options of each tower of the folder `kinds`: one foundation, soil model or attachment each, in
+/// every output that depends on it.
+const KINDS: [(Kind, &str); 14] = [
+    (Kind::Json, "solve --format json --points 5"),
+    (Kind::Words, "solve"),
+    (Kind::Json, "check --format json"),
+    (Kind::Words, "check"),
+    (Kind::Json, "parameters --format json"),
+    (Kind::Json, "sensitivities --format json --modes 4"),
+    (Kind::Json, "damping --format json --modes 4"),
+    (Kind::Words, "report --format md"),
+    (Kind::Words, "report --format html"),
+    (Kind::Words, "plot --what tower"),
+    (Kind::Numbers, "convert --to toml"),
+    (Kind::Numbers, "convert --to elastodyn"),
+    (Kind::Numbers, "convert --to windio"),
+    (Kind::Words, "campbell"),
+];
+
 /// Pairs that `check` compares.
 const PAIRS: [(&str, &str); 5] = [
     ("examples/nrel-5mw.toml", "examples/nrel-5mw.bmi"),
@@ -172,6 +191,7 @@ const OTHERS: [(Kind, &str); 11] = [
 ];
 
 /// Commands that are not run: they serve a page until they are ended.
+#[allow(dead_code, reason = "a test of the program reads it")]
 pub const NOT_RUN: [&str; 1] = ["explore"];
 
 /// Commands whose help is recorded.
@@ -231,6 +251,9 @@ pub fn runs(root: &Path) -> Vec<Run> {
             ));
             runs.push(Run::new(Kind::Words, "elastodyn validate", tower));
         }
+    }
+    for tower in &files(root, "recorded-runs/kinds") {
+        runs.extend(KINDS.map(|(kind, arguments)| Run::new(kind, arguments, tower)));
     }
     for tower in &examples {
         let picture = |what| Run::new(Kind::Words, &format!("plot --what {what}"), tower);
