@@ -13,11 +13,9 @@
 
 mod case;
 mod chapter;
-pub mod coverage;
 mod expected;
 mod manual;
 mod markdown;
-pub mod paths;
 mod row;
 #[cfg(feature = "serde")]
 mod row_keys;

@@ -1,4 +1,3 @@
-//! All tests of the manual and of the random study, in one program.
+//! All tests of the manual, in one program.
 
-mod coverage;
 mod manual;

@@ -8,7 +8,7 @@ use towermodes::{
     Frequencies, Method, Options, Shear, Solution, SolveError, Tower, TowerDescription, Warning,
     Workspace, solve, solve_frequencies, solve_with,
 };
-use towermodes_verify::coverage::Class;
+use towermodes_random::Class;
 use towers::{
     assert_close, elliptic, floater, monopile, reference, reference_350t, reference_eccentric,
     reference_in_soil, reference_on_springs, rich,

@@ -4,13 +4,13 @@
 use crate::towers;
 
 use towermodes::{Method, Options, Workspace, solve_frequencies};
-use towermodes_verify::coverage::Class;
-use towermodes_verify::paths::{Path, follow};
+use towermodes_random::Class;
+use towermodes_random::paths::{Path, follow};
 use towers::{elliptic, floater, reference_350t, reference_eccentric, rich};
 
 /// All numbers of towers with an eccentric rotor-nacelle assembly change in small steps: a name
 /// moves within the modes that share its unit of energy. A mode has a name of one of four motions,
-/// and each name is there once. `cargo run --release -p towermodes-verify --example name_study`
+/// and each name is there once. `cargo run --release -p towermodes-random --example name_study`
 /// follows more paths.
 #[test]
 fn names_jump_no_further_than_their_bound() {

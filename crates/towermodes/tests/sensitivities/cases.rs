@@ -3,7 +3,7 @@
 use super::{on_springs, sensitivities_of};
 use towermodes::{Method, NoDerivative, Options, Station, TowerDescription, every_change};
 use towermodes::{Workspace, sensitivities};
-use towermodes_verify::coverage::Class;
+use towermodes_random::Class;
 use towermodes_verify::towers::{monopile, reference_350t};
 
 #[test]

@@ -11,7 +11,7 @@ use towermodes::{
     Sensitivities, Station, Tower, TowerDescription, Workspace, every_change, sensitivities,
     solve_frequencies,
 };
-use towermodes_verify::coverage::Class;
+use towermodes_random::Class;
 use towers::{assert_close, reference_350t};
 
 fn sensitivities_of(

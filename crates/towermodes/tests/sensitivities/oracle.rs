@@ -4,7 +4,7 @@ use towermodes::{
     Change, Method, Options, Tower, TowerDescription, Workspace, every_change, sensitivities,
     solve_frequencies,
 };
-use towermodes_verify::coverage::Class;
+use towermodes_random::Class;
 
 /// Some of the changes of a tower.
 fn some_changes(description: &TowerDescription, count: usize, offset: usize) -> Vec<Change> {

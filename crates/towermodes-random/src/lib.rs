@@ -1,16 +1,17 @@
-//! How often the estimated errors hold: random towers of many classes, each method compared with
-//! the reference solution.
+//! Random towers and turbines: how often the estimated errors hold, how far names of modes jump.
+//! For tests and studies; the program does not contain it.
 //!
 //! An error is *covered* if it is at most three times the estimated one. The reference is the
 //! method spectral with a degree increased by four and the beam theory of the method: without shear
 //! deformation and rotary inertia for BModes.
-//! `cargo run --release -p towermodes-verify --example random_study` prints the tables of the book.
+//! `cargo run --release -p towermodes-random --example random_study` prints the tables of the book.
 //!
 //! Turbines whose rotor turns are compared with finer elements; `--example random_turbines` prints
-//! their table.
+//! their table. [`paths`] follows names along paths of towers (`--example name_study`).
 
 mod class;
 mod features;
+pub mod paths;
 mod rotors;
 mod sample;
 mod seed;

@@ -1,7 +1,7 @@
 //! A short version of the random study: a few towers of each class.
 
 use towermodes::{Method, Workspace};
-use towermodes_verify::coverage::{
+use towermodes_random::{
     Class, Fineness, Sample, Tally, TurbineClass, samples, table, turbine_samples, turbine_table,
 };
 

@@ -1,14 +1,14 @@
 //! Names of modes along random paths: towers whose rotor-nacelle assembly couples all motions, all
 //! of whose numbers change at once in small steps.
 //!
-//! `cargo run --release -p towermodes-verify --example name_study` counts the jumps.
+//! `cargo run --release -p towermodes-random --example name_study` counts the jumps.
 
 use towermodes::{
     Family, Foundation, FoundationSprings, HalfSpace, Inertia, Material, ModeFrequency, Options,
     Rna, Shares, Station, Tower, TowerDescription, Workspace, solve_frequencies,
 };
 
-use crate::coverage::Seed;
+use crate::Seed;
 
 /// Names that are followed, from the lowest.
 pub const NAMES: usize = 10;

@@ -1,10 +1,10 @@
 //! Names of modes along random paths of towers: how often and how far a name jumps.
 //!
-//! `cargo run --release -p towermodes-verify --example name_study [PATHS [STEPS]]` compares the
+//! `cargo run --release -p towermodes-random --example name_study [PATHS [STEPS]]` compares the
 //! names of the program with those of a majority of 60 %.
 #![allow(clippy::print_stdout, reason = "an example prints")]
 
-use towermodes_verify::paths::{NAMES, Outcome, Path, Rule, by_majority, follow};
+use towermodes_random::paths::{NAMES, Outcome, Path, Rule, by_majority, follow};
 
 fn main() {
     let mut arguments = std::env::args().skip(1).map(|text| text.parse().ok());

@@ -1,12 +1,12 @@
 //! Random turbines of many classes: how often the errors hold that are estimated for their modes.
 //!
-//! `cargo run --release -p towermodes-verify --example random_turbines [SEEDS [CLASS]]` prints a
+//! `cargo run --release -p towermodes-random --example random_turbines [SEEDS [CLASS]]` prints a
 //! table: for each class the percentage of modes whose error is at most three times the estimate,
 //! the median of estimated/true, and the worst. On standard error it prints the modes that are not
 //! covered.
 #![allow(clippy::print_stdout, reason = "an example prints")]
 
-use towermodes_verify::coverage::{Tally, TurbineClass, turbine_samples, turbine_table};
+use towermodes_random::{Tally, TurbineClass, turbine_samples, turbine_table};
 
 const SEEDS: u64 = 100;
 

@@ -1,13 +1,13 @@
 //! Random towers of many classes by every method: how often the claimed errors hold.
 //!
-//! `cargo run --release -p towermodes-verify --example random_study [SEEDS [CLASS]]` prints two
+//! `cargo run --release -p towermodes-random --example random_study [SEEDS [CLASS]]` prints two
 //! tables, the one of the default number of segments and that of 10 to 60: for each class and
 //! method the share of modes whose error is at most three times the claimed one, in percent, and
 //! the median of claimed/true. On standard error it prints the modes that are not covered.
 #![allow(clippy::print_stdout, reason = "an example prints")]
 
 use towermodes::{Method, Workspace};
-use towermodes_verify::coverage::{Class, Fineness, Sample, Tally, samples, table};
+use towermodes_random::{Class, Fineness, Sample, Tally, samples, table};
 
 const SEEDS: u64 = 500;
 

@@ -7,7 +7,7 @@ use towermodes::{
 use super::features;
 use super::seed::Seed;
 use super::tubes::{cans, cone, plain, property_table, steps};
-use crate::towers::floater;
+use towermodes_verify::towers::floater;
 
 /// A class of random towers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
