@@ -1,7 +1,7 @@
 //! The coupled Campbell diagram of a uniform rotor on a uniform tower: frequencies of an
 //! independent dense program, curves with names, whirl pairs, excitations, what is refused.
 
-use towermodes::turbine::{Turbine, TurbineDescription};
+use towermodes::turbine::{Turbine, TurbineDescription, TurbineModel};
 use towermodes::{Options, Rotor, solve};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{CampbellOptions, Remark, reach_hz};
@@ -142,10 +142,11 @@ fn tower_modes_are_compared_with_a_rigid_machine() {
     };
     let (rigid_hz, change) = row("1st tower fore-aft");
     assert!((change.coupled_hz / 0.345618076 - 1.0).abs() < 1e-6);
-    assert!((rigid_hz * (1.0 + change.difference) - change.coupled_hz).abs() < 1e-15);
+    let difference = change.difference.expect("the same motion");
+    assert!((rigid_hz * (1.0 + difference) - change.coupled_hz).abs() < 1e-15);
     // A flexible rotor is softer than a rigid one of the same mass: no mode rises above its rigid
     // one in fore-aft, where the shaft does not turn freely.
-    assert!(change.difference < 0.0);
+    assert!(difference < 0.0);
     let options = CampbellOptions::default();
     let limit_hz = coupled_limit_hz(&ROTOR, &options, &rigid, &turbine);
     assert!(limit_hz >= reach_hz(&ROTOR, &options));
@@ -198,4 +199,29 @@ fn what_cannot_be_solved_is_refused() {
             "{limit_hz}: {error}"
         );
     }
+}
+
+/// A limit that asks for more modes than can be followed is refused before any is sought; the limit
+/// of the message is possible.
+#[test]
+fn more_modes_than_can_be_followed_are_refused() {
+    let options = CoupledOptions {
+        speeds: RotorSpeeds::Equal(25),
+        ..CoupledOptions::up_to(1e9)
+    };
+    let mut solves = 0;
+    let error = coupled_campbell(&turbine(false), &ROTOR, &options, |_| solves += 1);
+    let error = error.expect_err("too many modes");
+    assert_eq!(solves, 0);
+    let CoupledError::Modes {
+        modes, possible_hz, ..
+    } = error
+    else {
+        panic!("{error}");
+    };
+    let mut model = TurbineModel::new(&turbine(false), &turbine(false).mesh()).expect("a model");
+    assert_eq!(modes, model.count(1.1e9, 0.0));
+    let below = model.count(1.1 * possible_hz, 0.0);
+    assert!((290..=300).contains(&below), "{below}");
+    assert!(error.to_string().contains("give a limit below"), "{error}");
 }

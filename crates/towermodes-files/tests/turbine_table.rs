@@ -295,7 +295,7 @@ const MISTAKES: [(&str, &str, &str); 35] = [
         "blades = 2",
         "a rotor of 2 blades is not solved",
     ),
-    ("blades = 3", "blades = 3.5", "a whole number"),
+    ("blades = 3", "blades = 3.5", "a whole number from 3 to 10"),
     ("blades = 3", "blades = 3000", "at most"),
     (
         "tilt_deg = -5.0",
@@ -469,6 +469,9 @@ fn two_descriptions_of_the_same_parts_are_refused() {
         error.contains("`drivetrain` has no effect beside [turbine]"),
         "{error}"
     );
+    let few = refused(&format!("{SMALL}[rotor]\nblades = 2\nrpm = 12\n"));
+    assert!(few.contains("a rotor of 2 blades is not solved"), "{few}");
+    assert!(few.contains("give [rna] in place of [turbine]"), "{few}");
     let error = refused(&format!("{SMALL}[rotor]\nblades = 4\nrpm = 12\n"));
     assert!(
         error.contains("[turbine] has 3 blades and [rotor] has 4"),
@@ -576,4 +579,22 @@ fn a_blade_may_be_in_a_file_of_its_own() {
         .expect_err("no blade file")
         .to_string();
     assert!(error.contains("blade.dat:"), "{error}");
+}
+
+/// Each missing part is listed once, and none that the file has.
+#[test]
+fn blades_that_are_there_are_not_missing() {
+    let with = |parts: &str| refused(&format!("missing_parts = [{parts}]\n{SMALL}"));
+    let blades = with("\"soil\", \"blades\"");
+    assert!(blades.contains("t.toml:1:26"), "{blades}");
+    assert!(
+        blades.contains("listed as missing, but [turbine.blade] describes them"),
+        "{blades}"
+    );
+    let twice = with("\"soil\", \"water\", \"soil\"");
+    assert!(twice.contains("t.toml:1:35"), "{twice}");
+    assert!(
+        twice.contains("the missing part `soil` occurs 2 times"),
+        "{twice}"
+    );
 }

@@ -28,17 +28,25 @@ impl fmt::Display for NotChecked {
 /// turbines in operation move at 70 to 105 m/s.
 const TIP_M_PER_S: f64 = 120.0;
 
-/// A rotor whose operating speeds are unknown: from standstill to the speed at which 1P meets the
-/// lowest bending frequency, but with blade tips of at most 120 m/s.
+/// The diagram ends at this multiple of the speed at which 1P meets the first bending frequencies
+/// with a rigid rotor, so that it meets those with a flexible rotor too.
+const BEYOND_FIRST: f64 = 1.1;
+
+/// A rotor whose operating speeds are unknown: from standstill to 1.1 times the speed at which 1P
+/// meets the higher of the first bending frequencies of both planes, but with blade tips of at most
+/// 120 m/s.
 ///
 /// It gives the ends of a diagram without verdicts, see
 /// [`CampbellOptions::speeds_are_known`](super::CampbellOptions::speeds_are_known).
 #[must_use]
 pub fn unknown_speeds(blades: usize, solution: &Solution, tip_radius_m: Option<f64>) -> Rotor {
-    let bends = |family: Family| matches!(family, Family::ForeAft | Family::SideSide);
     let moving = || solution.modes.iter().filter(|mode| mode.frequency_hz > 0.0);
-    let first = moving().find(|mode| bends(mode.family));
-    let first_hz = first.or(moving().next()).map_or(1.0, |m| m.frequency_hz);
+    let first_of = |family: Family| moving().find(|mode| mode.family == family);
+    let planes = [Family::ForeAft, Family::SideSide].into_iter();
+    let first_hz = planes.filter_map(first_of).map(|mode| mode.frequency_hz);
+    let first_hz = first_hz.reduce(f64::max);
+    let lowest_hz = || moving().next().map_or(1.0, |mode| mode.frequency_hz);
+    let first_hz = first_hz.unwrap_or_else(lowest_hz);
     let of_tips = tip_radius_m.filter(|radius_m| *radius_m > 0.0);
     let of_tips = of_tips.map(|radius_m| TIP_M_PER_S / radius_m * 60.0 / std::f64::consts::TAU);
     Rotor {
@@ -46,7 +54,7 @@ pub fn unknown_speeds(blades: usize, solution: &Solution, tip_radius_m: Option<f
         lowest_rpm: 0.0,
         highest_rpm: of_tips
             .unwrap_or(f64::INFINITY)
-            .min(60.0 * first_hz)
+            .min(BEYOND_FIRST * 60.0 * first_hz)
             .min(FASTEST_RPM),
     }
 }

@@ -3,7 +3,7 @@
 use towermodes::number::four_digits;
 use towermodes::tower::Rpm;
 
-use super::campbell::{Campbell, FrequencyLine};
+use super::campbell::{Campbell, FrequencyLine, Margin};
 use super::not_checked::NotChecked;
 use crate::verdict::Verdict;
 
@@ -40,32 +40,56 @@ impl Campbell {
             .collect()
     }
 
-    /// "1st fore-aft bending, 0.3215 Hz at standstill, meets 1P at 19.29 rpm and 3P at 6.43 rpm."
+    /// "1st fore-aft bending, 0.3215 Hz at standstill, meets 3P at 6.43 rpm, but not 1P, which is
+    /// 0.3032 Hz at 18.19 rpm, the end of the diagram."
     fn meetings(&self, line: &FrequencyLine) -> Option<String> {
         let [_, hz] = line.points.first()?;
         let number = self.lines.iter().position(|other| other == line)?;
-        let met = |multiple: usize| {
+        let margin = |multiple: usize| {
             let mut margins = self.margins.iter();
-            let own = margins.find(|m| m.line == number && m.multiple == multiple)?;
-            let rpm = Rpm(own.nearest_rpm);
-            Some(match own.distance {
-                0.0 => format!("meets {multiple}P at {rpm} rpm"),
-                _ => format!(
-                    "does not meet {multiple}P up to {} rpm",
-                    Rpm(self.rotor.highest_rpm)
-                ),
-            })
+            margins.find(|m| m.line == number && m.multiple == multiple)
         };
         let mut multiples = vec![1, self.rotor.blades];
         multiples.dedup();
-        let met: Vec<String> = multiples.into_iter().filter_map(met).collect();
-        (!met.is_empty()).then(|| {
-            format!(
-                "{}, {} Hz at standstill, {}.",
-                line.label,
-                four_digits(*hz),
-                met.join(" and ")
-            )
-        })
+        let margins: Vec<&Margin> = multiples.into_iter().filter_map(margin).collect();
+        let (met, missed): (Vec<&Margin>, Vec<&Margin>) = margins
+            .into_iter()
+            .partition(|margin| margin.distance == 0.0);
+        let met: Vec<String> = met.iter().map(|margin| at(margin)).collect();
+        let met = met.join(" and ");
+        let missed = self.not_met(&missed);
+        let verb = match (met.is_empty(), missed.is_empty()) {
+            (true, true) => return None,
+            (false, true) => format!("meets {met}"),
+            (true, false) => format!("does not meet {missed}"),
+            (false, false) => format!("meets {met}, but not {missed}"),
+        };
+        let hz = four_digits(*hz);
+        Some(format!("{}, {hz} Hz at standstill, {verb}.", line.label))
     }
+
+    /// "1P, which is 0.3032 Hz at 18.19 rpm, the end of the diagram".
+    fn not_met(&self, margins: &[&Margin]) -> String {
+        let end_rpm = self.rotor.highest_rpm;
+        let names = margins.iter().map(|margin| format!("{}P", margin.multiple));
+        let hz = |margin: &&Margin| four_digits(margin.multiple as f64 * end_rpm / 60.0);
+        let hz: Vec<String> = margins.iter().map(hz).collect();
+        let names: Vec<String> = names.collect();
+        let verb = match names.len() {
+            0 => return String::new(),
+            1 => "is",
+            _ => "are",
+        };
+        format!(
+            "{}, which {verb} {} Hz at {} rpm, the end of the diagram",
+            names.join(" and "),
+            hz.join(" and "),
+            Rpm(end_rpm)
+        )
+    }
+}
+
+/// "3P at 6.43 rpm".
+fn at(margin: &Margin) -> String {
+    format!("{}P at {} rpm", margin.multiple, Rpm(margin.nearest_rpm))
 }

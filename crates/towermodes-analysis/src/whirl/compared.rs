@@ -4,6 +4,7 @@ use towermodes::modes::Family;
 use towermodes::turbine::{TurbineModeName, TurbinePart};
 use towermodes::{Mode, Solution};
 
+use super::curve::SHARED;
 use super::diagram::CoupledCampbell;
 
 /// A mode of the tower with a rigid rotor, and the coupled mode of the same name.
@@ -24,8 +25,11 @@ pub struct AgainstRigid {
 pub struct Change {
     /// The coupled frequency, Hz.
     pub coupled_hz: f64,
-    /// Coupled over rigid less 1.
-    pub difference: f64,
+    /// The fraction of the coupled mode's elastic energy in the part that names it.
+    pub share: f64,
+    /// Coupled over rigid less 1; none if the share is below 60 %: the flexible rotor has spread the
+    /// motion over several modes, so that this one is not the same motion.
+    pub difference: Option<f64>,
 }
 
 impl CoupledCampbell {
@@ -51,9 +55,11 @@ impl CoupledCampbell {
         let change = |rpm: f64| {
             let point = self.at_rpm(name, rpm)?;
             let coupled_hz = point.frequency.frequency_hz;
+            let is_same_motion = point.share >= SHARED;
             Some(Change {
                 coupled_hz,
-                difference: coupled_hz / rigid_hz - 1.0,
+                share: point.share,
+                difference: is_same_motion.then(|| coupled_hz / rigid_hz - 1.0),
             })
         };
         Some(AgainstRigid {

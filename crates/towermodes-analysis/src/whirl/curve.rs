@@ -4,9 +4,9 @@ use towermodes::turbine::{CoupledFrequency, Nodding, TurbineEnergy, TurbineModeN
 
 use crate::resonance::LineEnd;
 
-/// A mode whose name has less than this share of its energy …
-const SHARED: f64 = 0.6;
-/// … and the tower at least this one counts as a mode of the tower too.
+/// A mode with less than this share of its energy in its name shares it with another part. …
+pub(super) const SHARED: f64 = 0.6;
+/// … If the tower has at least this share, it counts as a mode of the tower too.
 const GOOD_PART: f64 = 0.25;
 
 /// A mode of a turbine followed over the rotor speed by its shape. Its name at each speed is that

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use towermodes::tower::Rotor;
-use towermodes::turbine::{Turbine, TurbineError, TurbineModeName, TurbineModel, TurbineModes};
+use towermodes::turbine::{Turbine, TurbineModeName, TurbineModel, TurbineModes};
 
 use crate::resonance::{Campbell, check_options, not_checked};
 
@@ -12,15 +12,9 @@ use super::follow::{Track, tracks};
 use super::judged;
 use super::meeting::{Meeting, meetings};
 use super::named;
-use super::options::{CoupledError, CoupledOptions};
+use super::options::{CoupledError, CoupledOptions, Headroom, check_limit, check_modes};
 use super::refine::solved_speeds;
 use super::solved::{Solved, SolvedSpeed};
-
-/// Modes are sought up to this multiple of the limit …
-const HEADROOM: f64 = 1.1;
-/// … and up to so many times the change of the rotor speed in a step above it: a frequency in the
-/// fixed frame changes by about as much as the speed.
-const STEPS: f64 = 3.0;
 
 /// Natural frequencies of a whole turbine against its rotor speed, with their distances from the
 /// excitations.
@@ -143,6 +137,8 @@ pub fn coupled_campbell(
     let mut model = TurbineModel::new(turbine, &mesh)?;
     let mut finer = TurbineModel::new(turbine, &mesh.finer())?;
     let ends = ends_rpm(rotor, options)?;
+    let headroom = Headroom::of(&options.speeds_rpm(rotor)?);
+    check_modes(&mut model, check_limit(options.limit_hz)?, &headroom)?;
     let solved = diagram(rotor, options, |rpm, limit_hz, last| {
         watch(rpm);
         let speed = rpm * PI / 30.0;
@@ -185,14 +181,9 @@ pub(super) fn diagram<S: Solved>(
 ) -> Result<CoupledCampbell<S>, CoupledError> {
     let common = options.common();
     check_options(rotor, &common)?;
-    let limit_hz = options.limit_hz;
-    if !(limit_hz.is_finite() && limit_hz > 0.0) {
-        return Err(TurbineError::Limit { limit_hz }.into());
-    }
+    let limit_hz = check_limit(options.limit_hz)?;
     let speeds_rpm = options.speeds_rpm(rotor)?;
-    let steps = speeds_rpm.windows(2).map(|step| step[1] - step[0]);
-    let step_hz = steps.fold(0.0, f64::max) / 60.0;
-    let sought_hz = (HEADROOM * limit_hz).max(limit_hz + STEPS * step_hz);
+    let sought_hz = Headroom::of(&speeds_rpm).above(limit_hz);
     let solve = |rpm: f64, last: Option<&S>| solve(rpm, sought_hz, last);
     let speeds = solved_speeds(&speeds_rpm, limit_hz, options.most_added, solve)?;
     let (curves, tracks) = curves(&speeds, rotor, limit_hz);

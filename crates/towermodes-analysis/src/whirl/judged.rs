@@ -4,25 +4,22 @@ use towermodes::modes::Family;
 use towermodes::tower::Rotor;
 use towermodes::turbine::{TurbineModeName, TurbinePart};
 
-use super::curve::{CoupledCurve, CurvePoint, middle};
+use super::curve::{CoupledCurve, CurvePoint, SHARED, middle};
 use crate::resonance::{
     CampbellOptions, Excited, FrequencyLine, Margin, StiffnessClass, class_along, margins,
 };
 
-/// A mode with less than this share of its energy in its name shares it with another …
-const SHARED: f64 = 0.6;
-/// … which has at least this one.
+/// Another mode shares a name if it has at least this share of its energy in it.
 const GOOD_PART: f64 = 0.25;
 
 /// Pieces of curves with one name each, in the order of these names and then by rotor speed. Where
-/// a curve changes its name, one piece ends and the next begins in the middle of the step.
+/// a curve hands its name to another or takes that of another, one piece ends and the next begins
+/// in the middle of the step. Where it changes its name alone, because two parts of its energy are
+/// nearly equal, the piece goes on: it is one mode, which is judged once.
 pub(super) fn lines(curves: &[CoupledCurve], names: &[TurbineModeName]) -> Vec<FrequencyLine> {
     let mut all: Vec<(usize, FrequencyLine)> = Vec::new();
-    for (index, curve) in curves.iter().enumerate() {
-        for line in pieces(index, curve) {
-            let Excited::Turbine { name, .. } = line.of else {
-                continue;
-            };
+    for index in 0..curves.len() {
+        for (name, line) in pieces(index, curves) {
             let place = names.iter().position(|own| *own == name);
             all.push((place.unwrap_or(names.len()), line));
         }
@@ -33,37 +30,94 @@ pub(super) fn lines(curves: &[CoupledCurve], names: &[TurbineModeName]) -> Vec<F
     all.into_iter().map(|(_, line)| line).collect()
 }
 
-/// The pieces of a curve.
-fn pieces(index: usize, curve: &CoupledCurve) -> Vec<FrequencyLine> {
-    let alike = |a: &CurvePoint, b: &CurvePoint| {
-        a.name == b.name && a.counts_as_tower() == b.counts_as_tower()
-    };
+/// The pieces of a curve with their names.
+fn pieces(index: usize, curves: &[CoupledCurve]) -> Vec<(TurbineModeName, FrequencyLine)> {
+    let curve = &curves[index];
+    let goes_on = |a: &CurvePoint, b: &CurvePoint| !hands_over(index, curves, [a, b]);
     let mut first = 0;
-    let runs = curve.points.chunk_by(alike);
-    let piece = |run: &[CurvePoint]| {
-        let last = first + run.len() - 1;
-        let before = first.checked_sub(1).map(|k| &curve.points[k]);
-        let after = curve.points.get(last + 1);
-        let begin = before.map(|before| middle(before, &run[0]));
-        let end = after.map(|after| middle(&run[run.len() - 1], after));
-        first = last + 1;
-        FrequencyLine {
-            of: Excited::Turbine {
-                name: run[0].name,
-                curve: index,
-                counts_as_tower: run[0].counts_as_tower(),
-            },
-            label: run[0].name.to_string(),
-            points: begin
-                .into_iter()
-                .chain(run.iter().map(CurvePoint::place))
-                .chain(end)
-                .collect(),
-            error_hz: curve.error_hz(),
-            lost: curve.lost.filter(|_| after.is_none()),
-        }
+    let runs = curve.points.chunk_by(goes_on);
+    let of_run = |run: &[CurvePoint]| {
+        let begin = first;
+        first += run.len();
+        let name = title(run);
+        let alike = |a: &CurvePoint, b: &CurvePoint| a.counts_as_tower() == b.counts_as_tower();
+        let mut own = begin;
+        let parts = run.chunk_by(alike);
+        let piece = |part: &[CurvePoint]| {
+            let last = own + part.len() - 1;
+            let before = own.checked_sub(1).map(|k| &curve.points[k]);
+            let after = curve.points.get(last + 1);
+            own = last + 1;
+            (name, line(index, curve, name, [before, after], part))
+        };
+        parts.map(piece).collect::<Vec<_>>()
     };
-    runs.map(piece).collect()
+    runs.flat_map(of_run).collect()
+}
+
+/// A piece of a curve, from the middle of the step before to the middle of the step after.
+fn line(
+    index: usize,
+    curve: &CoupledCurve,
+    name: TurbineModeName,
+    [before, after]: [Option<&CurvePoint>; 2],
+    part: &[CurvePoint],
+) -> FrequencyLine {
+    let begin = before.map(|before| middle(before, &part[0]));
+    let end = after.map(|after| middle(&part[part.len() - 1], after));
+    FrequencyLine {
+        of: Excited::Turbine {
+            name,
+            curve: index,
+            counts_as_tower: part[0].counts_as_tower(),
+        },
+        label: name.to_string(),
+        points: begin
+            .into_iter()
+            .chain(part.iter().map(CurvePoint::place))
+            .chain(end)
+            .collect(),
+        error_hz: curve.error_hz(),
+        lost: curve.lost.filter(|_| after.is_none()),
+    }
+}
+
+/// Whether a curve gives its name to another curve in a step, or takes its next one from another.
+fn hands_over(index: usize, curves: &[CoupledCurve], [a, b]: [&CurvePoint; 2]) -> bool {
+    let has_elsewhere = |name: TurbineModeName, rpm: f64| {
+        let others = curves
+            .iter()
+            .enumerate()
+            .filter(|(other, _)| *other != index);
+        let mut points = others.filter_map(|(_, other)| other.at_rpm(rpm));
+        points.any(|point| point.name == name)
+    };
+    a.name != b.name
+        && (has_elsewhere(a.name, b.rotor_speed_rpm) || has_elsewhere(b.name, a.rotor_speed_rpm))
+}
+
+/// The name of points of one mode: bending of the tower, which has the classes, if it is among
+/// them; of these or else of all the name that most points have, of equal ones the first.
+fn title(points: &[CurvePoint]) -> TurbineModeName {
+    let bends = |name: &TurbineModeName| {
+        matches!(
+            name.part,
+            TurbinePart::TowerForeAft | TurbinePart::TowerSideSide
+        )
+    };
+    let rank = |name: &TurbineModeName| {
+        let own = points.iter().filter(|point| point.name == *name);
+        (bends(name), own.count())
+    };
+    let names = points.iter().map(|point| point.name);
+    let best = names.reduce(|best, name| {
+        if rank(&name) > rank(&best) {
+            name
+        } else {
+            best
+        }
+    });
+    best.unwrap_or(points[0].name)
 }
 
 /// The distance of every name from every multiple: the worst of its pieces, and of these the

@@ -1,6 +1,7 @@
 //! Options of a coupled Campbell diagram, and why there is none.
 
 use thiserror::Error;
+use towermodes::number::four_digits;
 use towermodes::tower::{Rotor, Rpm};
 use towermodes::turbine::{Turbine, TurbineError, TurbineModel};
 use towermodes::{Family, Solution};
@@ -16,6 +17,8 @@ const ABOVE_SECOND: f64 = 1.5;
 const WORTH: f64 = 2.0;
 /// Halvings of a limit until the number of modes is right.
 const HALVINGS: usize = 40;
+/// The largest number of modes that are followed, some minutes of work at 25 to 125 speeds.
+const MOST_FOLLOWED: usize = 300;
 /// The largest number of rotor speeds that are given.
 const MOST_SPEEDS: usize = 1000;
 
@@ -125,14 +128,79 @@ pub fn coupled_limit_hz(
         .max(reach_hz);
     // What cannot be solved is refused where it is solved.
     match TurbineModel::new(turbine, &turbine.mesh()) {
-        Ok(mut model) => with_most_modes(&mut model, limit_hz),
+        Ok(mut model) => with_most_modes(&mut model, limit_hz, MOST_MODES),
         Err(_) => limit_hz,
     }
 }
 
-/// The limit, or that below which the turbine at rest has [`MOST_MODES`] modes.
-fn with_most_modes(model: &mut TurbineModel, limit_hz: f64) -> f64 {
-    let mut has_more = |hz: f64| model.count(hz, 0.0) > MOST_MODES;
+/// A limit, Hz.
+///
+/// # Errors
+/// [`TurbineError::Limit`] unless it is positive and finite.
+pub(super) fn check_limit(limit_hz: f64) -> Result<f64, CoupledError> {
+    match limit_hz.is_finite() && limit_hz > 0.0 {
+        true => Ok(limit_hz),
+        false => Err(TurbineError::Limit { limit_hz }.into()),
+    }
+}
+
+/// Refuses more modes up to the frequency to which they are sought than can be followed.
+///
+/// # Errors
+/// [`CoupledError::Modes`], with a limit that is possible.
+pub(super) fn check_modes(
+    model: &mut TurbineModel,
+    limit_hz: f64,
+    headroom: &Headroom,
+) -> Result<(), CoupledError> {
+    let sought_hz = headroom.above(limit_hz);
+    let modes = model.count(sought_hz, 0.0);
+    if modes <= MOST_FOLLOWED {
+        return Ok(());
+    }
+    let with_most_hz = with_most_modes(model, sought_hz, MOST_FOLLOWED);
+    Err(CoupledError::Modes {
+        modes,
+        sought_hz,
+        possible_hz: headroom.below(with_most_hz),
+    })
+}
+
+/// How far above the limit of a diagram modes are sought.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Headroom {
+    /// The longest step of the rotor speed, Hz.
+    step_hz: f64,
+}
+
+impl Headroom {
+    /// Modes are sought up to this multiple of the limit …
+    const FACTOR: f64 = 1.1;
+    /// … and up to so many times the change of the rotor speed in a step above it: a frequency in
+    /// the fixed frame changes by about as much as the speed.
+    const STEPS: f64 = 3.0;
+
+    /// With rotor speeds by rising order, rpm.
+    pub(super) fn of(speeds_rpm: &[f64]) -> Self {
+        let steps = speeds_rpm.windows(2).map(|step| step[1] - step[0]);
+        let step_hz = steps.fold(0.0, f64::max) / 60.0;
+        Self { step_hz }
+    }
+
+    /// The frequency up to which modes are sought for a limit, Hz.
+    pub(super) fn above(&self, limit_hz: f64) -> f64 {
+        (Self::FACTOR * limit_hz).max(limit_hz + Self::STEPS * self.step_hz)
+    }
+
+    /// The limit for which modes are sought up to a frequency, Hz; not positive if there is none.
+    fn below(&self, sought_hz: f64) -> f64 {
+        (sought_hz / Self::FACTOR).min(sought_hz - Self::STEPS * self.step_hz)
+    }
+}
+
+/// The limit, or that below which the turbine at rest has so many modes at most.
+fn with_most_modes(model: &mut TurbineModel, limit_hz: f64, most: usize) -> f64 {
+    let mut has_more = |hz: f64| model.count(hz, 0.0) > most;
     if !has_more(limit_hz) {
         return limit_hz;
     }
@@ -173,6 +241,20 @@ pub enum CoupledError {
         /// That of the turbine.
         turbine: usize,
     },
+    /// More modes than can be followed.
+    #[error(
+        "the turbine at rest has {modes} modes below {} Hz, up to where modes are sought; at most {MOST_FOLLOWED} are followed: {}",
+        four_digits(*.sought_hz), remedy(*.possible_hz)
+    )]
+    Modes {
+        /// The number of modes at rest below the frequency up to which they are sought.
+        modes: usize,
+        /// This frequency, Hz.
+        sought_hz: f64,
+        /// The largest possible limit, Hz; not positive if the steps of the rotor speed are too
+        /// long for any.
+        possible_hz: f64,
+    },
     /// A rotor speed that is negative or no number.
     #[error("a rotor speed is {rpm} rpm; it must be a finite number of at least 0")]
     Speed {
@@ -185,4 +267,12 @@ pub enum CoupledError {
         /// How many.
         speeds: usize,
     },
+}
+
+/// What makes a diagram with fewer modes.
+fn remedy(possible_hz: f64) -> String {
+    match possible_hz > 0.0 {
+        true => format!("give a limit below {} Hz", four_digits(possible_hz)),
+        false => "give lower rotor speeds, or more of them, because modes are sought farther up where their steps are long".to_owned(),
+    }
 }

@@ -153,13 +153,19 @@ fn changes(coupled: &CoupledCampbell, all: bool) -> String {
     format!("{}\n\n", text_table(header, rows.into_iter(), 2..=3))
 }
 
+/// Why a share stands in place of a difference.
+const OTHER_MOTION: &str = "\"share\": the mode of this name has less than 60 % of its energy in this motion, which the flexible rotor spreads over several modes, so it is not compared.";
+
 /// The tower's modes with a rigid machine, and what the flexible rotor makes of them.
 fn compared(coupled: &CoupledCampbell, against: &[AgainstRigid]) -> String {
     let hz = |change: Option<Change>| {
         change.map_or_else(|| "-".to_owned(), |own| format!("{:.4}", own.coupled_hz))
     };
     let percent = |change: Option<Change>| {
-        let percent = change.map(|own| format!("{:+.2} %", unsigned_zero(100.0 * own.difference)));
+        let percent = change.map(|own| match own.difference {
+            Some(difference) => format!("{:+.2} %", unsigned_zero(100.0 * difference)),
+            None => format!("share {:.0} %", 100.0 * own.share),
+        });
         percent.unwrap_or_else(|| "-".to_owned())
     };
     let rows = against.iter().map(|row| {
@@ -181,7 +187,13 @@ fn compared(coupled: &CoupledCampbell, against: &[AgainstRigid]) -> String {
         &highest,
         "difference",
     ];
-    text_table(header, rows, 1..=5)
+    let table = text_table(header, rows, 1..=5);
+    let changes = against.iter().flat_map(|row| [row.at_rest, row.at_highest]);
+    let is_spread = changes.flatten().any(|change| change.difference.is_none());
+    match is_spread {
+        true => format!("{table}\n{}", wrapped(OTHER_MOTION)),
+        false => table,
+    }
 }
 
 /// A number of two decimals without the sign of a zero.

@@ -162,8 +162,8 @@ impl Model {
             description.missing_parts.push(MissingPart::Blades);
         }
         if !options.without_gravity {
-            let fst = self.found.fst.as_ref().map(|fst| fst.name.as_str());
-            let of_fst = self.found.gravity_m_per_s2.zip(fst);
+            let fst = self.found.fst.as_ref();
+            let of_fst = fst.map(|fst| (self.found.gravity_m_per_s2, fst.name.as_str()));
             let Gravity { m_per_s2, note } = gravity(main, &self.found.source.name, of_fst);
             description.gravity_m_per_s2 = m_per_s2;
             notes.extend(note);

@@ -224,21 +224,31 @@ pub(super) struct Gravity {
 
 /// The gravity of a model: from the `.fst` file, as in OpenFAST since 3.0, or else from the main
 /// file, as before, or else the standard one with a note. A tower that hangs under water has
-/// none here. Files are given by their names.
-pub(super) fn gravity(main: &MainFile, main_name: &str, fst: Option<(f64, &str)>) -> Gravity {
+/// none here. Files are given by their names, a `.fst` file with its value if it has one.
+pub(super) fn gravity(
+    main: &MainFile,
+    main_name: &str,
+    fst: Option<(Option<f64>, &str)>,
+) -> Gravity {
     if main.tower_hangs() {
         let (m_per_s2, note) = (0.0, None);
         return Gravity { m_per_s2, note };
     }
     let (m_per_s2, message) = match (fst, main.gravity_m_per_s2) {
-        (Some((of_fst, name)), Some(of_main)) if of_fst != of_main => {
+        (Some((Some(of_fst), name)), Some(of_main)) if of_fst != of_main => {
             let message = format!(
                 "Gravity is {of_fst} m/s2 in {name} and {of_main} m/s2 in {main_name}: the first is used"
             );
             (of_fst, Some(message))
         }
-        (Some((of_fst, _)), _) => (of_fst, None),
-        (None, Some(of_main)) => (of_main, None),
+        (Some((Some(of_fst), _)), _) => (of_fst, None),
+        (_, Some(of_main)) => (of_main, None),
+        (Some((None, name)), None) => {
+            let message = format!(
+                "neither {name} nor {main_name} has Gravity: {STANDARD_M_PER_S2} m/s2 is assumed (--no-gravity omits it)"
+            );
+            (STANDARD_M_PER_S2, Some(message))
+        }
         (None, None) => {
             let message = format!(
                 "{main_name} has no Gravity, which is in the .fst file: {STANDARD_M_PER_S2} m/s2 is assumed (--no-gravity omits it)"

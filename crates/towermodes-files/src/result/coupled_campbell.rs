@@ -248,12 +248,17 @@ struct AgainstRigidJson {
     rigid_hz: f64,
     /// The coupled frequency at standstill, Hz; null if the turbine was not solved there.
     at_rest_hz: Option<f64>,
-    /// Coupled over rigid − 1 at standstill.
+    /// The fraction of the elastic energy of this mode that is in its name.
+    at_rest_share: Option<f64>,
+    /// Coupled over rigid − 1 at standstill; null if the share is below 0.6: the flexible rotor
+    /// spreads the motion over several modes, so that this one is not the same motion.
     at_rest_difference: Option<f64>,
     /// The coupled frequency at the highest operating speed, Hz; null if no mode has the name
     /// there.
     at_highest_hz: Option<f64>,
-    /// Coupled over rigid − 1 at the highest operating speed.
+    /// The fraction of the elastic energy of this mode that is in its name.
+    at_highest_share: Option<f64>,
+    /// Coupled over rigid − 1 at the highest operating speed; null if the share is below 0.6.
     at_highest_difference: Option<f64>,
 }
 
@@ -402,13 +407,16 @@ fn met(coupled: &CoupledCampbell, meeting: &Meeting) -> MeetingJson {
 
 fn compared(row: &AgainstRigid) -> AgainstRigidJson {
     let hz = |change: Option<Change>| change.map(|change| change.coupled_hz);
-    let difference = |change: Option<Change>| change.map(|change| change.difference);
+    let share = |change: Option<Change>| change.map(|change| change.share);
+    let difference = |change: Option<Change>| change.and_then(|change| change.difference);
     AgainstRigidJson {
         label: row.name.to_string(),
         rigid_hz: row.rigid_hz,
         at_rest_hz: hz(row.at_rest),
+        at_rest_share: share(row.at_rest),
         at_rest_difference: difference(row.at_rest),
         at_highest_hz: hz(row.at_highest),
+        at_highest_share: share(row.at_highest),
         at_highest_difference: difference(row.at_highest),
     }
 }

@@ -5,16 +5,43 @@ use towermodes::MissingPart;
 use super::choice::chosen;
 use super::reading::Reading;
 use super::table::Table;
-use super::values::{every_row, list};
+use super::values::{Value, every_row, list};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// The parts; none without the key.
+/// The parts; none without the key. Each is named once, and none that the file has.
 pub(super) fn missing_parts(root: &Table<'_>, reading: &mut Reading) -> Option<Vec<MissingPart>> {
     let Some(value) = root.get("missing_parts") else {
         return Some(Vec::new());
     };
     let choices = MissingPart::ALL.map(|part| (part.name(), part));
-    let parts = list(value, "missing_parts", reading)?;
-    every_row(parts, |_, part| {
-        chosen(part, "missing part", &choices, reading)
-    })
+    let mut parts: Vec<MissingPart> = Vec::new();
+    let names = list(value, "missing_parts", reading)?;
+    every_row(names, |_, name| {
+        let part = chosen(name, "missing part", &choices, reading)?;
+        if part == MissingPart::Blades && root.get("turbine").is_some() {
+            return has_blades(name, reading);
+        }
+        if parts.contains(&part) {
+            return repeated(name, part, reading);
+        }
+        parts.push(part);
+        Some(())
+    })?;
+    Some(parts)
+}
+
+/// The mistake of blades that are missing beside those of the turbine.
+fn has_blades<T>(name: &Value<'_>, reading: &mut Reading) -> Option<T> {
+    let message = "the blades are listed as missing, but [turbine.blade] describes them".to_owned();
+    let kind = DiagnosticKind::Contradiction(message);
+    let hint = "remove \"blades\" from missing_parts";
+    reading.refuse(Diagnostic::new(name.span(), kind).with_hint(hint))
+}
+
+/// The mistake of a part that is listed twice.
+fn repeated<T>(name: &Value<'_>, part: MissingPart, reading: &mut Reading) -> Option<T> {
+    let what = format!("the missing part `{}`", part.name());
+    let kind = DiagnosticKind::Repeated { what, times: 2 };
+    let hint = "list each part once";
+    reading.refuse(Diagnostic::new(name.span(), kind).with_hint(hint))
 }

@@ -1,5 +1,6 @@
 //! `[rotor]`.
 
+use towermodes::tower::MOST_BLADES;
 use towermodes::{Place, Rotor};
 
 use super::reading::Reading;
@@ -24,7 +25,7 @@ pub(super) fn rotor(root: &Table<'_>, reading: &mut Reading) -> Option<Option<Ro
         .require("blades", "number of blades, as 3", reading)
         .and_then(|value| {
             reading.remember(at("blades"), value.span());
-            blades(value, reading)
+            blades(value, 1, reading)
         });
     let speeds = table.require("rpm", HINT, reading).and_then(|value| {
         reading.remember(at("rpm"), value.span());
@@ -38,13 +39,15 @@ pub(super) fn rotor(root: &Table<'_>, reading: &mut Reading) -> Option<Option<Ro
     }))
 }
 
-/// A number of blades; the checks of the tower limit it.
-pub(super) fn blades(value: &Value<'_>, reading: &mut Reading) -> Option<usize> {
+/// A whole number of blades; the checks of the tower limit it, and those of the turbine, whose
+/// rotor has `least` blades or more.
+pub(super) fn blades(value: &Value<'_>, least: usize, reading: &mut Reading) -> Option<usize> {
     let count = number(value, "blades", reading)?;
     if count.fract() == 0.0 && (0.0..=1e9).contains(&count) {
         return Some(count as usize);
     }
-    let kind = DiagnosticKind::out_of_range("blades", count, "a whole number from 1 to 10");
+    let rule = format!("a whole number from {least} to {MOST_BLADES}");
+    let kind = DiagnosticKind::out_of_range("blades", count, rule);
     reading.refuse(Diagnostic::new(value.span(), kind))
 }
 

@@ -105,9 +105,9 @@ fn gravity_is_that_of_the_fst_file_then_of_the_main_file_then_the_standard() {
     );
     let (standard, said) = of("", 5);
     assert_eq!(standard, 9.80665);
-    assert!(
-        said[0].contains("9.80665 m/s2 is assumed (--no-gravity"),
-        "{said:?}"
+    assert_eq!(
+        said,
+        ["neither a.fst nor main.dat has Gravity: 9.80665 m/s2 is assumed (--no-gravity omits it)"]
     );
     let wrong = by_fst("-9.81 Gravity\n", 5, &options).expect_err("negative");
     assert!(wrong.to_string().contains(": Gravity"), "{wrong}");

@@ -8,24 +8,23 @@ const LEAST: f64 = 0.25;
 /// Gives each mode of a list, by rising frequency, the family that is most in arrears: the one
 /// whose energy so far exceeds the number of its names by most.
 ///
-/// With p(n, f) the share of family f in the energy of mode n, the arrears r(f), at first zero, and
-/// the weight w:
+/// With p(n, f) the share of family f in the energy of mode n, and the arrears r(f), at first zero:
 ///
 /// ```text
-/// s(f) = w r(f) + p(n, f);   f* = the first family with s(f) ≥ max s − tie
-/// r(f) ← r(f) + p(n, f) for all f, then r(f*) ← r(f*) − 1
+/// s(f) = r(f) + p(n, f);   f* = the first family with s(f) ≥ max s − tie
+/// r(f) ← s(f) for all f, then r(f*) ← r(f*) − 1
 /// ```
 ///
 /// Families with less than a quarter of the mode's largest share are not considered.
 ///
 /// Each family counts its names from 1, so no name is given twice and none is left out. A name
-/// depends on the modes up to its own alone, so a longer list changes no name. For K families,
-/// shares ≥ 0 that sum to 1, and w = 1, the energy of a family in the first n modes,
+/// depends on the modes up to its own alone, so a longer list changes no name. For K families and
+/// shares ≥ 0 that sum to 1 the energy of a family in the first n modes,
 /// C(n, f) = Σ p(m, f), differs little from the number of its names c(n, f):
 /// −(1 − 1/K) ≤ C − c ≤ 1/2 + … + 1/K, as long as the quarter excludes no family that is most in
 /// arrears. The energies C(n, f) are continuous in every number of the structure where the next
 /// frequency is apart. So a name changes its place only among the neighbouring modes that share
-/// its motion.
+/// its motion. [`Arrears::fade`] gives up these bounds.
 ///
 /// # Example
 /// Two modes that share two motions nearly equally, between two that do not:
@@ -42,9 +41,8 @@ pub struct Arrears<const K: usize> {
     /// Whether a family names one mode at most.
     once: [bool; K],
     tie: f64,
-    weight: f64,
     least: f64,
-    /// Energy in the modes so far, less the number of names.
+    /// Energy in the modes so far, less the number of names, as far as it has not faded.
     arrears: [f64; K],
     named: [usize; K],
 }
@@ -56,17 +54,18 @@ impl<const K: usize> Arrears<K> {
         Self {
             once,
             tie,
-            weight: 1.0,
             least: LEAST,
             arrears: [0.0; K],
             named: [0; K],
         }
     }
 
-    /// The same rule with the arrears weighted by `weight` when a family is chosen: 1 keeps the
+    /// Multiplies the arrears by a factor from 0 to 1 before the next mode is named: 1 keeps the
     /// bounds above, 0 gives each mode its largest share.
-    pub fn with_weight(self, weight: f64) -> Self {
-        Self { weight, ..self }
+    pub fn fade(&mut self, factor: f64) {
+        for arrears in &mut self.arrears {
+            *arrears *= factor;
+        }
     }
 
     /// The same rule that considers families with at least `least` of a mode's largest share: 0
@@ -84,7 +83,7 @@ impl<const K: usize> Arrears<K> {
         let largest = left.fold(0.0, |largest, family| shares[family].max(largest));
         let sums: [f64; K] = std::array::from_fn(|family| {
             match is_left(family) && shares[family] >= self.least * largest {
-                true => self.weight * self.arrears[family] + shares[family],
+                true => self.arrears[family] + shares[family],
                 false => f64::NEG_INFINITY,
             }
         });
@@ -106,7 +105,8 @@ impl<const K: usize> Arrears<K> {
         self.named[family]
     }
 
-    /// The energy of each family in the modes so far, less the number of its names.
+    /// The energy of each family in the modes so far, less the number of its names, as far as it
+    /// has not faded.
     pub fn left(&self) -> &[f64; K] {
         &self.arrears
     }
@@ -231,6 +231,21 @@ mod tests {
         let modes = [[0.9, 0.1, 0.0], [0.9, 0.01, 0.09]];
         let names = modes.map(|shares| arrears.name(&shares, |_| true));
         assert_eq!(names, [(0, 1), (2, 1)]);
+    }
+
+    /// Two modes that share two motions: with all arrears each motion names one, without any the
+    /// larger share names both.
+    #[test]
+    fn arrears_fade() {
+        let shares = [[0.55, 0.45], [0.52, 0.48]];
+        for (factor, expected) in [(1.0, [(0, 1), (1, 1)]), (0.0, [(0, 1), (0, 2)])] {
+            let mut arrears = Arrears::new([false; 2], 1e-6);
+            let names = shares.map(|shares| {
+                arrears.fade(factor);
+                arrears.name(&shares, |_| true)
+            });
+            assert_eq!(names, expected);
+        }
     }
 
     /// The proved bounds of C − c, on random shares of four families: −3/4 and 13/12.

@@ -46,9 +46,10 @@ pub struct TurbineModes {
     ///
     /// Going up in frequency, each mode gets the part that is most in arrears: the one whose energy
     /// in the modes so far exceeds the number of its names by most, as
-    /// [`Arrears`](crate::modes::Arrears) chooses with the weight 1/2 among the parts that have at
-    /// least a quarter of the energy of the largest. Backward and forward whirl of a motion are one
-    /// part first, and the same rule chooses between them. So a name depends on this speed alone.
+    /// [`Arrears`](crate::modes::Arrears) chooses among the parts that have at least a quarter of
+    /// the energy of the largest. From a mode to the next the arrears fade with the eighth power of
+    /// the ratio of their frequencies. Backward and forward whirl of a motion are one part first,
+    /// and the same rule chooses between them. So a name depends on this speed alone.
     pub modes: Vec<TurbineMode>,
     /// The limit, Hz.
     pub limit_hz: f64,

@@ -67,7 +67,7 @@ impl TurbineModel {
             name,
             share,
             second,
-        } = naming.next(part, &energy);
+        } = naming.next(part, found.as_hz().frequency_hz, &energy);
         let (shape, strains, springs) = self.shape(part, found.w, &found.vector);
         TurbineMode {
             frequency: found.as_hz(),

@@ -4,7 +4,8 @@ mod blade;
 mod mistake;
 mod spans;
 
-use towermodes::turbine::{Generator, Hub, TurbineDescription};
+use towermodes::rotor::RotorError;
+use towermodes::turbine::{Generator, Hub, TurbineDescription, TurbineError};
 use towermodes::{Place, RigidBody, Rna, Rotor};
 
 use super::body::{center, inertia_if_any};
@@ -45,7 +46,14 @@ pub(super) fn turbine(
     check_blades(&turbine, rotor, &spans, reading)?;
     match as_rigid_body(&turbine, RotorLock::Locked) {
         Ok(rna) => Some(Some((turbine, rna))),
-        Err(error) => reading.refuse(mistake(error, &turbine, &spans)),
+        Err(error) => {
+            let is_too_few = matches!(error, TurbineError::Rotor(RotorError::TooFewBlades { .. }));
+            let mistake = mistake(error, &turbine, &spans);
+            reading.refuse(match is_too_few {
+                true => mistake.with_hint(RIGID_ROTOR),
+                false => mistake,
+            })
+        }
     }
 }
 
@@ -64,7 +72,10 @@ fn check_neighbours(root: &Table<'_>, turbine: &Value<'_>, reading: &mut Reading
     root.refuse_unused("drivetrain", "beside [turbine]", hint, reading);
 }
 
-/// Refuses a rotor with another number of blades.
+/// What a user can do who wants the tower below a rotor of two blades.
+const RIGID_ROTOR: &str = "a rotor of one or two blades can be a rigid body: give [rna] in place of [turbine] for the modes of the tower";
+
+/// Refuses a rotor of fewer than three blades, and one with another number of blades.
 fn check_blades(
     turbine: &TurbineDescription,
     rotor: Option<&Rotor>,
@@ -74,6 +85,13 @@ fn check_blades(
     let Some(rotor) = rotor.filter(|rotor| rotor.blades != turbine.blades) else {
         return Some(());
     };
+    if rotor.blades < 3 {
+        let error = RotorError::TooFewBlades {
+            blades: rotor.blades,
+        };
+        let mistake = mistake(error.into(), turbine, spans);
+        return reading.refuse(mistake.with_hint(RIGID_ROTOR));
+    }
     let message = format!(
         "[turbine] has {} blades and [rotor] has {}",
         turbine.blades, rotor.blades
@@ -133,7 +151,7 @@ fn description(
 /// The number of blades, which the library limits.
 fn number_of_blades(table: &Table<'_>, spans: &mut Spans, reading: &mut Reading) -> Option<usize> {
     match spans.get(table, "blades") {
-        Some(value) => blades(value, reading),
+        Some(value) => blades(value, 3, reading),
         None => Some(3),
     }
 }

@@ -171,9 +171,8 @@ pub(super) fn against_rigid(rows: &[AgainstRigid], rotor: &Rotor) -> Table {
     let hz = |change: Option<Change>| {
         change.map_or_else(|| NOTHING.to_owned(), |of| four_digits(of.coupled_hz))
     };
-    let difference = |change: Option<Change>| {
-        change.map_or_else(|| NOTHING.to_owned(), |of| signed_percent(of.difference))
-    };
+    let difference =
+        |change: Option<Change>| change.map_or_else(|| NOTHING.to_owned(), change_in_words);
     for row in rows {
         table.push([
             row.name.to_string(),
@@ -185,4 +184,12 @@ pub(super) fn against_rigid(rows: &[AgainstRigid], rotor: &Rotor) -> Table {
         ]);
     }
     table
+}
+
+/// The difference in percent, or the share of a mode that is not the same motion.
+fn change_in_words(change: Change) -> String {
+    match change.difference {
+        Some(difference) => signed_percent(difference),
+        None => format!("share {} %", percent(change.share)),
+    }
 }
