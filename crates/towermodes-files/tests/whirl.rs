@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 
 use towermodes::Rotor;
-use towermodes::turbine::{Turbine, TurbineMesh, TurbineModeName, TurbineModel};
+use towermodes::turbine::{Turbine, TurbineMesh, TurbineMode, TurbineModeName, TurbineModel};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::whirl::{CoupledCampbell, CoupledOptions, RotorSpeeds, coupled_campbell};
 use towermodes_files::read_tower;
@@ -123,11 +123,20 @@ fn names_are_those_of_each_speed() {
     let found = diagram(&turbine, &rotor, speeds, 3.3);
     assert_named_once(&found);
     let mut model = TurbineModel::new(&turbine, &TurbineMesh::default()).expect("a model");
-    let mut alone = |rpm: f64| -> Vec<TurbineModeName> {
-        let modes = model.modes(3.3, rpm * PI / 30.0).expect("modes");
-        modes.modes.iter().map(|mode| mode.name).collect()
-    };
-    assert_eq!(alone(0.0), alone(1.0));
+    let mut modes = |rpm: f64| model.modes(3.3, rpm * PI / 30.0).expect("modes").modes;
+    // But for a mode that shares its waves with the tower, at 3.04 Hz: which of both is larger
+    // cannot be seen at rest.
+    let (rest, slow) = (modes(0.0), modes(1.0));
+    let differ = |(rest, slow): &(&TurbineMode, &TurbineMode)| rest.name != slow.name;
+    let others: Vec<_> = rest.iter().zip(&slow).filter(differ).collect();
+    assert!(others.len() <= 1, "{others:?}");
+    for (rest, slow) in others {
+        let waves = rest.energy.blades[0].asymmetric();
+        assert!(waves < 0.5 && rest.nodding().is_some(), "{}", rest.name);
+        assert_eq!(rest.name.order, slow.name.order);
+    }
+    let mut alone =
+        |rpm: f64| -> Vec<TurbineModeName> { modes(rpm).iter().map(|mode| mode.name).collect() };
     for rpm in [0.0, 6.9, 12.1] {
         let of_diagram = found
             .names

@@ -84,12 +84,28 @@ impl CurvePoint {
         self.energy.nodding_of(self.name.part)
     }
 
+    /// Whether another part than the one that names it shares it: less than 60 % of its elastic
+    /// energy is in its name; of a whirl of which both waves are alike, in both waves.
+    pub fn is_shared(&self) -> bool {
+        let other_wave = self.second.filter(|_| self.nodding().is_some());
+        let other_wave = other_wave.filter(|(part, _)| is_other_wave(self.name.part, *part));
+        self.share + other_wave.map_or(0.0, |(_, share)| share) < SHARED
+    }
+
     /// Whether it is judged as a mode of the tower: its name is not one of the blades, or the part
     /// that names it has less than 60 % of its energy and the tower at least 25 %. So both modes
     /// are judged where the tower shares two.
     pub fn counts_as_tower(&self) -> bool {
         let is_of_blades = matches!(self.name.part, TurbinePart::Blades(..));
         !is_of_blades || self.share < SHARED && self.energy.of_tower() >= GOOD_PART
+    }
+}
+
+/// Whether two parts are the waves of one motion of the blades.
+fn is_other_wave(part: TurbinePart, other: TurbinePart) -> bool {
+    match (part, other) {
+        (TurbinePart::Blades(motion, _), TurbinePart::Blades(other, _)) => motion == other,
+        _ => false,
     }
 }
 

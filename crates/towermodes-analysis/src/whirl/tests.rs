@@ -379,3 +379,33 @@ fn impossible_options_are_refused() {
         CoupledError::Options(CampbellError::Rotor(_))
     ));
 }
+
+/// A mode that turns from one motion into another, and no mode that turns the other way: its name
+/// changes on its curve, but it is one mode, with one margin for each multiple.
+#[test]
+fn a_mode_that_changes_its_name_alone_is_judged_once() {
+    let (shaft, collective) = (TurbinePart::Shaft, flap(Harmonic::Collective));
+    let solve = |rpm: f64, _: f64, _: Option<&Mixtures>| {
+        // From 30 to 60 degrees, with equal shares at 11 rpm.
+        let (sin, cos) = (45.0 + 1.5 * (rpm - 11.0)).to_radians().sin_cos();
+        let modes = vec![Mixture {
+            hz: 0.5,
+            shape: vec![cos, sin],
+        }];
+        let parts = vec![collective, shaft];
+        Ok::<_, CoupledError>(Mixtures { parts, modes })
+    };
+    let found = diagram(&ROTOR, &options(), solve).expect("a diagram");
+    let names = found.curves[0].names();
+    let parts: Vec<TurbinePart> = names.iter().map(|range| range.name.part).collect();
+    assert_eq!(parts, [collective, shaft]);
+    let campbell = &found.campbell;
+    let labels = campbell.lines.iter().map(|line| line.label.as_str());
+    assert!(
+        labels
+            .clone()
+            .all(|label| label == "1st flapwise collective")
+    );
+    let multiples: Vec<usize> = campbell.margins.iter().map(|m| m.multiple).collect();
+    assert_eq!(multiples, [1, 3, 6, 9]);
+}

@@ -6,7 +6,7 @@ use towermodes::number::with_error;
 use towermodes::tower::Rpm;
 use towermodes::turbine::TurbineModeName;
 use towermodes_analysis::resonance::Margin;
-use towermodes_analysis::whirl::{AgainstRigid, Change, CoupledCampbell, Meeting};
+use towermodes_analysis::whirl::{AgainstRigid, Change, CoupledCampbell, CurvePoint, Meeting};
 use towermodes_report::wording::{STRUCTURE_ONLY, counted, proved};
 
 use super::campbell::{hidden, pairs, summary_or};
@@ -33,6 +33,7 @@ pub fn coupled_campbell(
         text += &(wrapped(&sentence) + "\n");
     }
     text += &format!("\n{}\n\n", modes(coupled));
+    text += &shared(coupled);
     if !shown.is_empty() {
         text += &format!("{}\n\n", pairs(campbell, &shown));
     }
@@ -51,10 +52,7 @@ pub fn coupled_campbell(
 /// The modes by name with their frequencies at rest and at both ends of operation, and the other
 /// mode of each whirl pair.
 fn modes(coupled: &CoupledCampbell) -> String {
-    let rotor = &coupled.campbell.rotor;
-    let first_rpm = coupled.speeds.first().map_or(0.0, |s| s.rotor_speed_rpm);
-    let mut columns = vec![first_rpm, rotor.lowest_rpm, rotor.highest_rpm];
-    columns.dedup();
+    let columns = columns_rpm(coupled);
     let at = |name: TurbineModeName, rpm: f64| match coupled.at_rpm(name, rpm) {
         Some(point) => {
             let hz = point.frequency.frequency_hz;
@@ -85,6 +83,43 @@ fn modes(coupled: &CoupledCampbell) -> String {
     let header = header.chain(columns.iter().map(heading));
     let header: Vec<String> = header.chain(["whirls with".to_owned()]).collect();
     wide_table(&header, &rows)
+}
+
+/// Of the names in the table of modes the speeds at which less than 60 % of the energy is in the
+/// name, with the part that has the most besides.
+fn shared(coupled: &CoupledCampbell) -> String {
+    let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+    let of_name = |name: &TurbineModeName| {
+        let speeds = columns_rpm(coupled).into_iter();
+        let points = speeds.filter_map(|rpm| coupled.at_rpm(*name, rpm));
+        let points = points.filter(|point| point.is_shared());
+        let row = |point: &CurvePoint| {
+            let (part, share) = point.second?;
+            Some([
+                name.to_string(),
+                Rpm(point.rotor_speed_rpm).to_string(),
+                percent(point.share),
+                part.to_string(),
+                percent(share),
+            ])
+        };
+        points.filter_map(row).collect::<Vec<_>>()
+    };
+    let rows: Vec<[String; 5]> = coupled.names.iter().flat_map(of_name).collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    let header = ["shared mode", "rotor rpm", "share", "also", "share"];
+    format!("{}\n\n", text_table(header, rows, [1, 2, 4]))
+}
+
+/// The rotor speeds of the columns of the table of modes: the first, and both ends of operation.
+fn columns_rpm(coupled: &CoupledCampbell) -> Vec<f64> {
+    let rotor = &coupled.campbell.rotor;
+    let first_rpm = coupled.speeds.first().map_or(0.0, |s| s.rotor_speed_rpm);
+    let mut columns = vec![first_rpm, rotor.lowest_rpm, rotor.highest_rpm];
+    columns.dedup();
+    columns
 }
 
 /// A table of any number of columns; all but the second are flush right.

@@ -34,6 +34,8 @@ pub struct TurbineModel {
     pub(super) platform: Option<RigidTower>,
     /// Number of motions that nothing resists, but for the rotation of a free shaft.
     pub(super) unresisted: usize,
+    /// The relative error of frequencies by soil springs that are straight between depths.
+    pub(super) soil_error: f64,
 }
 
 impl std::fmt::Debug for TurbineModel {
@@ -82,6 +84,7 @@ impl TurbineModel {
             factors: MachineFactors::default(),
             platform,
             unresisted: 0,
+            soil_error: tower.soil_error(),
         };
         let negative = model.tower.members()[0].negative_stiffness(UNRESISTED * UNRESISTED);
         if negative > 0 {

@@ -85,8 +85,9 @@ impl TurbineModel {
     }
 
     /// Estimates the discretization errors of modes of this turbine on a coarser mesh: how much
-    /// lower the frequencies on this mesh are, each compared with that of the same number. A mode
-    /// without a counterpart has none.
+    /// lower the frequencies on this mesh are, each compared with that of the same number, and what
+    /// [`Tower::soil_error`](crate::Tower::soil_error) adds to them. A mode without a counterpart
+    /// has none.
     pub fn estimate_errors(&mut self, modes: &mut TurbineModes) {
         let own_guesses = |part| {
             let own = modes.modes.iter().filter(|mode| mode.part == part);
@@ -97,12 +98,14 @@ impl TurbineModel {
             .collect()
         };
         let limit = TAU * modes.limit_hz;
+        let soil_error = self.soil_error;
         let mut finer = self.search(limit, modes.speed_rad_per_s, own_guesses).found;
         for mode in &mut modes.modes {
             let counterpart = finer.iter().position(|(part, _)| *part == mode.part);
             let finer_hz = counterpart.map(|place| finer.remove(place).1.w / TAU);
             let own_hz = mode.frequency.frequency_hz;
-            mode.discretization_error_hz = finer_hz.map(|hz| (hz - own_hz).abs());
+            mode.discretization_error_hz =
+                finer_hz.map(|hz| (hz - own_hz).abs() + soil_error * own_hz);
         }
     }
 }

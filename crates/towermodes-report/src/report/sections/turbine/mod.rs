@@ -20,6 +20,9 @@ const MEANING: &str = "Each name is that of one mode. Going up in frequency, a m
      a mode with less than 60 % of its energy in its name shares it with another part. \
      Counts prove the frequency of the model within the given half-width; the error of the mesh is the change of the frequency to a finer mesh.";
 
+/// Why a share stands in place of a difference.
+const OTHER_MOTION: &str = "Where a share stands in place of a difference, the mode of this name has less than 60 % of its energy in this motion, which the flexible rotor spreads over several modes, so it is not compared.";
+
 /// What the frequencies mean for blades and tower.
 const FRAME: &str = "What acts on the tower with a frequency excites the modes that have it here. On a blade, which turns, a forward whirl has this frequency less the rotor speed, a \
      backward whirl this frequency plus the rotor speed.";
@@ -128,5 +131,13 @@ fn against_rigid(results: &TurbineResults) -> Vec<Block> {
         return Vec::new();
     }
     let rotor = &results.coupled.campbell.rotor;
-    vec![table(tables::against_rigid(&results.against, rotor))]
+    let mut blocks = vec![table(tables::against_rigid(&results.against, rotor))];
+    let changes = results
+        .against
+        .iter()
+        .flat_map(|row| [row.at_rest, row.at_highest]);
+    if changes.flatten().any(|change| change.difference.is_none()) {
+        blocks.push(paragraph(OTHER_MOTION));
+    }
+    blocks
 }
