@@ -2,6 +2,7 @@
 //! some.
 
 use crate::decks;
+use crate::refused::{rows, words};
 
 use decks::{
     ALONE, BLADE_SECTIONS, OFFSHORE, SECTIONS, TOWER, WIRES, blade_file, mistakes, read, refused,
@@ -16,6 +17,12 @@ fn main_refused(old: &str, new: &str, line: usize, words: &[&str]) {
     refused(&main, SECTIONS, &format!("tower.bmi:{line}"), words);
 }
 
+fn main_all_refused(table: &str) {
+    for [old, new, line, said] in rows(table) {
+        main_refused(&old, &new, line.parse().expect("a line"), &words(&said));
+    }
+}
+
 #[track_caller]
 fn sections_refused(old: &str, new: &str, line: usize, words: &[&str]) {
     let sections = with(SECTIONS, &[(old, new)]);
@@ -25,6 +32,12 @@ fn sections_refused(old: &str, new: &str, line: usize, words: &[&str]) {
         &format!("secs.dat:{line}"),
         words,
     );
+}
+
+fn sections_all_refused(table: &str) {
+    for [old, new, line, said] in rows(table) {
+        sections_refused(&old, &new, line.parse().expect("a line"), &words(&said));
+    }
 }
 
 #[track_caller]
@@ -64,12 +77,11 @@ fn masses_are_positive() {
     let words = ["mass_den", "positive"];
     sections_refused("2000.  4000.", "-2000. 4000.", 9, &words);
     sections_refused("2000.  4000.", "0. 4000.", 9, &words);
-    main_refused("2.0e5     tip", "-1. tip", 19, &["tip_mass", "negative"]);
-    main_refused(
-        "1.0       sec_mass",
-        "0. sec_mass",
-        34,
-        &["sec_mass_mult", "positive"],
+    main_all_refused(
+        r#"
+        2.0e5     tip | -1. tip | 19 | tip_mass & negative
+        1.0       sec_mass | 0. sec_mass | 34 | sec_mass_mult & positive
+        "#,
     );
 }
 
@@ -88,27 +100,29 @@ fn all_wrong_values_of_the_sections_are_said_at_once() {
 
 #[test]
 fn what_is_not_finite_is_refused() {
-    sections_refused("3000.", "NaN", 8, &["mass_den", "not a finite number"]);
-    sections_refused(
-        "240.0E9",
-        "Infinity",
-        8,
-        &["tor_stff", "not a finite number"],
+    sections_all_refused(
+        r#"
+        3000. | NaN | 8 | mass_den & not a finite number
+        240.0E9 | Infinity | 8 | tor_stff & not a finite number
+        "#,
     );
-    main_refused(
-        "2.0e5     tip",
-        "nan tip",
-        19,
-        &["tip_mass", "not a finite number"],
+    main_all_refused(
+        r#"
+        2.0e5     tip | nan tip | 19 | tip_mass & not a finite number
+        80.0␣␣ | 1e999␣ | 9 | radius & not a finite number
+        "#,
     );
-    main_refused("80.0  ", "1e999 ", 9, &["radius", "not a finite number"]);
 }
 
 #[test]
 fn stiffnesses_are_positive() {
-    sections_refused("300.0E9 300", "-300.0E9 300", 8, &["flp_stff", "positive"]);
-    sections_refused("240.0E9", "0.", 8, &["tor_stff", "positive"]);
-    sections_refused(" 80.0E9 0", " 0. 0", 8, &["axial_stff", "positive"]);
+    sections_all_refused(
+        r#"
+        300.0E9 300 | -300.0E9 300 | 8 | flp_stff & positive
+        240.0E9 | 0. | 8 | tor_stff & positive
+        ␣80.0E9 0 | ␣0. 0 | 8 | axial_stff & positive
+        "#,
+    );
     main_refused(
         "1.0       tor_",
         "0.0 tor_",
@@ -119,13 +133,12 @@ fn stiffnesses_are_positive() {
 
 #[test]
 fn a_section_without_inertia_is_refused() {
-    sections_refused(
-        "12000. 12000.",
-        "0. 12000.",
-        8,
-        &["flp_iner is 0", "torsion"],
+    sections_all_refused(
+        r#"
+        12000. 12000. | 0. 12000. | 8 | flp_iner is 0 & torsion
+        12000. 12000. | -1. 12000. | 8 | flp_iner & negative
+        "#,
     );
-    sections_refused("12000. 12000.", "-1. 12000.", 8, &["flp_iner", "negative"]);
     let none = [
         ("1.0       flp_i", "0. flp_i"),
         ("1.0       lag_i", "0. lag_i"),
@@ -166,23 +179,12 @@ fn rows_are_counted() {
     );
     let words = ["row 4 of n_secs = 4", "file ends"];
     refused(&tower_file(ALONE), &cut, "secs.dat:8", &words);
-    sections_refused(
-        "4        n_secs",
-        "3        n_secs",
-        2,
-        &["4 rows instead of 3", "n_secs = 4"],
-    );
-    sections_refused(
-        "4        n_secs",
-        "1        n_secs",
-        2,
-        &["n_secs", "at least 2"],
-    );
-    sections_refused(
-        "4        n_secs",
-        "1000000000000 n_secs",
-        2,
-        &["n_secs", "at most"],
+    sections_all_refused(
+        r#"
+        4        n_secs | 3        n_secs | 2 | 4 rows instead of 3 & n_secs = 4
+        4        n_secs | 1        n_secs | 2 | n_secs & at least 2
+        4        n_secs | 1000000000000 n_secs | 2 | n_secs & at most
+        "#,
     );
 }
 
@@ -196,15 +198,18 @@ fn a_short_row_does_not_swallow_the_next() {
 
 #[test]
 fn text_in_a_number_is_refused() {
-    sections_refused("3000.", "3000kg", 8, &["mass_den", "`3000kg`", "unit"]);
-    sections_refused("3000.", "heavy", 8, &["mass_den", "`heavy`"]);
-    main_refused(
-        "2.0e5     tip",
-        "350000kg tip",
-        19,
-        &["tip_mass", "`350000kg`", "blank"],
+    sections_all_refused(
+        r#"
+        3000. | 3000kg | 8 | mass_den & `3000kg` & unit
+        3000. | heavy | 8 | mass_den & `heavy`
+        "#,
     );
-    main_refused("80.0  ", "tall ", 9, &["radius", "a number", "`tall`"]);
+    main_all_refused(
+        r#"
+        2.0e5     tip | 350000kg tip | 19 | tip_mass & `350000kg` & blank
+        80.0␣␣ | tall␣ | 9 | radius & a number & `tall`
+        "#,
+    );
 }
 
 #[test]
@@ -251,64 +256,36 @@ fn locations_rise_from_0_to_1() {
 
 #[test]
 fn borders_rise_from_0_to_1() {
-    main_refused("0.75  1.0", "0.75  0.9", 48, &["last", "el_loc", "0.9"]);
-    main_refused("0.  0.25", "0.1  0.25", 48, &["first", "el_loc", "0.1"]);
-    main_refused(
-        "0.5  0.75",
-        "0.75  0.5",
-        48,
-        &["el_loc", "0.5 follows 0.75"],
-    );
-    main_refused(
-        "0.5  0.75",
-        "0.5  0.5",
-        48,
-        &["el_loc", "0.5 follows 0.5", "length"],
+    main_all_refused(
+        r#"
+        0.75  1.0 | 0.75  0.9 | 48 | last & el_loc & 0.9
+        0.  0.25 | 0.1  0.25 | 48 | first & el_loc & 0.1
+        0.5  0.75 | 0.75  0.5 | 48 | el_loc & 0.5 follows 0.75
+        0.5  0.75 | 0.5  0.5 | 48 | el_loc & 0.5 follows 0.5 & length
+        "#,
     );
 }
 
 #[test]
 fn borders_are_counted() {
-    main_refused(
-        "4         nselt",
-        "5 nselt",
-        50,
-        &["value 6 of the 6", "nselt is 5"],
-    );
-    main_refused(
-        "4         nselt",
-        "3 nselt",
-        48,
-        &["el_loc", "5 values instead of 4"],
-    );
-    main_refused(
-        "0.75  1.0",
-        "0.75  1.0\n0.9 1.0",
-        49,
-        &["el_loc has 7 values instead of 5"],
-    );
-    main_refused("4         nselt", "0 nselt", 46, &["nselt", "at least 1"]);
-    main_refused(
-        "4         nselt",
-        "1000000000000 nselt",
-        46,
-        &["nselt", "at most"],
+    main_all_refused(
+        r#"
+        4         nselt | 5 nselt | 50 | value 6 of the 6 & nselt is 5
+        4         nselt | 3 nselt | 48 | el_loc & 5 values instead of 4
+        0.75  1.0 | 0.75  1.0\n0.9 1.0 | 49 | el_loc has 7 values instead of 5
+        4         nselt | 0 nselt | 46 | nselt & at least 1
+        4         nselt | 1000000000000 nselt | 46 | nselt & at most
+        "#,
     );
 }
 
 #[test]
 fn a_root_is_held_in_one_of_three_ways() {
-    main_refused(
-        "1         hub_conn",
-        "0 hub_conn",
-        13,
-        &["hub_conn is 0", "1, 2 or 3"],
-    );
-    main_refused(
-        "1         hub_conn",
-        "4 hub_conn",
-        13,
-        &["hub_conn is 4", "BModes has no 4"],
+    main_all_refused(
+        r#"
+        1         hub_conn | 0 hub_conn | 13 | hub_conn is 0 & 1, 2 or 3
+        1         hub_conn | 4 hub_conn | 13 | hub_conn is 4 & BModes has no 4
+        "#,
     );
     for hub in ["2", "3"] {
         let changed = format!("{hub} hub_conn");
@@ -326,51 +303,29 @@ fn a_root_is_held_in_one_of_three_ways() {
 
 #[test]
 fn choices_are_those_of_bmodes() {
-    main_refused(
-        "1         id_mat",
-        "2 id_mat",
-        30,
-        &["id_mat is 2", "must be 1"],
+    main_all_refused(
+        r#"
+        1         id_mat | 2 id_mat | 30 | id_mat is 2 & must be 1
+        10        modepr | 0 modepr | 14 | modepr & at least 1
+        0         tow_ | 3 tow_ | 51 | tow_support is 3 & 0, 1 or 2
+        0         tow_ | -1 tow_ | 51 | tow_support is -1
+        2         beam | 3 beam | 6 | beam_type is 3 & blade & tower
+        false     Echo | 9 Echo | 5 | Echo & true or false
+        "#,
     );
-    main_refused(
-        "10        modepr",
-        "0 modepr",
-        14,
-        &["modepr", "at least 1"],
-    );
-    main_refused(
-        "0         tow_",
-        "3 tow_",
-        51,
-        &["tow_support is 3", "0, 1 or 2"],
-    );
-    main_refused("0         tow_", "-1 tow_", 51, &["tow_support is -1"]);
-    main_refused(
-        "2         beam",
-        "3 beam",
-        6,
-        &["beam_type is 3", "blade", "tower"],
-    );
-    main_refused("false     Echo", "9 Echo", 5, &["Echo", "true or false"]);
 }
 
 #[test]
 fn lengths_make_sense() {
-    main_refused("80.0  ", "-80.0 ", 9, &["radius", "positive"]);
-    main_refused("80.0  ", "0.0 ", 9, &["radius", "positive"]);
-    main_refused(
-        "0.        hub_rad",
-        "80. hub_rad",
-        10,
-        &["hub_rad is 80 m", "below radius"],
+    main_all_refused(
+        r#"
+        80.0␣␣ | -80.0␣ | 9 | radius & positive
+        80.0␣␣ | 0.0␣ | 9 | radius & positive
+        0.        hub_rad | 80. hub_rad | 10 | hub_rad is 80 m & below radius
+        0.        hub_rad | -1. hub_rad | 10 | hub_rad & negative
+        0.        romg: | -1. romg: | 7 | rot_rpm & negative
+        "#,
     );
-    main_refused(
-        "0.        hub_rad",
-        "-1. hub_rad",
-        10,
-        &["hub_rad", "negative"],
-    );
-    main_refused("0.        romg:", "-1. romg:", 7, &["rot_rpm", "negative"]);
     support_refused(
         OFFSHORE,
         "10.0      draft",
@@ -415,17 +370,11 @@ fn wires_are_within_their_ranges() {
 
 #[test]
 fn whole_numbers_have_no_point() {
-    main_refused(
-        "4         nselt",
-        "4.0 nselt",
-        46,
-        &["nselt", "whole number", "write 4"],
-    );
-    main_refused(
-        "10        modepr",
-        "10.0 modepr",
-        14,
-        &["modepr", "write 10"],
+    main_all_refused(
+        r#"
+        4         nselt | 4.0 nselt | 46 | nselt & whole number & write 4
+        10        modepr | 10.0 modepr | 14 | modepr & write 10
+        "#,
     );
 }
 
@@ -462,38 +411,17 @@ fn decimal_commas_are_no_separators() {
 
 #[test]
 fn a_missing_line_is_noticed_where_it_is_missing() {
-    main_refused(
-        "--- General parameters ---\n",
-        "",
-        4,
-        &["heading", "Echo", "missing"],
+    main_all_refused(
+        r#"
+        --- General parameters ---\n |  | 4 | heading & Echo & missing
+        80.0      radius:     height\n |  | 9 | `radius` & found `hub_rad`
+        --- Tip mass ---\n |  | 18 | heading & tip_mass
+        -1.5      cm_loc      m\n |  | 20 | `cm_loc` & found `cm_axial`
+        2.5       cm_axial    m\n |  | 21 | `cm_axial` & found `ixx_tip`
+        3.0e4     iyz_tip     kg m2\n |  | 28 | iyz_tip & missing
+        el_loc()\n |  | 47 | announces el_loc & numbers
+        "#,
     );
-    main_refused(
-        "80.0      radius:     height\n",
-        "",
-        9,
-        &["`radius`", "found `hub_rad`"],
-    );
-    main_refused("--- Tip mass ---\n", "", 18, &["heading", "tip_mass"]);
-    main_refused(
-        "-1.5      cm_loc      m\n",
-        "",
-        20,
-        &["`cm_loc`", "found `cm_axial`"],
-    );
-    main_refused(
-        "2.5       cm_axial    m\n",
-        "",
-        21,
-        &["`cm_axial`", "found `ixx_tip`"],
-    );
-    main_refused(
-        "3.0e4     iyz_tip     kg m2\n",
-        "",
-        28,
-        &["iyz_tip", "missing"],
-    );
-    main_refused("el_loc()\n", "", 47, &["announces el_loc", "numbers"]);
     support_refused(
         OFFSHORE,
         "hydro_K:\n",
@@ -506,23 +434,12 @@ fn a_missing_line_is_noticed_where_it_is_missing() {
 
 #[test]
 fn a_line_too_many_is_noticed() {
-    main_refused(
-        "A small tower\n",
-        "A small tower\nof steel\n",
-        5,
-        &["Echo", "`---`", "too many"],
-    );
-    main_refused(
-        "80.0      radius",
-        "# height\n80.0      radius",
-        9,
-        &["radius", "too many"],
-    );
-    main_refused(
-        "--- Tip mass ---\n",
-        "--- Tip\nmass ---\n",
-        19,
-        &["tip_mass", "`mass`"],
+    main_all_refused(
+        r#"
+        A small tower\n | A small tower\nof steel\n | 5 | Echo & `---` & too many
+        80.0      radius | # height\n80.0      radius | 9 | radius & too many
+        --- Tip mass ---\n | --- Tip\nmass ---\n | 19 | tip_mass & `mass`
+        "#,
     );
     support_refused(
         OFFSHORE,
@@ -600,15 +517,14 @@ fn tables_end_at_the_top() {
 
 #[test]
 fn values_left_out_are_refused() {
-    main_refused(
-        "0.5  0.75",
-        "0.5,,0.75",
-        48,
-        &["value 4 of the 5", "no value"],
+    main_all_refused(
+        r#"
+        0.5  0.75 | 0.5,,0.75 | 48 | value 4 of the 5 & no value
+        0.5  0.75 | 0.5 / 0.75 | 48 | value 4 of the 5 & `/`
+        0.25  0.5  0.75 | 3* | 48 | no value & `3*`
+        80.0␣␣ | , 80.0␣ | 9 | radius & no value
+        "#,
     );
-    main_refused("0.5  0.75", "0.5 / 0.75", 48, &["value 4 of the 5", "`/`"]);
-    main_refused("0.25  0.5  0.75", "3*", 48, &["no value", "`3*`"]);
-    main_refused("80.0  ", ", 80.0 ", 9, &["radius", "no value"]);
     sections_refused(
         "3000. 12000.",
         "3000.,, 12000.",

@@ -2,7 +2,7 @@
 
 use crate::refused;
 
-use refused::refused_text;
+use refused::{refused_text, rows};
 use towermodes::{Damping, LossFactors, Rna, RotorAerodynamics, TowerDescription};
 use towermodes_files::{
     ConvertOptions, OutputFormat, TowerInput, convert, description_from_toml, write_toml,
@@ -43,6 +43,13 @@ fn good() -> TowerDescription {
 fn refused(from: &str, to: &str, place: &str, message: &str, hint: &str) {
     assert!(GOOD.contains(from), "the test is wrong: {from}");
     refused_text(&GOOD.replacen(from, to, 1), place, message, hint);
+}
+
+/// Mistakes one after the other: what is replaced, by what, place, message, hint.
+fn all_refused(table: &str) {
+    for [from, to, place, message, hint] in rows(table) {
+        refused(&from, &to, &place, &message, &hint);
+    }
 }
 
 #[test]
@@ -87,43 +94,17 @@ fn mistakes_have_their_place() {
         percent,
     );
     refused("0.01 }", "1.5 }", "18:25", "of a material is 1.5", percent);
-    refused("0.03", "nan", "20:20", "NaN", "");
-    refused("0.03", "\"3 %\"", "20:20", "must be a number", "");
-    refused(
-        "concrete = 0.01",
-        "concret = 0.01",
-        "18:27",
-        "concret",
-        "did you mean `concrete`?",
-    );
-    refused(
-        "{ concrete = 0.01 }",
-        "0.01",
-        "18:25",
-        "must be a table",
-        "",
-    );
-    refused(
-        "soil_loss_factor",
-        "sol_loss_factor",
-        "20:1",
-        "is not a key of [damping]",
-        "did you mean `soil_loss_factor`?",
-    );
-    refused("6073", "-6073", "23:16", "must be positive", "");
-    refused(
-        "air_density = 1.2",
-        "air_density = 0",
-        "25:15",
-        "must be positive",
-        "",
-    );
-    refused(
-        "chord_moment = 6073\n",
-        "",
-        "23:14",
-        "without chord_moment",
-        "add chord_moment",
+    all_refused(
+        r#"
+        0.03 | nan | 20:20 | NaN
+        0.03 | "3 %" | 20:20 | must be a number
+        concrete = 0.01 | concret = 0.01 | 18:27 | concret | did you mean `concrete`?
+        { concrete = 0.01 } | 0.01 | 18:25 | must be a table
+        soil_loss_factor | sol_loss_factor | 20:1 | is not a key of [damping] | did you mean `soil_loss_factor`?
+        6073 | -6073 | 23:16 | must be positive
+        air_density = 1.2 | air_density = 0 | 25:15 | must be positive
+        chord_moment = 6073\n |  | 23:14 | without chord_moment | add chord_moment
+        "#,
     );
 }
 

@@ -1,5 +1,7 @@
 //! Structural files of HAWC2: sections, choices, notes, and every mistake with its place.
 
+use crate::refused::{line_and_column, rows};
+
 use std::path::{Path, PathBuf};
 
 use towermodes::{Family, Method, Options, TowerDescription, solve};
@@ -41,6 +43,13 @@ fn read(text: &str, options: &ReadOptions) -> TowerInput {
 fn refused(from: &str, to: &str, place: (usize, usize), words: &str, hint: &str) {
     assert!(GOOD.contains(from), "the test is wrong: {from}");
     refused_text(&GOOD.replacen(from, to, 1), place, words, hint);
+}
+
+/// Mistakes one after the other: what is replaced, by what, place, message, hint.
+fn all_refused(table: &str) {
+    for [from, to, place, message, hint] in rows(table) {
+        refused(&from, &to, line_and_column(&place), &message, &hint);
+    }
 }
 
 #[track_caller]
@@ -185,97 +194,33 @@ fn free_text_windows_line_ends_and_fortran_numbers_are_read() {
 
 #[test]
 fn counts_are_bounded_by_the_rows_that_are_there() {
-    refused(
-        "$1 4",
-        "$1 1000000000000",
-        (10, 1),
-        "expected row 5 of the 1000000000000 of set 1, subset 1 here, found `r`",
-        "",
-    );
-    refused(
-        "$1 4",
-        "$1 99999999999999999999",
-        (5, 4),
-        "a whole number",
-        "",
-    );
-    refused(
-        "$1 4",
-        "$1 5",
-        (10, 1),
-        "row 5 of the 5 of set 1, subset 1",
-        "",
-    );
-    refused("$1 4", "$1 0", (5, 4), "must be at least 1", "`$1 20 name`");
-    refused("$1 4", "$1 -4", (5, 4), "must be at least 1", "");
-    refused("$1 4", "$1", (5, 4), "a whole number, found `Flexible`", "");
-    refused(
-        "$1 4 Flexible",
-        "$1",
-        (5, 3),
-        "the number of rows of the subset is missing",
-        "",
-    );
-    refused(
-        "$1 4",
-        "$1 1",
-        (5, 1),
-        "the subset has 1 rows instead of at least 2",
-        "",
-    );
-    refused(
-        "$2 2",
-        "$1 2",
-        (11, 1),
-        "set 1, subset 1 occurs 2 times",
-        "",
-    );
-    refused(
-        "#1 Test",
-        "# Test",
-        (1, 1),
-        "not a structural file of HAWC2",
-        "`#1 name`",
+    all_refused(
+        r#"
+        $1 4 | $1 1000000000000 | 10:1 | expected row 5 of the 1000000000000 of set 1, subset 1 here, found `r`
+        $1 4 | $1 99999999999999999999 | 5:4 | a whole number
+        $1 4 | $1 5 | 10:1 | row 5 of the 5 of set 1, subset 1
+        $1 4 | $1 0 | 5:4 | must be at least 1 | `$1 20 name`
+        $1 4 | $1 -4 | 5:4 | must be at least 1
+        $1 4 | $1 | 5:4 | a whole number, found `Flexible`
+        $1 4 Flexible | $1 | 5:3 | the number of rows of the subset is missing
+        $1 4 | $1 1 | 5:1 | the subset has 1 rows instead of at least 2
+        $2 2 | $1 2 | 11:1 | set 1, subset 1 occurs 2 times
+        #1 Test | # Test | 1:1 | not a structural file of HAWC2 | `#1 name`
+        "#,
     );
 }
 
 #[test]
 fn mistakes_in_rows_have_their_place() {
-    refused(
-        "5000 0 0 2.0",
-        "-5 0 0 2.0",
-        (6, 6),
-        "column 2, m, mass per length, is -5 kg/m, but must be positive",
-        "",
-    );
-    refused(
-        "5000 0 0 2.0",
-        "nan 0 0 2.0",
-        (6, 6),
-        "not a finite number",
-        "",
-    );
-    refused("5000 0 0 2.0", "5000 0 0 -2", (6, 15), "non-negative", "");
-    refused(
-        "4500 0 0",
-        "4500 x 0",
-        (7, 11),
-        "column 3, x_cg, must be a number, found `x`",
-        "",
-    );
-    refused(
-        "0.9 0 0 0",
-        "0.9 0 0",
-        (7, 68),
-        "18 columns instead of 19",
-        "r m x_cg",
-    );
-    refused(
-        "0.9 0 0 0",
-        "0.9 0 0 0 7",
-        (7, 71),
-        "20 columns instead of 19",
-        "",
+    all_refused(
+        r#"
+        5000 0 0 2.0 | -5 0 0 2.0 | 6:6 | column 2, m, mass per length, is -5 kg/m, but must be positive
+        5000 0 0 2.0 | nan 0 0 2.0 | 6:6 | not a finite number
+        5000 0 0 2.0 | 5000 0 0 -2 | 6:15 | non-negative
+        4500 0 0 | 4500 x 0 | 7:11 | column 3, x_cg, must be a number, found `x`
+        0.9 0 0 0 | 0.9 0 0 | 7:68 | 18 columns instead of 19 | r m x_cg
+        0.9 0 0 0 | 0.9 0 0 0 7 | 7:71 | 20 columns instead of 19
+        "#,
     );
     let full = format!("0.9 0 0 0{}", " 1".repeat(11));
     refused(
@@ -285,47 +230,15 @@ fn mistakes_in_rows_have_their_place() {
         "the rows have 30 columns: full 6x6 stiffness matrices",
         "classic 19",
     );
-    refused(
-        "80.0 3000",
-        "20.0 3000",
-        (9, 1),
-        "r is not in increasing order: 20 m follows 30 m",
-        "distance from the first node",
-    );
-    refused(
-        "0.5 0.6 0.9",
-        "0.5 0 0.9",
-        (7, 57),
-        "k_y, shear factor is 0, but must be positive as the other shear factors",
-        "all 0",
-    );
-    refused(
-        "2.0e11",
-        "1.0e308",
-        (6, 1),
-        "E I_x, the bending stiffness, in this row is too large",
-        "",
-    );
-    refused(
-        "5000 0 0",
-        "5000 0.9 0",
-        (6, 11),
-        "x_cg (column 3) is 0.9 m, 32 % of the radius",
-        "blade",
-    );
-    refused(
-        "1.0 0 0 0",
-        "1.0 30 0 0",
-        (6, 65),
-        "pitch (column 17) rotates the principal axes by 30 degrees",
-        "",
-    );
-    refused(
-        "1.0 0 0 0",
-        "1.0 90 0 0",
-        (6, 65),
-        "rotates the principal axes by 90 degrees",
-        "",
+    all_refused(
+        r#"
+        80.0 3000 | 20.0 3000 | 9:1 | r is not in increasing order: 20 m follows 30 m | distance from the first node
+        0.5 0.6 0.9 | 0.5 0 0.9 | 7:57 | k_y, shear factor is 0, but must be positive as the other shear factors | all 0
+        2.0e11 | 1.0e308 | 6:1 | E I_x, the bending stiffness, in this row is too large
+        5000 0 0 | 5000 0.9 0 | 6:11 | x_cg (column 3) is 0.9 m, 32 % of the radius | blade
+        1.0 0 0 0 | 1.0 30 0 0 | 6:65 | pitch (column 17) rotates the principal axes by 30 degrees
+        1.0 0 0 0 | 1.0 90 0 0 | 6:65 | rotates the principal axes by 90 degrees
+        "#,
     );
 }
 

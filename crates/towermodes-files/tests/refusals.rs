@@ -2,7 +2,7 @@
 
 use crate::refused;
 
-use refused::refused_text;
+use refused::{refused_text, rows};
 use towermodes_files::tower_from_toml;
 
 /// A file in which each test makes one mistake.
@@ -43,6 +43,13 @@ fn refused(from: &str, to: &str, place: &str, message: &str, hint: &str) {
     refused_text(&GOOD.replacen(from, to, 1), place, message, hint);
 }
 
+/// Mistakes one after the other: what is replaced, by what, place, message, hint.
+fn all_refused(table: &str) {
+    for [from, to, place, message, hint] in rows(table) {
+        refused(&from, &to, &place, &message, &hint);
+    }
+}
+
 #[test]
 fn the_good_file_is_good() {
     let tower = tower_from_toml(GOOD).expect("a tower");
@@ -55,66 +62,22 @@ fn the_good_file_is_good() {
 
 #[test]
 fn nan_infinite_zero_and_negative_properties() {
-    refused("8500.0", "nan", "3:11", "density is NaN", "");
-    refused("8500.0", "inf", "3:11", "density is inf", "");
-    refused("8500.0", "1e999", "3:11", "density is inf", "");
-    refused(
-        "8500.0",
-        "0",
-        "3:11",
-        "density is 0 kg/m3; it must be positive",
-        "",
-    );
-    refused("2.1e11", "-2.1e11", "4:18", "must be positive", "");
-    refused(
-        "5.00, 0.027",
-        "nan, 0.027",
-        "16:10",
-        "outer diameter is NaN",
-        "",
-    );
-    refused(
-        "5.00, 0.027",
-        "5.00, 0.0",
-        "16:16",
-        "wall thickness is 0 m",
-        "",
-    );
-    refused(
-        "5.00, 0.027",
-        "-5.00, 0.027",
-        "16:10",
-        "outer diameter is -5 m",
-        "",
-    );
-    refused(
-        "mass = 350e3",
-        "mass = -1",
-        "20:8",
-        "must not be negative",
-        "",
-    );
-    refused(
-        "xx = 4.0e7",
-        "xx = -4.0e7",
-        "22:11",
-        "moments of inertia are -4e7, 2e7 and 2.5e7 kg m2",
-        "",
-    );
-    refused(
-        "mass = 5000.0",
-        "mass = -5",
-        "25:8",
-        "must not be negative",
-        "",
-    );
-    refused("= 1.05", "= 0", "11:21", "outfitting factor is 0", "");
-    refused(
-        "shear = true",
-        "shear = 1.5",
-        "12:9",
-        "it must be greater than 0 and at most 1",
-        "0.53",
+    all_refused(
+        r#"
+        8500.0 | nan | 3:11 | density is NaN
+        8500.0 | inf | 3:11 | density is inf
+        8500.0 | 1e999 | 3:11 | density is inf
+        8500.0 | 0 | 3:11 | density is 0 kg/m3; it must be positive
+        2.1e11 | -2.1e11 | 4:18 | must be positive
+        5.00, 0.027 | nan, 0.027 | 16:10 | outer diameter is NaN
+        5.00, 0.027 | 5.00, 0.0 | 16:16 | wall thickness is 0 m
+        5.00, 0.027 | -5.00, 0.027 | 16:10 | outer diameter is -5 m
+        mass = 350e3 | mass = -1 | 20:8 | must not be negative
+        xx = 4.0e7 | xx = -4.0e7 | 22:11 | moments of inertia are -4e7, 2e7 and 2.5e7 kg m2
+        mass = 5000.0 | mass = -5 | 25:8 | must not be negative
+        = 1.05 | = 0 | 11:21 | outfitting factor is 0
+        shear = true | shear = 1.5 | 12:9 | it must be greater than 0 and at most 1 | 0.53
+        "#,
     );
 }
 
@@ -131,19 +94,11 @@ fn a_wall_thicker_than_the_radius() {
 
 #[test]
 fn heights_and_their_order() {
-    refused(
-        "[87.6,",
-        "[39.0,",
-        "17:4",
-        "height 39 m is below the previous station at 40 m",
-        "from the base",
-    );
-    refused(
-        "[87.6,",
-        "[40.0,",
-        "17:4",
-        "three stations at height 40 m",
-        "",
+    all_refused(
+        r#"
+        [87.6, | [39.0, | 17:4 | height 39 m is below the previous station at 40 m | from the base
+        [87.6, | [40.0, | 17:4 | three stations at height 40 m
+        "#,
     );
     let flat = GOOD.replace("[87.6,", "[0.0,").replace("[40.0,", "[0.0,");
     refused_text(&flat, "13:12", "no height", "");
@@ -159,72 +114,26 @@ fn heights_and_their_order() {
 
 #[test]
 fn short_and_long_rows() {
-    refused(
-        "[87.6, 3.87, 0.019]",
-        "[87.6, 3.87]",
-        "17:3",
-        "station 4 has 2 values",
-        "[height, outer diameter",
-    );
-    refused(
-        "[87.6, 3.87, 0.019]",
-        "[87.6, 3.87, 0.019, \"concrete\", 1]",
-        "17:3",
-        "station 4 has 5 values",
-        "",
-    );
-    refused(
-        "[87.6, 3.87, 0.019]",
-        "87.6",
-        "17:3",
-        "station 4 must be a list in brackets, found a number",
-        "",
+    all_refused(
+        r#"
+        [87.6, 3.87, 0.019] | [87.6, 3.87] | 17:3 | station 4 has 2 values | [height, outer diameter
+        [87.6, 3.87, 0.019] | [87.6, 3.87, 0.019, "concrete", 1] | 17:3 | station 4 has 5 values
+        [87.6, 3.87, 0.019] | 87.6 | 17:3 | station 4 must be a list in brackets, found a number
+        "#,
     );
 }
 
 #[test]
 fn unknown_keys_with_the_nearest_known_one() {
-    refused(
-        "density = 8500",
-        "densty = 8500",
-        "3:1",
-        "`densty` is not a key of [material]",
-        "did you mean `density`?",
-    );
-    refused(
-        "youngs_modulus",
-        "Youngs_Modulus",
-        "4:1",
-        "is not a key",
-        "did you mean `youngs_modulus`?",
-    );
-    refused(
-        "[rna]",
-        "[rma]",
-        "19:2",
-        "`rma` is not a key of the file",
-        "did you mean `rna`?",
-    );
-    refused(
-        "yy = 2",
-        "iyy = 2",
-        "22:25",
-        "`iyy` is not a key of inertia",
-        "did you mean `yy`?",
-    );
-    refused(
-        "height = 40.0",
-        "z = 40.0",
-        "24:1",
-        "`z` is not a key of [[point_mass]]",
-        "did you mean `height`?",
-    );
-    refused(
-        "height = 40.0",
-        "jelly = 40.0",
-        "23:1",
-        "[[point_mass]] has no `height`",
-        "height in m",
+    all_refused(
+        r#"
+        density = 8500 | densty = 8500 | 3:1 | `densty` is not a key of [material] | did you mean `density`?
+        youngs_modulus | Youngs_Modulus | 4:1 | is not a key | did you mean `youngs_modulus`?
+        [rna] | [rma] | 19:2 | `rma` is not a key of the file | did you mean `rna`?
+        yy = 2 | iyy = 2 | 22:25 | `iyy` is not a key of inertia | did you mean `yy`?
+        height = 40.0 | z = 40.0 | 24:1 | `z` is not a key of [[point_mass]] | did you mean `height`?
+        height = 40.0 | jelly = 40.0 | 23:1 | [[point_mass]] has no `height` | height in m
+        "#,
     );
 }
 
@@ -313,40 +222,14 @@ fn several_mistakes_are_said_together() {
 
 #[test]
 fn missing_keys() {
-    refused(
-        "density = 8500.0\n",
-        "",
-        "2:1",
-        "[material] has no `density`",
-        "steel",
-    );
-    refused(
-        "shear_modulus = 8.08e10\n",
-        "",
-        "2:1",
-        "no `shear_modulus` or `poissons_ratio`",
-        "0.3",
-    );
-    refused(
-        "mass = 350e3\n",
-        "",
-        "19:1",
-        "[rna] has no `mass`",
-        "leave [rna] out",
-    );
-    refused(
-        "height = 40.0\n",
-        "",
-        "23:1",
-        "[[point_mass]] has no `height`",
-        "",
-    );
-    refused(
-        "type = \"clamped\"\n",
-        "",
-        "26:1",
-        "[foundation] has no `type`",
-        "clamped",
+    all_refused(
+        r#"
+        density = 8500.0\n |  | 2:1 | [material] has no `density` | steel
+        shear_modulus = 8.08e10\n |  | 2:1 | no `shear_modulus` or `poissons_ratio` | 0.3
+        mass = 350e3\n |  | 19:1 | [rna] has no `mass` | leave [rna] out
+        height = 40.0\n |  | 23:1 | [[point_mass]] has no `height`
+        type = "clamped"\n |  | 26:1 | [foundation] has no `type` | clamped
+        "#,
     );
     refused_text(
         "name = \"x\"\n",
@@ -367,99 +250,39 @@ fn shear_modulus_and_poissons_ratio() {
         "give only one",
     );
     assert!(tower_from_toml(&GOOD.replacen("8.08e10", &both("0.3"), 1)).is_ok());
-    refused(
-        "poissons_ratio = 0.2",
-        "poissons_ratio = 0.5",
-        "9:18",
-        "0.5, but must be between -1 and 0.5",
-        "concrete 0.2",
-    );
-    refused(
-        "poissons_ratio = 0.2",
-        "poissons_ratio = -1.0",
-        "9:18",
-        "-1, but must be between -1 and 0.5",
-        "",
-    );
-    refused(
-        "8.08e10",
-        "8.08e4",
-        "5:17",
-        "outside the range -1 to 0.5",
-        "Pa",
+    all_refused(
+        r#"
+        poissons_ratio = 0.2 | poissons_ratio = 0.5 | 9:18 | 0.5, but must be between -1 and 0.5 | concrete 0.2
+        poissons_ratio = 0.2 | poissons_ratio = -1.0 | 9:18 | -1, but must be between -1 and 0.5
+        8.08e10 | 8.08e4 | 5:17 | outside the range -1 to 0.5 | Pa
+        "#,
     );
 }
 
 #[test]
 fn texts_where_numbers_belong_and_the_other_way_round() {
-    refused(
-        "8500.0",
-        "\"8500\"",
-        "3:11",
-        "density must be a number, found a text",
-        "without quotation marks",
-    );
-    refused(
-        "8500.0",
-        "\"heavy\"",
-        "3:11",
-        "density must be a number, found a text",
-        "",
-    );
-    refused("8500.0", "[8500.0]", "3:11", "found a list", "");
-    refused("8500.0", "1979-05-27", "3:11", "found a date", "");
-    refused(
-        "\"good\"",
-        "5",
-        "1:8",
-        "name must be a text in quotation marks, found a number",
-        "",
-    );
-    refused(
-        "shear = true",
-        "shear = \"yes\"",
-        "12:9",
-        "true, false or a shear coefficient",
-        "",
-    );
-    refused(
-        "center = [0.0, 0.0, 2.0]",
-        "center = 2.0",
-        "21:10",
-        "center must be a list",
-        "",
-    );
-    refused(
-        "center = [0.0, 0.0, 2.0]",
-        "center = [2.0]",
-        "21:10",
-        "center has 1 values instead of 3",
-        "",
-    );
-    refused(
-        "[[point_mass]]",
-        "[point_mass]",
-        "23:1",
-        "point_mass must be a list of tables",
-        "[[point_mass]]",
+    all_refused(
+        r#"
+        8500.0 | "8500" | 3:11 | density must be a number, found a text | without quotation marks
+        8500.0 | "heavy" | 3:11 | density must be a number, found a text
+        8500.0 | [8500.0] | 3:11 | found a list
+        8500.0 | 1979-05-27 | 3:11 | found a date
+        "good" | 5 | 1:8 | name must be a text in quotation marks, found a number
+        shear = true | shear = "yes" | 12:9 | true, false or a shear coefficient
+        center = [0.0, 0.0, 2.0] | center = 2.0 | 21:10 | center must be a list
+        center = [0.0, 0.0, 2.0] | center = [2.0] | 21:10 | center has 1 values instead of 3
+        [[point_mass]] | [point_mass] | 23:1 | point_mass must be a list of tables | [[point_mass]]
+        "#,
     );
 }
 
 #[test]
 fn materials_of_stations() {
-    refused(
-        "0.300, \"concrete\"",
-        "0.300, \"concret\"",
-        "14:23",
-        "no material `concret`",
-        "did you mean `concrete`?",
-    );
-    refused(
-        "0.300, \"concrete\"",
-        "0.300, 5",
-        "14:23",
-        "must be a text",
-        "",
+    all_refused(
+        r#"
+        0.300, "concrete" | 0.300, "concret" | 14:23 | no material `concret` | did you mean `concrete`?
+        0.300, "concrete" | 0.300, 5 | 14:23 | must be a text
+        "#,
     );
     let unnamed = GOOD.replacen("[material]", "[materials.steel]", 1);
     refused_text(
@@ -472,40 +295,14 @@ fn materials_of_stations() {
 
 #[test]
 fn machines_and_masses_that_cannot_be() {
-    refused(
-        "zz = 2.5e7",
-        "zz = 2.5e7, xy = 6e7",
-        "22:11",
-        "moments of inertia are -3.08276e7, 2.5e7 and 9.08276e7 kg m2; they must not be negative",
-        "minus the integral of x y dm",
-    );
-    refused(
-        "mass = 5000.0",
-        "mass = 5000.0\ninertia = { xx = 1.0, zz = -2.0 }",
-        "26:11",
-        "moments of inertia are -2, 0 and 1 kg m2",
-        "",
-    );
-    refused(
-        "mass = 5000.0",
-        "mass = 5000.0\ninertia = 1.0",
-        "26:11",
-        "inertia must be a table, found a number",
-        "",
-    );
-    refused(
-        "height = 40.0",
-        "height = 90.0",
-        "24:10",
-        "not on the tower, which reaches from 0 m to 87.6 m",
-        "datum",
-    );
-    refused(
-        "mass = 350e3",
-        "mass = 0",
-        "20:8",
-        "inertia but no mass",
-        "",
+    all_refused(
+        r#"
+        zz = 2.5e7 | zz = 2.5e7, xy = 6e7 | 22:11 | moments of inertia are -3.08276e7, 2.5e7 and 9.08276e7 kg m2; they must not be negative | minus the integral of x y dm
+        mass = 5000.0 | mass = 5000.0\ninertia = { xx = 1.0, zz = -2.0 } | 26:11 | moments of inertia are -2, 0 and 1 kg m2
+        mass = 5000.0 | mass = 5000.0\ninertia = 1.0 | 26:11 | inertia must be a table, found a number
+        height = 40.0 | height = 90.0 | 24:10 | not on the tower, which reaches from 0 m to 87.6 m | datum
+        mass = 350e3 | mass = 0 | 20:8 | inertia but no mass
+        "#,
     );
 }
 
@@ -624,6 +421,12 @@ fn refused_table(from: &str, to: &str, place: &str, message: &str, hint: &str) {
     refused_text(&TABLE.replacen(from, to, 1), place, message, hint);
 }
 
+fn all_refused_table(table: &str) {
+    for [from, to, place, message, hint] in rows(table) {
+        refused_table(&from, &to, &place, &message, &hint);
+    }
+}
+
 #[test]
 fn the_good_table_is_good() {
     let tower = tower_from_toml(TABLE).expect("a tower");
@@ -644,103 +447,33 @@ fn the_good_table_is_good() {
 
 #[test]
 fn tables_of_properties_with_a_mistake() {
-    refused_table(
-        "gj_n_m2",
-        "gj_nm2",
-        "9:1",
-        "`gj_nm2` is not a key",
-        "did you mean `gj_n_m2`?",
-    );
-    refused_table(
-        "ea_n = [1.4e11, 1.3e11, 1.1e11, 0.6e11]\n",
-        "",
-        "4:1",
-        "has no `ea_n`",
-        "axial stiffness",
-    );
-    refused_table(
-        "z_m = [0.0, 40.0, 40.0, 90.0]\n",
-        "",
-        "4:1",
-        "has no `z_m`",
-        "heights",
-    );
-    refused_table(
-        "[1.4e11, 1.3e11, 1.1e11, 0.6e11]",
-        "[1.4e11, 1.3e11]",
-        "10:8",
-        "ea_n has 2 values instead of 4 as z_m",
-        "one value for each height",
-    );
-    refused_table(
-        "[5000, ",
-        "[\"x\", ",
-        "6:18",
-        "mass_kg_per_m must be a number",
-        "",
-    );
-    refused_table("[5000, ", "[nan, ", "6:18", "mass_kg_per_m is NaN", "");
-    refused_table(
-        "5.0e11, 4.5e11, 1.2e11",
-        "0.0, 4.5e11, 1.2e11",
-        "7:29",
-        "EI fore-aft is 0 N m2",
-        "",
-    );
-    refused_table("5.5e11", "-5.5e11", "8:30", "EI side-side", "");
-    refused_table("4.0e4", "-1", "11:30", "polar inertia is -1 kg m", "");
-    refused_table("2.4e10", "0", "12:39", "shear stiffness", "");
-    refused_table(
-        "90.0]",
-        "30.0]",
-        "5:25",
-        "height 30 m is below",
-        "base to the top",
-    );
-    refused_table(
-        "[0.0, 40.0, 40.0, 90.0]",
-        "[40.0, 40.0, 40.0, 90.0]",
-        "5:20",
-        "three stations",
-        "",
-    );
-    refused_table(
-        "z_m = [0.0, 40.0, 40.0, 90.0]",
-        "z_m = 5",
-        "5:7",
-        "must be a list",
-        "",
-    );
-    refused_table(
-        "shear_stiffness_fore_aft_n",
-        "shear_stiffness_side_side_n",
-        "4:1",
-        "has no `shear_stiffness_fore_aft_n`",
-        "other plane",
+    all_refused_table(
+        r#"
+        gj_n_m2 | gj_nm2 | 9:1 | `gj_nm2` is not a key | did you mean `gj_n_m2`?
+        ea_n = [1.4e11, 1.3e11, 1.1e11, 0.6e11]\n |  | 4:1 | has no `ea_n` | axial stiffness
+        z_m = [0.0, 40.0, 40.0, 90.0]\n |  | 4:1 | has no `z_m` | heights
+        [1.4e11, 1.3e11, 1.1e11, 0.6e11] | [1.4e11, 1.3e11] | 10:8 | ea_n has 2 values instead of 4 as z_m | one value for each height
+        [5000,␣ | ["x",␣ | 6:18 | mass_kg_per_m must be a number
+        [5000,␣ | [nan,␣ | 6:18 | mass_kg_per_m is NaN
+        5.0e11, 4.5e11, 1.2e11 | 0.0, 4.5e11, 1.2e11 | 7:29 | EI fore-aft is 0 N m2
+        5.5e11 | -5.5e11 | 8:30 | EI side-side
+        4.0e4 | -1 | 11:30 | polar inertia is -1 kg m
+        2.4e10 | 0 | 12:39 | shear stiffness
+        90.0] | 30.0] | 5:25 | height 30 m is below | base to the top
+        [0.0, 40.0, 40.0, 90.0] | [40.0, 40.0, 40.0, 90.0] | 5:20 | three stations
+        z_m = [0.0, 40.0, 40.0, 90.0] | z_m = 5 | 5:7 | must be a list
+        shear_stiffness_fore_aft_n | shear_stiffness_side_side_n | 4:1 | has no `shear_stiffness_fore_aft_n` | other plane
+        "#,
     );
 }
 
 #[test]
 fn what_belongs_to_tubes_beside_a_table() {
-    refused_table(
-        "[tower]\n",
-        "[tower]\nshear = true\n",
-        "3:9",
-        "`shear` has no effect",
-        "shear_stiffness",
-    );
-    refused_table(
-        "[tower]\n",
-        "[tower]\nstations = [[0.0, 6.0, 0.03], [90.0, 4.0, 0.02]]\n",
-        "3:12",
-        "`stations` has no effect",
-        "one of the two",
-    );
-    refused_table(
-        "name = \"table\"\n",
-        "[material]\ndensity = 1.0\n",
-        "1:1",
-        "`material` has no effect",
-        "remove it",
+    all_refused_table(
+        r#"
+        [tower]\n | [tower]\nshear = true\n | 3:9 | `shear` has no effect | shear_stiffness
+        [tower]\n | [tower]\nstations = [[0.0, 6.0, 0.03], [90.0, 4.0, 0.02]]\n | 3:12 | `stations` has no effect | one of the two
+        name = "table"\n | [material]\ndensity = 1.0\n | 1:1 | `material` has no effect | remove it
+        "#,
     );
 }

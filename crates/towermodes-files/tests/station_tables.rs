@@ -1,6 +1,8 @@
 //! Stations from tables in CSV: the same towers as in TOML, in any unit and any dialect of
 //! spreadsheets, and every mistake at its place.
 
+use crate::refused::{line_and_column, rows, words};
+
 use towermodes::{Station, TowerDescription};
 use towermodes_files::{
     InMemory, Input, ReadError, ReadOptions, SiblingFiles, Source, TowerInput,
@@ -106,6 +108,13 @@ fn refused(table: &str, place: (usize, usize), words: &[&str]) {
 fn refused_with(old: &str, new: &str, place: (usize, usize), words: &[&str]) {
     assert_eq!(CANS.matches(old).count(), 1, "{old}");
     refused(&CANS.replace(old, new), place, words);
+}
+
+/// Mistakes one after the other: what is replaced, by what, place, words.
+fn all_refused_with(table: &str) {
+    for [old, new, place, said] in rows(table) {
+        refused_with(&old, &new, line_and_column(&place), &words(&said));
+    }
 }
 
 #[test]
@@ -227,66 +236,19 @@ fn converted_towers_have_the_numbers_themselves() {
 
 #[test]
 fn headers_that_say_too_little_or_too_much_are_refused() {
-    refused_with(
-        "wall [mm]",
-        "wall",
-        (1, 55),
-        &["the unit of the wall is missing", "`wall [mm]` or `wall_m`"],
-    );
-    refused_with(
-        "wall [mm]",
-        "wall [kN]",
-        (1, 55),
-        &["there is no unit of length `kn`", "m, cm, mm, ft and in"],
-    );
-    refused_with(
-        "wall [mm]",
-        "wal [mm]",
-        (1, 55),
-        &[
-            "expected a column of cans or stations here, found `wal [mm]`",
-            "did you mean `wall`?",
-        ],
-    );
-    refused_with(
-        "top diameter [mm]",
-        "inner diameter [mm]",
-        (1, 37),
-        &["expected a column", "give the outer diameter"],
-    );
-    refused_with(
-        "top diameter [mm]",
-        "ID [mm]",
-        (1, 37),
-        &["expected a column", "give the outer diameter"],
-    );
-    refused_with(
-        "material\n",
-        "mass [t]\n",
-        (1, 65),
-        &[
-            "expected a column of cans or stations here, found `mass [t]`",
-            "columns are",
-        ],
-    );
-    refused_with(
-        "top diameter [mm]",
-        "bottom diameter [m]",
-        (1, 37),
-        &["the column bottom diameter occurs 2 times"],
-    );
-    refused_with(
-        "top diameter [mm]",
-        "remark",
-        (1, 1),
-        &["the column top diameter is missing", "for cans"],
-    );
-    refused_with("bottom_m", "height_m", (1, 1), &["both a height and"]);
-    refused_with(
-        "bottom diameter",
-        "diameter",
-        (1, 1),
-        &["both a diameter and"],
+    all_refused_with(
+        r#"
+        wall [mm] | wall | 1:55 | the unit of the wall is missing & `wall [mm]` or `wall_m`
+        wall [mm] | wall [kN] | 1:55 | there is no unit of length `kn` & m, cm, mm, ft and in
+        wall [mm] | wal [mm] | 1:55 | expected a column of cans or stations here, found `wal [mm]` & did you mean `wall`?
+        top diameter [mm] | inner diameter [mm] | 1:37 | expected a column & give the outer diameter
+        top diameter [mm] | ID [mm] | 1:37 | expected a column & give the outer diameter
+        material\n | mass [t]\n | 1:65 | expected a column of cans or stations here, found `mass [t]` & columns are
+        top diameter [mm] | bottom diameter [m] | 1:37 | the column bottom diameter occurs 2 times
+        top diameter [mm] | remark | 1:1 | the column top diameter is missing & for cans
+        bottom_m | height_m | 1:1 | both a height and
+        bottom diameter | diameter | 1:1 | both a diameter and
+        "#,
     );
     let bare: String = CANS
         .lines()
@@ -310,56 +272,20 @@ fn headers_that_say_too_little_or_too_much_are_refused() {
 
 #[test]
 fn cells_that_are_no_numbers_are_refused() {
-    refused_with(
-        ",8500,500,concrete",
-        "",
-        (2, 1),
-        &["the row has 3 cells instead of 6"],
+    all_refused_with(
+        r#"
+        ,8500,500,concrete |  | 2:1 | the row has 3 cells instead of 6
+        8500,500,concrete | 8500,,concrete | 2:18 | wall is missing
+        8500,500 | 8500,500mm | 2:18 | wall must be a number, found `500mm` & unit in the header
+        8500,500 | 8500,nan | 2:18 | wall is NaN, not a finite number
+        8500,500 | 8500,1e999 | 2:18 | not a finite number
+        8500,500 | 8500,x | 2:18 | wall must be a number, found `x`
+        9000 | "9,000" | 2:8 | must be a number & semicolons
+        9000 | 9,000 | 2:23 | the row has 7 cells & semicolons
+        24.7, | 24.7,,7 | 5:23 | the row has 7 cells instead of 6
+        9000 | "9000 | 2:8 | quotation mark is not closed
+        "#,
     );
-    refused_with(
-        "8500,500,concrete",
-        "8500,,concrete",
-        (2, 18),
-        &["wall is missing"],
-    );
-    refused_with(
-        "8500,500",
-        "8500,500mm",
-        (2, 18),
-        &["wall must be a number, found `500mm`", "unit in the header"],
-    );
-    refused_with(
-        "8500,500",
-        "8500,nan",
-        (2, 18),
-        &["wall is NaN, not a finite number"],
-    );
-    refused_with("8500,500", "8500,1e999", (2, 18), &["not a finite number"]);
-    refused_with(
-        "8500,500",
-        "8500,x",
-        (2, 18),
-        &["wall must be a number, found `x`"],
-    );
-    refused_with(
-        "9000",
-        "\"9,000\"",
-        (2, 8),
-        &["must be a number", "semicolons"],
-    );
-    refused_with(
-        "9000",
-        "9,000",
-        (2, 23),
-        &["the row has 7 cells", "semicolons"],
-    );
-    refused_with(
-        "24.7,",
-        "24.7,,7",
-        (5, 23),
-        &["the row has 7 cells instead of 6"],
-    );
-    refused_with("9000", "\"9000", (2, 8), &["quotation mark is not closed"]);
     let semicolons = CANS.replace(',', ";");
     refused(
         &semicolons.replace("9000", "9.000,0"),
@@ -375,28 +301,12 @@ fn cells_that_are_no_numbers_are_refused() {
 
 #[test]
 fn cans_that_do_not_join_are_refused_with_both_rows() {
-    refused_with(
-        "40,70",
-        "40.05,70",
-        (4, 1),
-        &[
-            "the bottom of this can, 40.05 m",
-            "0.05 m above",
-            "40 m (line 3)",
-            "is a row missing?",
-        ],
-    );
-    refused_with(
-        "40,70",
-        "39.9,70",
-        (4, 1),
-        &["this can, 39.9 m", "0.1 m below", "(line 3)", "overlap"],
-    );
-    refused_with(
-        "40,70",
-        "70,40",
-        (4, 4),
-        &["top of the can is 40 m, but must be above its bottom, 70 m"],
+    all_refused_with(
+        r#"
+        40,70 | 40.05,70 | 4:1 | the bottom of this can, 40.05 m & 0.05 m above & 40 m (line 3) & is a row missing?
+        40,70 | 39.9,70 | 4:1 | this can, 39.9 m & 0.1 m below & (line 3) & overlap
+        40,70 | 70,40 | 4:4 | top of the can is 40 m, but must be above its bottom, 70 m
+        "#,
     );
     // Conversions leave a few last digits.
     let nearly = CANS.replace("\n40,70", "\n40.0000001,70");
