@@ -27,8 +27,8 @@ pub struct Change {
     pub coupled_hz: f64,
     /// The fraction of the coupled mode's elastic energy in the part that names it.
     pub share: f64,
-    /// Coupled over rigid less 1; none if the share is below 60 %: the flexible rotor has spread the
-    /// motion over several modes, so that this one is not the same motion.
+    /// Coupled over rigid less 1; none if the share is below 60 %: the flexible rotor has spread
+    /// the motion over several modes, so that this one is not the same motion.
     pub difference: Option<f64>,
 }
 

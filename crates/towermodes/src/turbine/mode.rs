@@ -13,8 +13,9 @@ use crate::scalar::{Complex, Scalar};
 pub struct TurbineMode {
     /// Its frequency, with the bounds that counts prove.
     pub frequency: CoupledFrequency,
-    /// An estimate of the error of the mesh, Hz: the change of the frequency to a finer one, and the
-    /// error of soil springs that are straight between depths; none before [`TurbineModel::estimate_errors`](super::TurbineModel::estimate_errors).
+    /// An estimate of the error of the mesh, Hz: the change of the frequency to a finer one, and
+    /// the error of soil springs that are straight between depths; none before
+    /// [`TurbineModel::estimate_errors`](super::TurbineModel::estimate_errors).
     pub discretization_error_hz: Option<f64>,
     /// Its name. Each name is that of one mode at a speed; see [`TurbineModes::modes`].
     pub name: TurbineModeName,

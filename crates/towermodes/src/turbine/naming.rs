@@ -66,10 +66,10 @@ impl Names {
         }
     }
 
-    /// The name of the next mode, of a frequency. The two waves of a motion are one family first: their sum is
-    /// continuous where the rotor begins to turn, each alone is not. Then the same rule chooses
-    /// between the two, of equal ones the backward one, which has the lower frequency as soon as
-    /// the rotor turns.
+    /// The name of the next mode, of a frequency. The two waves of a motion are one family first:
+    /// their sum is continuous where the rotor begins to turn, each alone is not. Then the same
+    /// rule chooses between the two, of equal ones the backward one, which has the lower frequency
+    /// as soon as the rotor turns.
     fn next(&mut self, hz: f64, energy: &TurbineEnergy) -> TurbineModeName {
         let shares = shares(energy);
         let (family, order) = self.families.name(hz, &shares, |_| true);
@@ -116,8 +116,8 @@ pub(super) struct Named {
 }
 
 impl Naming {
-    /// Names the next mode, which is one of a problem and has a frequency in Hz, by the fractions of
-    /// its elastic energy.
+    /// Names the next mode, which is one of a problem and has a frequency in Hz, by the fractions
+    /// of its elastic energy.
     pub(super) fn next(&mut self, problem: Part, hz: f64, energy: &TurbineEnergy) -> Named {
         let known = self.problems.iter().position(|(own, _)| *own == problem);
         let place = known.unwrap_or_else(|| {
