@@ -92,6 +92,9 @@ class SolveError(ArithmeticError):
     Attributes:
         hint: What the user can do about it; None if the message says it.
 
+    The warnings about the tower, which may explain the error, are notes of the exception
+    (`__notes__`, from Python 3.11), and a traceback shows them.
+
     >>> import towermodes as tm
     >>> try:
     ...     tm.read("crates/towermodes-cli/tests/inputs/buckling.toml").solve()

@@ -3,12 +3,13 @@
 use crate::towers;
 
 use towermodes::{
-    Family, Options, Place, Problem, Rotor, Solution, Station, Tower, TowerDescription, solve,
+    BladeFamily, Family, Options, Place, Problem, Rotor, Solution, Station, Tower,
+    TowerDescription, solve,
 };
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{
-    Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited, Margin, StiffnessClass,
-    campbell, reach_hz, tower_margin,
+    Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited, FrequencyLine, LineEnd,
+    Margin, StiffnessClass, campbell, reach_hz, tower_margin,
 };
 use towers::reference_350t;
 
@@ -305,6 +306,58 @@ fn pairs_within_a_factor_2_are_near() {
     assert!(!near(1.01, Verdict::Pass) && !near(-0.51, Verdict::Pass));
     // A wide margin warns of more.
     assert!(near(-0.6, Verdict::Warn));
+}
+
+/// A pair far apart that warns because its mode is not found at higher speeds has no distance that
+/// could explain the warning.
+#[test]
+fn a_mode_that_is_missing_is_no_distance() {
+    let line = FrequencyLine {
+        of: Excited::Blade {
+            family: BladeFamily::Flap,
+            order: 1,
+        },
+        label: "blade 1st flap".to_owned(),
+        points: vec![[0.0, 0.9], [9.0, 1.0]],
+        error_hz: 1e-3,
+        lost: Some(LineEnd {
+            rotor_speed_rpm: 10.0,
+            mac: 0.1,
+        }),
+    };
+    let said = |distance: f64, verdict: Verdict| {
+        let mut diagram = diagram([0.3, 0.32], 0.0, NREL);
+        diagram.lines = vec![line.clone()];
+        diagram.margins = vec![Margin {
+            line: 0,
+            multiple: 3,
+            nearest_rpm: 9.0,
+            excitation_hz: 0.38,
+            natural_hz: 1.0,
+            distance,
+            verdict,
+        }];
+        diagram.classes = Vec::new();
+        diagram.first_bending = Vec::new();
+        (
+            diagram.missing_from_rpm(&diagram.margins[0]),
+            diagram.conclusion().join(" "),
+        )
+    };
+    let (rpm, sentence) = said(-0.62, Verdict::Warn);
+    assert_eq!(rpm, Some(10.0));
+    let expected = "blade 1st flap (mode not found from 10 rpm)";
+    assert!(
+        sentence.contains(expected) && !sentence.contains('%'),
+        "{sentence}"
+    );
+    let (rpm, sentence) = said(-0.03, Verdict::Warn);
+    assert_eq!(rpm, None);
+    assert!(
+        sentence.contains("blade 1st flap (-3.0 % at 9 rpm)"),
+        "{sentence}"
+    );
+    assert_eq!(said(-0.62, Verdict::Pass).0, None);
 }
 
 /// 3 to 12 rpm: 1P 0.05 to 0.2 Hz, 3P 0.15 to 0.6 Hz.

@@ -16,6 +16,7 @@ use towermodes_files::{
 
 use self::coupled::{Answer, Coupled, answer_of, coupled_of};
 use crate::args::{CampbellArguments, Format, Prescribed, RotorArguments};
+use crate::explained::explained;
 use crate::failure::{Failure, note, warn};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, deliver};
@@ -44,10 +45,10 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     let prescribed = Prescribed::of(&mut input);
     let mut options = arguments.options(prescribed).map_err(Failure::Usage)?;
     let is_given = arguments.has_modes();
-    let (solution, chosen) =
-        solved_to_reach(&input, &tower, &arguments.rotor, &mut options, is_given)?;
-    let (campbell, rotor_notes) =
-        campbell_of(&input, (&tower, &solution), &chosen, &arguments.rotor)?;
+    let solved = solved_to_reach(&input, &tower, &arguments.rotor, &mut options, is_given);
+    let (solution, chosen) = explained(solved, (&tower, &input))?;
+    let compared = campbell_of(&input, (&tower, &solution), &chosen, &arguments.rotor);
+    let (campbell, rotor_notes) = explained(compared, (&tower, &input))?;
     let band = match format {
         Format::Csv => None,
         Format::Table | Format::Json => {
@@ -63,7 +64,12 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     match format {
         Format::Table => {
             let has_blade = input.blade.is_some();
-            let text = table::campbell(&tower, &campbell, has_blade, arguments.all);
+            let text = table::campbell(
+                &tower,
+                (&campbell, &solution.modes),
+                has_blade,
+                arguments.all,
+            );
             result.extend(text.into_bytes());
             let band = band.iter().map(table::soil_band);
             result.extend(band.flat_map(|text| format!("\n{text}").into_bytes()));
@@ -98,7 +104,8 @@ fn run_coupled(
         (tower, turbine),
         &arguments.rotor,
         &arguments.turbine,
-    )?;
+    );
+    let solved = explained(solved, (tower, &input))?;
     let Coupled {
         diagram,
         against,

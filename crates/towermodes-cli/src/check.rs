@@ -56,13 +56,18 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     let omitted = omitted.iter().map(|omitted| Note::new(omitted.to_string()));
     first.notes.extend(omitted);
     note(&notes_of_both(&first, &second));
-    for input in [&first, &second] {
-        // Errors have a position in the file.
-        input.tower().map_err(Failure::Input)?;
-    }
+    // Errors have a position in the file.
+    let tower_of = |input: &TowerInput| input.tower().map_err(Failure::Input);
+    let towers = [tower_of(&first)?, tower_of(&second)?];
     let limits = AgreementLimits::default();
-    let agreement = agree(&first.description, &second.description, &limits)
-        .map_err(|error| Failure::Refused(error.to_string()))?;
+    let agreement = agree(&first.description, &second.description, &limits);
+    let agreement = agreement.map_err(|error| {
+        // They may explain the error.
+        for (tower, input) in towers.iter().zip([&first, &second]) {
+            warn(tower.warnings(), input);
+        }
+        Failure::Refused(error.to_string())
+    })?;
     let mut result = Vec::new();
     match arguments.format {
         ReportFormat::Table => {

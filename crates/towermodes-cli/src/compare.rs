@@ -7,6 +7,7 @@ use towermodes_analysis::study::compare_with;
 use towermodes_files::{write_comparison_csv, write_result_json};
 
 use crate::args::{CompareArguments, Format};
+use crate::explained::explained;
 use crate::failure::{Failure, note, warn};
 use crate::input::tower;
 use crate::output::{check_not_input, check_not_inputs, deliver};
@@ -41,9 +42,9 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
             column.seconds_per_solve = Some(time_of(&tower, options).as_secs_f64());
             progress.done();
         },
-    )
-    .map_err(Failure::Unsolved)?;
+    );
     drop((workspace, progress));
+    let comparison = explained(comparison.map_err(Failure::Unsolved), (&tower, &input))?;
     let mut result = Vec::new();
     match format {
         Format::Table => result.extend(table::comparison(&tower, &comparison).into_bytes()),

@@ -4,6 +4,7 @@ use towermodes_analysis::study::{Fineness, converge_with};
 use towermodes_files::{write_convergence_csv, write_result_json};
 
 use crate::args::{ConvergeArguments, Format};
+use crate::explained::explained;
 use crate::failure::{Failure, note, warn};
 use crate::input::tower;
 use crate::output::{check_not_input, check_not_inputs, deliver};
@@ -24,7 +25,7 @@ pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
         progress.done();
     });
     drop((workspace, progress));
-    let convergence = done.map_err(Failure::Unsolved)?;
+    let convergence = explained(done.map_err(Failure::Unsolved), (&tower, &input))?;
     let width = match output {
         None => terminal::width(),
         Some(_) => terminal::WIDTH_OF_FILES,

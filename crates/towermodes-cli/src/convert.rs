@@ -6,6 +6,7 @@ use std::path::Path;
 use towermodes_files::{ConvertError, ConvertOptions, convert};
 
 use crate::args::{ConvertArguments, Target};
+use crate::explained::explained;
 use crate::failure::{Failure, note, report};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, deliver, deliver_both};
@@ -21,7 +22,11 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     let input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
     let options = options(arguments, to);
-    let converted = convert(&input, to.format(), &options).map_err(failure)?;
+    let converted = convert(&input, to.format(), &options).map_err(failure);
+    let converted = match (converted, input.tower()) {
+        (Err(failure), Ok(tower)) => explained(Err(failure), (&tower, &input)),
+        (converted, _) => converted,
+    }?;
     note(&input.notes);
     note(&converted.notes);
     if let (Some((name, text)), Some(output)) = (&converted.companion, output) {

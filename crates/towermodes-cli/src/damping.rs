@@ -5,6 +5,7 @@ use towermodes_files::{Note, write_damping_csv, write_damping_json};
 
 use crate::args::{DampingArguments, Format, Prescribed};
 use crate::campbell::notes_on;
+use crate::explained::explained;
 use crate::failure::{Failure, note, warn};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, deliver};
@@ -27,7 +28,8 @@ pub(crate) fn run(arguments: &DampingArguments) -> Result<(), Failure> {
     let tower = input.tower().map_err(Failure::Input)?;
     let prescribed = Prescribed::of(&mut input);
     let options = arguments.options(prescribed).map_err(Failure::Usage)?;
-    let solution = solve(&tower, &options).map_err(Failure::Unsolved)?;
+    let solution = solve(&tower, &options).map_err(Failure::Unsolved);
+    let solution = explained(solution, (&tower, &input))?;
     let chosen = arguments.rotor(&input);
     let rotor = chosen.as_ref().map(|chosen| &chosen.rotor);
     let damping = damping(&input.description, &solution, rotor);

@@ -16,6 +16,7 @@ mod convert;
 mod damping;
 mod design;
 mod elastodyn;
+mod explained;
 mod explore;
 mod failure;
 mod found;

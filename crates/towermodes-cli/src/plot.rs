@@ -16,6 +16,7 @@ use towermodes_report::{figures, raster};
 use crate::args::{PictureFile, PictureFormat, PlotArguments, Prescribed, What};
 use crate::campbell::coupled::{Answer, Coupled, answer_of, coupled_of};
 use crate::campbell::{campbell_of, solved_to_reach};
+use crate::explained::explained;
 use crate::failure::{Failure, note, warn};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, check_terminal, deliver_bytes};
@@ -36,7 +37,8 @@ pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
     arguments.turbine.hold_generator(&mut input);
     check_not_inputs(input.files(), output)?;
     let tower = input.tower().map_err(Failure::Input)?;
-    let drawn = drawn(&mut input, &tower, arguments)?;
+    let drawn = drawn(&mut input, &tower, arguments);
+    let drawn = explained(drawn, (&tower, &input))?;
     let (notes, warnings) = (drawn.notes, drawn.warnings);
     let words = TitleWords {
         title: arguments.title.as_deref(),

@@ -17,6 +17,7 @@ use towermodes_report::report::{
 
 use crate::args::{Arguments, Command, PageFormat, Prescribed, ReportArguments};
 use crate::campbell::notes_on;
+use crate::explained::explained;
 use crate::failure::{Failure, note_texts, warn};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, check_terminal, deliver};
@@ -36,7 +37,8 @@ pub(crate) fn run(arguments: &ReportArguments, words: &[OsString]) -> Result<(),
     let mut input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
     let tower = input.tower().map_err(Failure::Input)?;
-    let content = content(&mut input, tower, arguments, words)?;
+    let content = content(&mut input, tower.clone(), arguments, words);
+    let content = explained(content, (&tower, &input))?;
     let text = match format {
         PageFormat::Html => html(&content).map_err(|error| Failure::Refused(error.to_string()))?,
         PageFormat::Md => markdown(&content),

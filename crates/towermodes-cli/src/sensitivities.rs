@@ -6,6 +6,7 @@ use towermodes_files::{TowerInput, write_sensitivities_csv, write_sensitivities_
 use towermodes_report::figures;
 
 use crate::args::{Format, Prescribed, SensitivitiesArguments};
+use crate::explained::explained;
 use crate::failure::{Failure, note, warn};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, check_place, deliver};
@@ -30,7 +31,8 @@ pub(crate) fn run(arguments: &SensitivitiesArguments) -> Result<(), Failure> {
     let options = arguments.options(prescribed).map_err(Failure::Usage)?;
     let changes = changes(&arguments.names, &input.description)?;
     let tolerances = tolerances(&arguments.tolerances, &input.description)?;
-    let influences = influences_of(&input.description, changes.as_deref(), &options)?;
+    let influences = influences_of(&input.description, changes.as_deref(), &options);
+    let influences = explained(influences, (&tower, &input))?;
     if let Some(file) = picture {
         let figure = figures::tornado(&input.description, &influences, &tolerances);
         deliver_picture(figure, &tower, file)?;

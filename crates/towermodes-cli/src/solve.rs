@@ -10,6 +10,7 @@ use towermodes_files::{
 use towermodes_report::terminal::{blade_shapes, shapes};
 
 use crate::args::{Prescribed, SolveArguments, SolveFormat};
+use crate::explained::explained;
 use crate::failure::{Failure, note, warn};
 use crate::input::input;
 use crate::output::{check_not_input, check_not_inputs, deliver};
@@ -55,12 +56,14 @@ fn of_tower(
     if format == SolveFormat::Bmodes {
         options.heights_m = nodes.heights_m();
     }
-    let solution = solve(&tower, &options).map_err(Failure::Unsolved)?;
+    let solution = solve(&tower, &options).map_err(Failure::Unsolved);
+    let solution = explained(solution, (&tower, &input))?;
     let mut result = Vec::new();
     match format {
         SolveFormat::Table => result.extend(tower_text(&tower, &solution, arguments).into_bytes()),
         SolveFormat::Json if arguments.sensitivities => {
-            let influences = influences_of(&input.description, None, &options)?;
+            let influences = influences_of(&input.description, None, &options);
+            let influences = explained(influences, (&tower, &input))?;
             let of_numbers = (&input.description, &influences);
             let notes = &input.notes;
             write_json_with_sensitivities(&tower, &solution, of_numbers, notes, &mut result)?;
@@ -91,10 +94,13 @@ fn of_blade(
         _ => nodes.borders_m().to_vec(),
     };
     let modes = arguments.modes().unwrap_or(input.modes);
-    let solution = solve_blade(&blade, modes, &radii_m).map_err(Failure::Unsolved)?;
     let of_tip = |warning: &Warning| Note::new(format!("tip body: {warning}"));
     let mut notes = input.notes.clone();
     notes.extend(blade.warnings().iter().map(of_tip));
+    let solution = solve_blade(&blade, modes, &radii_m).map_err(|error| {
+        note(&notes);
+        Failure::Unsolved(error)
+    })?;
     let mut result = Vec::new();
     match format {
         SolveFormat::Table => result.extend(blade_text(&blade, &solution, arguments).into_bytes()),

@@ -211,12 +211,13 @@ fn verdicted(campbell: &Campbell, number: usize) -> Option<Verdicted> {
         by_verdict.then(near(a).total_cmp(&near(b)))
     })?;
     let multiple = worst.multiple;
-    let text = match worst.distance {
-        0.0 => format!(
+    let text = match (campbell.missing_from_rpm(worst), worst.distance) {
+        (Some(rpm), _) => format!("{multiple}P: no mode from {} rpm", four_digits(rpm)),
+        (None, 0.0) => format!(
             "{multiple}P crosses at {} rpm",
             four_digits(worst.nearest_rpm)
         ),
-        _ => {
+        (None, _) => {
             let excitation = four_digits(worst.excitation_hz);
             let distance = campbell.distance_percent(worst);
             format!("{multiple}P at {excitation} Hz, {distance} %")

@@ -2,9 +2,11 @@
 
 use std::ops::Range;
 
+use towermodes::{Material, MissingPart, Rna, Station, Tower, TowerDescription};
+use towermodes_analysis::elastodyn::MakeOptions;
 use towermodes_files::elastodyn::{
     CoefficientSpans, ConcentratedMass, PatchError, TowerFile, TowerFileError, TowerRow,
-    header_with_heights, patched, unified_diff, write_tower_file,
+    header_with_heights, make_tower_file, patched, unified_diff, write_tower_file,
 };
 
 fn row(height_fraction: f64, mass_kg_per_m: f64) -> TowerRow {
@@ -400,4 +402,35 @@ fn real_files_keep_every_other_byte() {
             assert!(old == new || rest(old) == rest(new), "{name}: {old}");
         }
     }
+}
+
+/// The file has no place for the parts of a structure that the model lacks but its title.
+#[test]
+fn missing_parts_are_named_in_the_title() {
+    let made = |parts: Vec<MissingPart>| {
+        let description = TowerDescription {
+            name: "on water".to_owned(),
+            materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+            stations: vec![Station::new(0.0, 6.0, 0.03), Station::new(80.0, 4.0, 0.02)],
+            rna: Rna::point(3e5),
+            missing_parts: parts,
+            ..TowerDescription::default()
+        };
+        let tower = Tower::new(description).expect("a tower");
+        let made = make_tower_file(&tower, &MakeOptions::default()).expect("a tower file");
+        let text = write_tower_file(&made.content, false).expect("text");
+        let second = text.lines().nth(1).unwrap_or_default().to_owned();
+        let notes = made.notes.iter().map(ToString::to_string);
+        let is_noted = notes
+            .into_iter()
+            .any(|note| note.contains("in the second line"));
+        (second, is_noted)
+    };
+    let (title, is_noted) = made(vec![MissingPart::Water]);
+    let expected = "WARNING: clamped at the tower base; the file has water, which is not in this \
+                    model. on water; TowerHt = 80 m, TowerBsHt = 0 m";
+    assert_eq!((title.as_str(), is_noted), (expected, true));
+    let (title, is_noted) = made(Vec::new());
+    let expected = "on water; TowerHt = 80 m, TowerBsHt = 0 m";
+    assert_eq!((title.as_str(), is_noted), (expected, false));
 }

@@ -312,3 +312,112 @@ fn the_edition_is_noted_where_it_matters() {
     let angle = "friction_angle = 33.0";
     assert!(!notes(&PILE.replacen(angle, "subgrade_modulus = 2e7", 1)));
 }
+
+fn read_pile(text: &str) -> towermodes_files::TowerInput {
+    let source = Source {
+        name: "pile.toml".to_owned(),
+        text: text.to_owned(),
+    };
+    let input = read_source(source, &InMemory::default(), &ReadOptions::default());
+    match input {
+        Ok(Input::Tower(input)) => *input,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// The note names axial springs only where there are such, and an edition for nothing is noted.
+#[test]
+fn the_note_on_the_edition_says_what_depends_on_it() {
+    let said = |text: &str| {
+        let notes = read_pile(text).notes;
+        let notes = notes.iter().map(ToString::to_string);
+        let notes = notes.filter(|note| note.contains("edition"));
+        notes.collect::<Vec<_>>().join("\n")
+    };
+    let plain = said(PILE);
+    assert!(
+        plain.contains("the modulus of sand follows API RP 2GEO"),
+        "{plain}"
+    );
+    assert!(!plain.contains("axial"), "{plain}");
+    let edition = "model = \"api\"\nedition = \"rp-2geo\"";
+    let named = PILE.replacen("model = \"api\"", edition, 1);
+    assert_eq!(said(&named), "");
+    let given = named.replacen("friction_angle = 33.0", "subgrade_modulus = 2e7", 1);
+    let useless = said(&given);
+    assert!(useless.contains("edition has no effect"), "{useless}");
+}
+
+/// Values that the models of a layer do not use are at their lines, and that sand is above the
+/// water is said where the table of the edition does not know it.
+#[test]
+fn keys_without_effect_are_named_at_their_lines() {
+    let said = |text: &str| {
+        let input = read_pile(text);
+        let tower = input.tower().expect("a tower");
+        let own = tower.warnings().iter();
+        let own = own.filter(|warning| warning.to_string().contains("no effect"));
+        let line = |warning: &towermodes::Warning| {
+            let (_, line) = input.line_of(warning.place()?)?;
+            text.lines().nth(line - 1)
+        };
+        let own = own.map(|warning| (warning.to_string(), line(warning).unwrap_or_default()));
+        own.map(|(said, line)| (said, line.to_owned()))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(said(PILE), []);
+    let angle = "friction_angle = 33.0";
+    let keys = [
+        (
+            "relative_density = 0.6",
+            "the models of this layer do not use it",
+        ),
+        (
+            "shear_modulus = 4e7",
+            "the models of this layer do not use it",
+        ),
+        (
+            "poissons_ratio = 0.3",
+            "the models of this layer do not use it",
+        ),
+        (
+            "shaft_friction = 5e4",
+            "only axial = \"api\" in [ground] uses it",
+        ),
+        (
+            "end_bearing = 5e6",
+            "only axial = \"api\" in [ground] uses it",
+        ),
+    ];
+    for (line, why) in keys {
+        let found = said(&PILE.replacen(angle, &format!("{angle}\n{line}"), 1));
+        let [(sentence, at)] = &found[..] else {
+            panic!("{line}: {found:?}")
+        };
+        assert!(sentence.contains(why) && at == line, "{line}: {found:?}");
+    }
+    let dry = PILE.replacen("submerged = true", "submerged = false", 1);
+    let of_water = |text: &str| {
+        let all = said(text);
+        all.into_iter().any(|(said, at)| {
+            said.contains("no effect on the modulus of this sand") && at.starts_with("submerged")
+        })
+    };
+    assert!(of_water(&dry) && !of_water(PILE));
+    let model = "model = \"api\"";
+    let old = format!("{model}\nedition = \"rp-2a\"");
+    assert!(!of_water(&dry.replacen(model, &old, 1)));
+}
+
+/// A model of the whole ground that is none for a layer is wrong at its own line.
+#[test]
+fn a_common_model_is_refused_at_its_line() {
+    let text = PILE.replacen("model = \"api\"", "model = \"pisa-cowden\"", 1);
+    let error = read_pile(&text)
+        .tower()
+        .expect_err("no model of sand")
+        .to_string();
+    let line = text.lines().position(|line| line.starts_with("model = "));
+    let place = format!("pile.toml:{}:", line.expect("a line") + 1);
+    assert!(error.starts_with(&place), "{error}");
+}

@@ -13,7 +13,7 @@ use towermodes_report::figures::{self, TitleWords, titled};
 use towermodes_report::svg::Look;
 use towermodes_report::wording::computed_by;
 
-use crate::error::{of_campbell, of_result, of_solve};
+use crate::error::{of_campbell, of_result};
 use crate::interrupt::interruptible;
 use crate::lock::released;
 use crate::options::SolveOptions;
@@ -108,7 +108,7 @@ impl Campbell {
             let solution = solve_to_reach(&mut solver, reach_hz, solve)?;
             Ok::<_, SolveError>((solution, chosen))
         })?;
-        let (solution, chosen) = solved.map_err(|error| of_solve(&error))?;
+        let (solution, chosen) = solved.map_err(|error| model.unsolved(&error))?;
         limits.speeds_are_known = chosen.speeds_are_known;
         let blade = input.blade.as_ref();
         let assessed = released(py, || {
@@ -165,7 +165,8 @@ impl Campbell {
     /// The table of the program.
     fn table(&self) -> String {
         let has_blade = self.model.input.blade.is_some();
-        table::campbell(&self.model.tower, &self.diagram, has_blade, false)
+        let diagram = (&self.diagram, self.solution.modes.as_slice());
+        table::campbell(&self.model.tower, diagram, has_blade, false)
     }
 
     /// The JSON of the program.

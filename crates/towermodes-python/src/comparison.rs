@@ -12,7 +12,7 @@ use towermodes_report::figures::{self, TitleWords, titled};
 use towermodes_report::svg::Look;
 use towermodes_report::wording::compared_segments;
 
-use crate::error::{of_result, of_solve};
+use crate::error::of_result;
 use crate::interrupt::interruptible;
 use crate::options::method_named;
 use crate::tower::{Model, Tower};
@@ -92,7 +92,7 @@ impl Comparison {
                 column.seconds_per_solve = Some(time_of(tower, options).as_secs_f64());
             })
         })?;
-        let comparison = compared.map_err(|error| of_solve(&error))?;
+        let comparison = compared.map_err(|error| model.unsolved(&error))?;
         Ok(Self { model, comparison })
     }
 

@@ -9,7 +9,7 @@ use towermodes_analysis::resonance::GivenRotor;
 use towermodes_cli::table;
 use towermodes_files::{Note, write_damping_csv, write_damping_json};
 
-use crate::error::{of_result, of_solve, usage};
+use crate::error::{of_result, usage};
 use crate::interrupt::interruptible;
 use crate::options::SolveOptions;
 use crate::tower::{Model, Tower};
@@ -53,13 +53,15 @@ impl DampingOptions {
     }
 }
 
-fn solved(py: Python<'_>, tower: &CheckedTower, options: Options) -> PyResult<Solution> {
+fn solved(py: Python<'_>, model: &Model, options: Options) -> PyResult<Solution> {
     let options = Options {
         energy_parts: true,
         ..options
     };
-    let solution = interruptible(py, |workspace| solve_certain(tower, &options, workspace))?;
-    solution.map_err(|error| of_solve(&error))
+    let solution = interruptible(py, |workspace| {
+        solve_certain(&model.tower, &options, workspace)
+    })?;
+    solution.map_err(|error| model.unsolved(&error))
 }
 
 #[pymethods]
@@ -74,7 +76,7 @@ impl Damping {
         options: SolveOptions,
     ) -> PyResult<Self> {
         let model = Arc::clone(&tower.model);
-        let Model { tower, input } = &*model;
+        let input = &model.input;
         let mut description = input.description.clone();
         let set = given.of_library().set(&mut description);
         set.map_err(|error| usage(error.to_string()))?;
@@ -85,7 +87,7 @@ impl Damping {
             let checked = chosen.rotor.validate();
             checked.map_err(|error| usage(error.to_string()))?;
         }
-        let solution = solved(py, tower, options.of(input)?)?;
+        let solution = solved(py, &model, options.of(input)?)?;
         let rotor = chosen.as_ref().map(|chosen| &chosen.rotor);
         let damping = damping(&description, &solution, rotor);
         let damping = damping.map_err(|error| usage(error.to_string()))?;

@@ -216,6 +216,18 @@ pub fn of_solve(error: &SolveError) -> PyErr {
     }
 }
 
+/// An error with warnings as notes of the exception, which a traceback shows: they may explain it.
+pub fn explained(error: PyErr, warnings: &[String]) -> PyErr {
+    attached(|py| {
+        for warning in warnings {
+            // Python 3.10 has no notes.
+            let note = format!("warning: {warning}");
+            let _ = error.value(py).call_method1("add_note", (note,));
+        }
+    });
+    error
+}
+
 /// A turbine that is not solved.
 pub fn of_turbine(error: &TurbineError) -> PyErr {
     match error {

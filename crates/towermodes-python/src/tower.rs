@@ -6,7 +6,8 @@ use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use towermodes::{
-    Change, DEFAULT_SEGMENTS, Operation, Parameter, Tower as CheckedTower, Warning, solve_certain,
+    Change, DEFAULT_SEGMENTS, Operation, Parameter, SolveError, Tower as CheckedTower, Warning,
+    solve_certain,
 };
 use towermodes_files::{Note, Setting, TowerInput};
 use towermodes_report::figures;
@@ -14,7 +15,7 @@ use towermodes_report::svg::Look;
 use towermodes_sweep::{named, number_at};
 
 use crate::array;
-use crate::error::{MADE_HERE, of_numbers, of_read, of_solve, usage};
+use crate::error::{MADE_HERE, explained, of_numbers, of_read, of_solve, usage};
 use crate::interrupt::interruptible;
 use crate::lock::released;
 use crate::options::SolveOptions;
@@ -59,6 +60,11 @@ impl Model {
             }
         };
         warnings.iter().map(located).collect()
+    }
+
+    /// The error of this tower, if it is not solved, with what is improbable in it.
+    pub fn unsolved(&self, error: &SolveError) -> PyErr {
+        explained(of_solve(error), &self.located(self.tower.warnings()))
     }
 }
 
@@ -238,7 +244,7 @@ impl Tower {
             }),
             false => interruptible(py, |workspace| solve_certain(tower, &options, workspace))?,
         };
-        let solution = solution.map_err(|error| of_solve(&error))?;
+        let solution = solution.map_err(|error| self.model.unsolved(&error))?;
         Ok(Solution {
             model: Arc::clone(&self.model),
             solution,

@@ -17,7 +17,7 @@ use towermodes_report::svg::Look;
 
 use crate::array;
 use crate::campbell::RotorOptions;
-use crate::error::{of_coupled, of_result, of_solve};
+use crate::error::{of_coupled, of_result};
 use crate::interrupt::{interruptible, looking};
 use crate::tower::{Model, Tower};
 use crate::turbine::{PARTS, energy_parts, fractions, notes, turbine_of};
@@ -72,7 +72,7 @@ impl TurbineCampbell {
             let rigid = solve_to_reach(&mut solver, reach_hz(&chosen.rotor, &limits), solve)?;
             Ok::<_, SolveError>((rigid, chosen))
         })?;
-        let (rigid, chosen) = solved.map_err(|error| of_solve(&error))?;
+        let (rigid, chosen) = solved.map_err(|error| model.unsolved(&error))?;
         let rotor = chosen.rotor;
         let usual_hz = coupled_limit_hz(&rotor, &limits, &rigid, &turbine);
         let speeds = match rpm.is_empty() {

@@ -340,6 +340,10 @@ fn a_wrong_name_is_answered_with_what_would_be_right() {
             "it has no table of section properties",
         ),
         (
+            "turbine.hub.mass",
+            "numbers of [turbine] have no names for --set, sweeps, designs and derivatives; change it in the tower file",
+        ),
+        (
             "banana",
             "its numbers are those of materials[], tower, stations[]",
         ),

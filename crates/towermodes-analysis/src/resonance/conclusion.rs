@@ -250,15 +250,16 @@ fn multiples(pairs: &[&Margin]) -> Vec<usize> {
 fn in_words(campbell: &Campbell, group: &[&Margin]) -> String {
     let pair = |margin: &&Margin| {
         let label = campbell.lines.get(margin.line).map(|line| &line.label);
-        let distance = match margin.distance {
-            0.0 => "crossing".to_owned(),
-            _ => format!("{} %", percent(campbell, margin)),
+        let (distance, rpm) = match (campbell.missing_from_rpm(margin), margin.distance) {
+            (Some(rpm), _) => ("mode not found from".to_owned(), rpm),
+            (None, 0.0) => ("crossing at".to_owned(), margin.nearest_rpm),
+            (None, _) => (
+                format!("{} % at", percent(campbell, margin)),
+                margin.nearest_rpm,
+            ),
         };
-        format!(
-            "{} ({distance} at {} rpm)",
-            label.map_or("a mode", |label| label),
-            Rpm(margin.nearest_rpm)
-        )
+        let label = label.map_or("a mode", |label| label);
+        format!("{label} ({distance} {} rpm)", Rpm(rpm))
     };
     let pairs: Vec<String> = group.iter().map(pair).collect();
     listed(&pairs)

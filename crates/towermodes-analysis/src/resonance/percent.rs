@@ -1,6 +1,7 @@
 //! Distances in percent, with enough digits to distinguish them from the margin.
 
 use super::campbell::{Campbell, Margin};
+use crate::verdict::Verdict;
 
 /// The largest number of decimals.
 const MOST_DIGITS: usize = 6;
@@ -12,6 +13,17 @@ impl Campbell {
     #[must_use]
     pub fn distance_percent(&self, margin: &Margin) -> String {
         signed_percent(margin.distance, self.margin)
+    }
+
+    /// The rotor speed (rpm) from which the mode of a pair is missing, if the pair warns for this
+    /// alone: as far as its line goes, the pair is far enough apart.
+    #[must_use]
+    pub fn missing_from_rpm(&self, margin: &Margin) -> Option<f64> {
+        let line = self.lines.get(margin.line)?;
+        let end = line.lost?;
+        let towards = line.error_hz / margin.natural_hz;
+        let is_apart = margin.distance.abs() - towards >= self.margin;
+        (margin.verdict == Verdict::Warn && is_apart).then_some(end.rotor_speed_rpm)
     }
 }
 

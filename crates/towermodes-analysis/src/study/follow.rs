@@ -2,7 +2,7 @@
 //! the list, which depends on the mesh.
 
 use towermodes::Warning;
-use towermodes::modes::Family;
+use towermodes::modes::{Family, Shares};
 use towermodes::tower::Tower;
 use towermodes::{Mode, ModeKey, Options, Solution, SolveError, Workspace, solve_until};
 
@@ -22,6 +22,9 @@ pub struct FollowedMode {
     pub is_pair: bool,
     /// The frequency of the reference solution, Hz.
     pub frequency_hz: f64,
+    /// The shares of the families in its energy, in the reference solution.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub shares: Shares,
     /// The identity of the mode by any method: its family may differ between methods where motions
     /// are coupled.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -74,6 +77,7 @@ pub(super) fn followed(tower: &Tower, solution: &Solution) -> Vec<FollowedMode> 
             },
             is_pair,
             frequency_hz: mode.frequency_hz,
+            shares: mode.shares,
             key,
         }
     };

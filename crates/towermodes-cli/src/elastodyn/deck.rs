@@ -12,7 +12,7 @@ use towermodes_files::{
 };
 
 use crate::args::{DeckArguments, ReadingArguments};
-use crate::failure::{Failure, note};
+use crate::failure::{Failure, note, warn};
 use crate::input::input_of;
 
 /// A deck and the mode shapes of its tower.
@@ -27,7 +27,7 @@ pub(super) struct Judged {
 /// Reads a deck and computes the mode shapes of its tower, or of the file given by `--from`.
 pub(super) fn judged(arguments: &DeckArguments) -> Result<Judged, Failure> {
     let deck = read_deck(arguments)?;
-    let (tower, notes) = match &arguments.from {
+    let (tower, input, notes) = match &arguments.from {
         Some(from) => of_description(from, &arguments.reading)?,
         None => {
             if !arguments.reading.settings.is_empty() {
@@ -38,7 +38,7 @@ pub(super) fn judged(arguments: &DeckArguments) -> Result<Judged, Failure> {
             let checked = arguments.reading.check(&[FileFormat::ElastoDyn]);
             checked.map_err(Failure::Usage)?;
             let tower = deck.input.tower_for_shapes().map_err(Failure::Input)?;
-            (tower, notes_for_shapes(&deck.input))
+            (tower, None, notes_for_shapes(&deck.input))
         }
     };
     note(&notes);
@@ -51,7 +51,10 @@ pub(super) fn judged(arguments: &DeckArguments) -> Result<Judged, Failure> {
         None => tower.base_m(),
     };
     let shapes = tower_shapes(&tower, &solve, from_m);
-    let shapes = shapes.map_err(|error| Failure::TowerFile(MakeError::Shapes(error)))?;
+    let shapes = shapes.map_err(|error| {
+        warn(tower.warnings(), input.as_ref().unwrap_or(&deck.input));
+        Failure::TowerFile(MakeError::Shapes(error))
+    })?;
     note(&torsion_notes(&shapes));
     Ok(Judged {
         deck,
@@ -61,12 +64,16 @@ pub(super) fn judged(arguments: &DeckArguments) -> Result<Judged, Failure> {
     })
 }
 
-fn of_description(from: &Path, reading: &ReadingArguments) -> Result<(Tower, Vec<Note>), Failure> {
+fn of_description(
+    from: &Path,
+    reading: &ReadingArguments,
+) -> Result<(Tower, Option<TowerInput>, Vec<Note>), Failure> {
     let input = input_of(from, reading)?;
     let checked = reading.check(&[FileFormat::ElastoDyn, input.format]);
     checked.map_err(Failure::Usage)?;
     let tower = input.tower_for_shapes().map_err(Failure::Input)?;
-    Ok((tower, notes_for_shapes(&input)))
+    let notes = notes_for_shapes(&input);
+    Ok((tower, Some(input), notes))
 }
 
 /// The notes of an input whose modes are fitted by polynomials.

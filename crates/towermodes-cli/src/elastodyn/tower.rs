@@ -5,6 +5,7 @@ use towermodes_files::{Note, TowerInput};
 
 use super::deck::notes_for_shapes;
 use crate::args::TowerArguments;
+use crate::explained::explained;
 use crate::failure::{Failure, note, report};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, deliver};
@@ -19,7 +20,8 @@ pub(crate) fn run(arguments: &TowerArguments) -> Result<(), Failure> {
     let mut options = arguments.options();
     // On a monopile the ElastoDyn tower is the part above it.
     options.from_m = options.from_m.or(input.joint_m);
-    let made = make_tower_file(&tower, &options).map_err(Failure::TowerFile)?;
+    let made = make_tower_file(&tower, &options).map_err(Failure::TowerFile);
+    let made = explained(made, (&tower, &input))?;
     let text = write_tower_file(&made.content, options.has_concentrated_masses)
         .map_err(|error| Failure::tower_file(&error))?;
     note(&notes_for_shapes(&input));

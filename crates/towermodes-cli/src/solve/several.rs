@@ -5,7 +5,7 @@
 
 use std::path::Path;
 
-use towermodes::{Solution, Tower, solve_certain};
+use towermodes::{Solution, Tower, Warning, solve_certain};
 use towermodes_files::{
     FileFormat, Input, ReadError, SolvedFile, TowerInput, write_several_csv, write_several_json,
 };
@@ -34,7 +34,7 @@ pub(super) fn run(arguments: &SolveArguments, format: SolveFormat) -> Result<(),
     let solved: Vec<_> = read
         .into_iter()
         .map(|(file, input)| {
-            let solved = input.and_then(|input| solved(input, arguments, format, &progress));
+            let solved = input.and_then(|input| solved(&file, input, arguments, format, &progress));
             progress.done();
             (file, solved)
         })
@@ -115,6 +115,7 @@ struct Solved {
 }
 
 fn solved(
+    file: &str,
     mut input: TowerInput,
     arguments: &SolveArguments,
     format: SolveFormat,
@@ -124,8 +125,12 @@ fn solved(
     let options = arguments.options(prescribed, format);
     let options = options.map_err(Failure::Usage)?;
     let tower = input.tower().map_err(Failure::Input)?;
-    let solution =
-        solve_certain(&tower, &options, &mut progress.workspace()).map_err(Failure::Unsolved)?;
+    let solution = solve_certain(&tower, &options, &mut progress.workspace());
+    let solution = solution.map_err(|error| {
+        // They may explain the error.
+        note_texts(&messages(file, &input, tower.warnings()));
+        Failure::Unsolved(error)
+    })?;
     Ok(Solved {
         tower,
         solution,
@@ -141,7 +146,8 @@ fn reported(all: Vec<(String, Result<Solved, Failure>)>) -> (Vec<(String, Solved
     for (file, of_file) in all {
         match of_file {
             Ok(of_file) => {
-                note_texts(&messages(&file, &of_file));
+                let warnings = &of_file.solution.warnings;
+                note_texts(&messages(&file, &of_file.input, warnings));
                 solved.push((file, of_file));
             }
             Err(failure) => worst = worst.max(Some(failure.report_of(&file))),
@@ -151,13 +157,13 @@ fn reported(all: Vec<(String, Result<Solved, Failure>)>) -> (Vec<(String, Solved
 }
 
 /// The notes and warnings on one file, each with the name of the file.
-fn messages(file: &str, of_file: &Solved) -> Vec<String> {
-    let notes = of_file.input.notes.iter().map(|note| match note.place {
+fn messages(file: &str, input: &TowerInput, warnings: &[Warning]) -> Vec<String> {
+    let notes = input.notes.iter().map(|note| match note.place {
         Some(_) => note.to_string(),
         None => format!("{file}: {note}"),
     });
-    let warnings = of_file.solution.warnings.iter();
-    let warnings = warnings.map(|warning| match warning_text(warning, &of_file.input) {
+    let warnings = warnings.iter();
+    let warnings = warnings.map(|warning| match warning_text(warning, input) {
         Some(placed) => placed,
         None => format!("{file}: {warning}"),
     });

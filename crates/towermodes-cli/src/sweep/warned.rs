@@ -7,15 +7,13 @@ use crate::failure::note_texts;
 
 /// Says how many of the rows have unusual values or share modes, and the first sentences on them.
 pub(super) fn report([warnings, shared]: [&RowRemarks; 2], rows: u64) {
-    let verb = if warnings.rows == 1 { "has" } else { "have" };
-    say(
-        warnings,
-        rows,
-        &format!("{verb} unusual input that the base does not have"),
-    );
-    let of = "where less than 60 % of a mode is the motion of its name: between such rows modes may \
-              exchange their names (columns …_share)";
-    say(shared, rows, of);
+    let has = |of: &RowRemarks| if of.rows == 1 { "has" } else { "have" };
+    let unusual = "unusual input that the base does not have";
+    say(warnings, rows, &format!("{} {unusual}", has(warnings)));
+    let coupled = "a mode that shares its motion with others: less than 60 % of its energy is in the \
+                   motion of its name (columns …_share). Between neighbouring rows such a name may pass \
+                   from one of these modes to another, and its frequency jumps by their difference";
+    say(shared, rows, &format!("{} {coupled}", has(shared)));
 }
 
 fn say(remarked: &RowRemarks, rows: u64, what: &str) {

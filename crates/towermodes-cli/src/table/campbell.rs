@@ -1,16 +1,22 @@
 //! The resonance check as text: conclusion, distances, rotor.
 
-use towermodes::Tower;
 use towermodes::number::{percent, with_error};
 use towermodes::tower::Rpm;
+use towermodes::{Mode, Tower};
 use towermodes_analysis::resonance::{Campbell, FrequencyLine, Margin};
 use towermodes_report::wording::{counted, operation_of, verdict_counts, verdict_word};
 
+use super::coupled::coupled_modes;
 use super::text::{text_table, title, wrapped};
 
 /// The conclusion, then the pairs within a factor of 2, or all, and the rotor.
-/// `has_blade` is whether the input contains a blade.
-pub fn campbell(tower: &Tower, campbell: &Campbell, has_blade: bool, all: bool) -> String {
+/// `modes` are those of the solved tower, `has_blade` is whether the input contains a blade.
+pub fn campbell(
+    tower: &Tower,
+    (campbell, modes): (&Campbell, &[Mode]),
+    has_blade: bool,
+    all: bool,
+) -> String {
     let is_strong = |multiple| multiple == 1 || multiple == campbell.rotor.blades;
     let is_shown = |margin: &&Margin| {
         let is_first = campbell.is_of_first_bending(margin) && is_strong(margin.multiple);
@@ -32,7 +38,9 @@ pub fn campbell(tower: &Tower, campbell: &Campbell, has_blade: bool, all: bool) 
     ] {
         text.extend(line.map(|line| line + "\n"));
     }
-    text
+    let modes = modes.iter();
+    let modes = modes.map(|mode| (mode.label(), mode.family, &mode.shares));
+    text + &coupled_modes("", modes)
 }
 
 pub(super) fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
@@ -67,8 +75,11 @@ pub(super) fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
     text_table(header, rows, 1..=5)
 }
 
-/// "+12.3 %", or "crossing".
+/// "+12.3 %", "crossing", or from which speed on the mode is not found, if the pair warns for this.
 fn distance(campbell: &Campbell, margin: &Margin) -> String {
+    if let Some(rpm) = campbell.missing_from_rpm(margin) {
+        return format!("no mode from {} rpm", Rpm(rpm));
+    }
     match margin.distance {
         0.0 => "crossing".to_owned(),
         share if share.abs() < 9.995 => campbell.distance_percent(margin) + " %",
@@ -223,7 +234,7 @@ mod tests {
             stations: vec![Station::new(0.0, 6.0, 0.03), Station::new(80.0, 4.0, 0.02)],
             ..TowerDescription::default()
         });
-        let text = super::campbell(&tower.expect("a tower"), &campbell, false, false);
+        let text = super::campbell(&tower.expect("a tower"), (&campbell, &[]), false, false);
         // Two modes with two excitations each; the other 8 of 12 are counted.
         assert_eq!(text.matches("PASS").count(), 4, "{text}");
         assert!(

@@ -4,6 +4,7 @@
 use towermodes::{Family, Method, Tower};
 use towermodes_analysis::study::{Column, Comparison};
 
+use super::coupled::coupled_modes;
 use super::text::{align_right, plain_table, title};
 
 /// Frequencies, differences from the reference solution, degrees of freedom and times.
@@ -40,7 +41,13 @@ pub fn comparison(tower: &Tower, comparison: &Comparison) -> String {
     });
     align_right(&mut table, 1..=columns.len());
     let note = note(comparison).map_or_else(String::new, |note| format!("\n{note}\n"));
-    format!("{}{}\n{note}", title(tower), table.trim_fmt())
+    let modes = comparison.modes.iter();
+    let modes = modes.map(|mode| (mode.label.clone(), mode.family, &mode.shares));
+    let coupled = match coupled_modes("", modes) {
+        none if none.is_empty() => none,
+        line => format!("\n{line}"),
+    };
+    format!("{}{}\n{note}{coupled}", title(tower), table.trim_fmt())
 }
 
 /// "60", or "degree 17".

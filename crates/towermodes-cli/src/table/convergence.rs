@@ -3,6 +3,7 @@
 use towermodes::Tower;
 use towermodes_analysis::study::{Convergence, Fineness, Level};
 use towermodes_report::terminal;
+use towermodes_report::wording::coupled_shape;
 
 use super::text::{align_right, plain_table, title};
 
@@ -93,7 +94,8 @@ fn legend(convergence: &Convergence) -> String {
             format!(
                 "{}  {}, {:.6} Hz\n",
                 mark(index),
-                mode.label.clone(),
+                coupled_shape(&mode.label, mode.family, &mode.shares)
+                    .unwrap_or_else(|| mode.label.clone()),
                 mode.frequency_hz
             )
         })

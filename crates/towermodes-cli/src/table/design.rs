@@ -58,8 +58,15 @@ fn results(found: &Design) -> String {
     ];
     let rows = found.reached.iter().flat_map(of_goal);
     let rows = std::iter::once(first).chain(rows);
-    text_table(["result", "before", "after", "goal"], rows, [1, 2])
+    let table = text_table(["result", "before", "after", "goal"], rows, [1, 2]);
+    match found.reached.iter().any(|of| !of.others.is_empty()) {
+        true => format!("{table}\n\n{}", wrapped(ALSO_BOUND)),
+        false => table,
+    }
 }
+
+/// What the rows of other modes are.
+const ALSO_BOUND: &str = "also bound: a mode that shares the motion of the mode above; the limit holds for both. In parentheses: percent of the energy in this motion.";
 
 /// The rows of the mode with the name of a goal, and of those that share its motion.
 fn of_goal(of: &Reached) -> Vec<[String; 4]> {
@@ -77,7 +84,7 @@ fn of_goal(of: &Reached) -> Vec<[String; 4]> {
     ];
     let other = |of_other: &OtherHolder| {
         let (label, share) = (of_other.mode.label(), percent(of_other.share));
-        let name = format!("  {label} ({share} % {motion}), Hz");
+        let name = format!("  also bound: {label} ({share} % {motion}), Hz");
         [name, "-".to_owned(), digits(of_other.hz, 6), band(&of.goal)]
     };
     let others = of.others.iter().map(other);

@@ -6,6 +6,7 @@ mod calibration;
 mod campbell;
 mod comparison;
 mod convergence;
+mod coupled;
 mod coupled_campbell;
 mod damping;
 mod design;

@@ -7,6 +7,7 @@ use towermodes::{Family, Mode, Solution, printable};
 use towermodes_files::SolvedFile;
 use towermodes_report::wording::mesh;
 
+use super::coupled::coupled_modes;
 use super::text::{align_right, aligned, plain_table, wrapped};
 
 /// The cell of a mode that is not in the list of a file.
@@ -48,7 +49,20 @@ pub(crate) fn several(files: &[SolvedFile<'_>], width: usize) -> String {
         .zip(short_names(files))
         .filter_map(missing)
         .collect();
-    format!("{}\n{note}{note_on_pairs}{missing}", tables.join("\n\n"))
+    let coupled: String = files.iter().zip(short_names(files)).map(coupled).collect();
+    let coupled = match coupled.is_empty() {
+        true => coupled,
+        false => format!("\n{coupled}"),
+    };
+    let tables = tables.join("\n\n");
+    format!("{tables}\n{note}{note_on_pairs}{coupled}{missing}")
+}
+
+/// The modes of a file whose motions others share, if any.
+fn coupled((file, name): (&SolvedFile<'_>, String)) -> String {
+    let modes = file.solution.modes.iter();
+    let modes = modes.map(|mode| (mode.label(), mode.family, &mode.shares));
+    coupled_modes(&format!("{name}: "), modes)
 }
 
 /// The parts of the structure that the model of a file lacks, if any.

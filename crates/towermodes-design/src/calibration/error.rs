@@ -276,6 +276,26 @@ pub enum CalibrationError {
         /// The bounds in words.
         bounds: String,
     },
+    /// The fit ends where a measured name passes to another mode: its frequency jumps there, and
+    /// no tower has the frequencies between.
+    #[error(
+        "{mode} cannot be fitted to {} Hz: with {values} {mode} and {other} share two modes and exchange their names, and the frequency of {mode} jumps between {} Hz and {} Hz; if {} Hz is the frequency of the other mode of the two, name {other}, or give the measured shape in place of a name",
+        Plain(*.measured_hz), Rounded(.jump_hz[0]), Rounded(.jump_hz[1]), Plain(*.measured_hz)
+    )]
+    Exchanged {
+        /// The measurement, from 0.
+        index: usize,
+        /// Its mode.
+        mode: ModeName,
+        /// The mode with which it exchanges the name.
+        other: ModeName,
+        /// Its frequency, Hz.
+        measured_hz: f64,
+        /// The frequency of the mode where the fit ends, and that beyond the exchange, Hz.
+        jump_hz: [f64; 2],
+        /// The unknowns with their values there.
+        values: String,
+    },
     /// The iteration did not end.
     #[error(
         "the fit has not converged in {iterations} iterations; its last values are {values}; give bounds, or priors near the expected values"
@@ -299,6 +319,7 @@ impl CalibrationError {
             | Self::SensorOutside { index, .. }
             | Self::Unreachable { index, .. }
             | Self::OutsideBounds { index, .. }
+            | Self::Exchanged { index, .. }
             | Self::NoMode { index, .. } => Some(*index),
             _ => None,
         }
@@ -333,6 +354,7 @@ impl CalibrationError {
                 | Self::NoEffect { .. }
                 | Self::Unreachable { .. }
                 | Self::OutsideBounds { .. }
+                | Self::Exchanged { .. }
                 | Self::NotConverged { .. }
         );
         !is_computed

@@ -26,6 +26,11 @@ const FIRST_DAMPING: f64 = 1e-3;
 const LEAST_DAMPING: f64 = 1e-15;
 /// Above this damping no step improves anything.
 const MOST_DAMPING: f64 = 1e14;
+/// The sum of squares of an answer falls by less than this along the undamped step, relative to
+/// itself and 1.
+const STATIONARY: f64 = 1e-6;
+/// A residual that changes by more than this where its name passes to another mode jumps.
+const JUMP: f64 = 1e-3;
 /// No logarithm moves by more than this in one step.
 const LONGEST_STEP: f64 = 1.5;
 
@@ -45,6 +50,10 @@ pub(super) struct Point {
     pub(super) x: Vec<f64>,
     /// The frequency of each measurement, Hz.
     pub(super) frequencies_hz: Vec<f64>,
+    /// The place in the list of the mode of each measurement.
+    places: Vec<usize>,
+    /// The names of all modes of the list.
+    modes: Vec<ModeName>,
     /// The residuals of the measurements, then of the priors, in standard deviations.
     pub(super) residuals: Vec<f64>,
     /// The derivatives of the residuals, a column for each unknown.
@@ -98,6 +107,8 @@ impl<'a> Towers<'a> {
         let mut point = Point {
             x: x.to_vec(),
             frequencies_hz: Vec::with_capacity(data),
+            places: Vec::with_capacity(data),
+            modes: found.modes.iter().map(ModeFrequency::name).collect(),
             residuals: Vec::with_capacity(data + n),
             columns: vec![Vec::with_capacity(data + n); n],
         };
@@ -113,6 +124,7 @@ impl<'a> Towers<'a> {
             };
             let hz = found.modes[mode].extrapolated_hz;
             point.frequencies_hz.push(hz);
+            point.places.push(mode);
             let deviation_hz = measured.deviation_hz;
             point
                 .residuals
@@ -204,6 +216,32 @@ impl<'a> Towers<'a> {
             measured_hz: self.problem.measured[index].frequency_hz,
             nearest_hz: point.frequencies_hz[index],
             bounds: bounds.join(" and "),
+        })
+    }
+
+    /// Refuses a point that is no minimum: the sum of squares would fall further on, but a measured
+    /// name passes to another mode there, and its frequency jumps. `rejected` is the last point
+    /// beyond.
+    fn check_jump(&self, point: &Point, rejected: Option<&Point>) -> Result<(), CalibrationError> {
+        let Some(beyond) = rejected else {
+            return Ok(());
+        };
+        let moves = |index: &usize| point.places[*index] != beyond.places[*index];
+        let jump = |index: &usize| (point.residuals[*index] - beyond.residuals[*index]).abs();
+        let moving = (0..self.names.len()).filter(moves);
+        let largest = moving.max_by(|a, b| jump(a).total_cmp(&jump(b)));
+        let Some(index) = largest.filter(|index| jump(index) > JUMP) else {
+            return Ok(());
+        };
+        // The mode that the name passes to has another name on this side.
+        let other = point.modes.get(beyond.places[index]);
+        Err(CalibrationError::Exchanged {
+            index,
+            mode: self.names[index],
+            other: other.copied().unwrap_or(self.names[index]),
+            measured_hz: self.problem.measured[index].frequency_hz,
+            jump_hz: [point, beyond].map(|point| point.frequencies_hz[index]),
+            values: values_at(self.variables, &point.x),
         })
     }
 
@@ -306,20 +344,28 @@ pub(super) fn fit(towers: &mut Towers<'_>, start: &[f64]) -> Result<Found, Calib
     let variables = towers.variables;
     let mut point = towers.evaluate(start)?;
     let mut damping = FIRST_DAMPING;
+    let mut rejected = None;
     for iterations in 0..MOST_ITERATIONS {
         let is_free = point.free(variables);
         let units = point.units(variables);
         let singular = Singular::of(point.scaled(&units, &is_free));
         let largest = singular.values.first().copied().unwrap_or(0.0);
         let mut last_error = None;
-        loop {
+        let along = |point: &Point, damping: f64| {
             let absolute = damping * largest * largest;
-            let (x, gain) = step(&point, (variables, &units), &is_free, &singular, absolute);
+            step(point, (variables, &units), &is_free, &singular, absolute)
+        };
+        loop {
+            let (x, gain) = along(&point, damping);
             let is_end = gain <= SMALL_GAIN * (1.0 + point.chi_square());
-            if is_end || x == point.x {
+            if is_end || x == point.x || damping > MOST_DAMPING {
                 // No shorter step leads to a possible tower.
                 if let Some(error) = last_error {
                     return Err(error);
+                }
+                let (_, gain) = along(&point, LEAST_DAMPING);
+                if gain > STATIONARY * (1.0 + point.chi_square()) {
+                    towers.check_jump(&point, rejected.as_ref())?;
                 }
                 return towers.found(point, is_free, iterations);
             }
@@ -332,17 +378,10 @@ pub(super) fn fit(towers: &mut Towers<'_>, start: &[f64]) -> Result<Found, Calib
                     point = next;
                     break;
                 }
-                Ok(_) => {}
+                Ok(beyond) => rejected = Some(beyond),
                 Err(error) => last_error = Some(error),
             }
             damping *= 8.0;
-            if damping > MOST_DAMPING {
-                // The sum of squares is flat to rounding; or no tower is possible further on.
-                return match last_error {
-                    Some(error) => Err(error),
-                    None => towers.found(point, is_free, iterations),
-                };
-            }
         }
     }
     Err(CalibrationError::NotConverged {

@@ -102,8 +102,9 @@ impl fmt::Display for Remark {
             } => pairing(f, *index, *mode, *ambiguity),
             Self::Shared(shared) => write!(
                 f,
-                "{shared}: the measurement of {} may be of each of them, and its fit may jump from one to the other",
-                shared.name
+                "{shared}: the frequency measured as {} may be that of {}",
+                shared.name,
+                if shared.modes.len() == 2 { "either mode" } else { "any of these modes" }
             ),
             Self::UnstablePairing => f.write_str(
                 "the modes of the fitted tower would be paired differently; name the mode of each measurement",

@@ -297,3 +297,46 @@ fn standard_deviations_that_no_measurement_has_are_refused() {
         );
     }
 }
+
+/// On the way from one frequency to the other, torsion and side-side 2 exchange their names across
+/// a gap of 0.004 Hz. A frequency in the gap or beyond has no tower, and the answer at the gap
+/// would be no minimum: the sum of squares jumps there, and deviations mean nothing.
+#[test]
+fn a_fit_that_ends_where_names_are_exchanged_is_refused() {
+    let base = TowerDescription {
+        stations: vec![
+            towermodes::Station::new(0.0, 6.0, 0.0351),
+            towermodes::Station::new(87.6, 3.87, 0.0247),
+        ],
+        rna: towermodes::Rna {
+            mass_kg: 350e3,
+            center_m: [-0.41, 0.0, 1.966427],
+            inertia_kg_m2: [37_634_182.0, 24_376_664.3, 22_613_929.0, 0.0, 0.0, 0.0].into(),
+        },
+        foundation: Foundation::Clamped,
+        ..tower()
+    };
+    for hz in [1.97, 1.98] {
+        let problem = Problem {
+            unknowns: vec![unknown(&base, "rna.inertia.zz")],
+            measured: vec![measured("side-side 2", hz, 0.001)],
+            base: base.clone(),
+        };
+        let error = fitted(&problem).expect_err("no tower has this frequency");
+        let CalibrationError::Exchanged {
+            mode,
+            other,
+            jump_hz: [here, beyond],
+            ..
+        } = &error
+        else {
+            panic!("{hz}: {error}")
+        };
+        let names = (mode.to_string(), other.to_string());
+        assert_eq!(names, ("side-side 2".to_owned(), "torsion 1".to_owned()));
+        assert!(
+            (here - 1.969).abs() < 1e-3 && (beyond - 1.965).abs() < 1e-3,
+            "{error}"
+        );
+    }
+}

@@ -36,9 +36,13 @@ pub fn make_tower_file(tower: &Tower, options: &MakeOptions) -> Result<MadeTower
 }
 
 fn content(tower: &Tower, made: &MadeTower) -> TowerFile {
-    let what = match tower.name() {
+    let name = match tower.name() {
         "" => "Tower file made by towermodes",
         name => name,
+    };
+    let what = match tower.missing_parts() {
+        Some(missing) => format!("WARNING: {missing}. {name}"),
+        None => name.to_owned(),
     };
     let row = |station: &TowerStation| TowerRow {
         height_fraction: station.height_fraction,
@@ -52,7 +56,7 @@ fn content(tower: &Tower, made: &MadeTower) -> TowerFile {
     };
     let (fore_aft, side_side) = (&made.modes.fore_aft, &made.modes.side_side);
     TowerFile {
-        header: header_with_heights(what, tower.top_m(), made.from_m),
+        header: header_with_heights(&what, tower.top_m(), made.from_m),
         fore_aft_damping_percent: fore_aft.damping_percent,
         side_side_damping_percent: side_side.damping_percent,
         fore_aft_tuners: fore_aft.tuners,
@@ -79,6 +83,11 @@ fn notes(tower: &Tower, made: &MadeTower) -> Vec<Note> {
     if tower.rna().mass_kg == 0.0 {
         notes.push(Note::new(
             "the shapes are those of a tower without RNA: with a rotor-nacelle assembly they differ",
+        ));
+    }
+    if tower.missing_parts().is_some() {
+        notes.push(Note::left_out(
+            "the parts of the structure that this model lacks are named in the second line alone: the shapes and frequencies are those of the tower without them",
         ));
     }
     notes.extend(

@@ -11,7 +11,7 @@ mod text;
 mod turbine;
 
 pub use completeness::{completeness, proof_of_completeness};
-pub use mode::{blade_mode_shape, mode_shape};
+pub use mode::{blade_mode_shape, coupled_shape, mode_shape};
 pub use model::{buckling_load_factor, compared_segments, computed_by, levels, mesh};
 pub use remedy::remedy;
 pub use rotor::{operation, operation_of, speed_range, verdict_counts, verdict_word};

@@ -1,6 +1,7 @@
 //! The shape of a mode in words.
 
-use towermodes::{BladeFamily, BladeMode, Mode};
+use towermodes::modes::Shares;
+use towermodes::{BladeFamily, BladeMode, Family, Mode};
 
 /// Smaller fractions of the energy of a blade mode are left out.
 const LEAST: f64 = 0.01;
@@ -17,18 +18,32 @@ pub fn mode_shape(mode: &Mode) -> String {
     if mode.share() >= PURE {
         return mode.label();
     }
-    let others = mode.shares.beside(mode.family).into_iter();
+    let label = match mode.is_coupled() {
+        true => mode.label() + ", coupled",
+        false => mode.label(),
+    };
+    with_shares(&label, mode.family, &mode.shares)
+}
+
+fn with_shares(label: &str, family: Family, shares: &Shares) -> String {
+    let others = shares.beside(family).into_iter();
     let others = others.filter(|(_, share)| *share >= NOTABLE);
     let others: Vec<String> = others
         .map(|(family, share)| format!("{} {}", percent(share), family.name()))
         .collect();
-    let coupled = if mode.is_coupled() { ", coupled" } else { "" };
-    let label = mode.label();
     format!(
-        "{label}{coupled} ({}; {})",
-        percent(mode.share()),
+        "{label} ({}; {})",
+        percent(shares.of(family)),
         others.join(", ")
     )
+}
+
+/// The label of a mode with less than 60 % of its energy in the motion of its name, with the shares:
+/// "2nd side-side bending (58 %; 41 % fore-aft)"; none for any other mode.
+pub fn coupled_shape(label: &str, family: Family, shares: &Shares) -> Option<String> {
+    shares
+        .is_coupled(family)
+        .then(|| with_shares(label, family, shares))
 }
 
 fn percent(share: f64) -> String {

@@ -130,7 +130,7 @@ impl fmt::Display for SharedMotion {
         match self.modes.len() {
             0 | 1 => write!(
                 f,
-                "less than 60 % of {names} is its own motion here: {hz} Hz"
+                "{names} has less than 60 % of its energy in the motion of its name here: {hz} Hz"
             ),
             _ => {
                 let numbers = of(&|(number, ..)| number.to_string());

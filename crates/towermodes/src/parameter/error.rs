@@ -22,6 +22,18 @@ pub enum ParameterError {
         /// The name that was probably meant, or those that there are.
         hint: String,
     },
+    /// A number of a table of the tower file whose numbers have no names.
+    #[error(
+        "`{name}` cannot be varied: numbers of [{table}] have no names for --set, sweeps, designs and derivatives; change it in the tower file{remedy}"
+    )]
+    Fixed {
+        /// The name.
+        name: String,
+        /// The table of the tower file.
+        table: &'static str,
+        /// What else can be done.
+        remedy: &'static str,
+    },
     /// Other towers have such a number.
     #[error("`{name}` is not a number of this tower: it has no {noun}")]
     Absent {
@@ -100,6 +112,16 @@ pub enum ParameterError {
     },
 }
 
+/// The tables of the tower file whose numbers have no names, and what else can be done.
+const FIXED: [(&str, &str); 3] = [
+    (
+        "turbine",
+        "; for the modes of the tower the turbine is the rigid body `rna`, whose numbers can be varied",
+    ),
+    ("drivetrain", ""),
+    ("damping", ""),
+];
+
 /// The indices of a list.
 fn range(count: usize) -> String {
     match count {
@@ -138,9 +160,18 @@ impl ParameterError {
 
     /// A name that no number has; `plain` is the name without its optional parts.
     pub(super) fn unknown(written: &str, plain: &str, description: &TowerDescription) -> Self {
-        Self::Unknown {
-            name: written.trim().to_owned(),
-            hint: hint(plain, description),
+        let name = written.trim().to_owned();
+        let mut fixed = FIXED.into_iter();
+        match fixed.find(|(table, _)| starts_with(plain, table)) {
+            Some((table, remedy)) => Self::Fixed {
+                name,
+                table,
+                remedy,
+            },
+            None => Self::Unknown {
+                name,
+                hint: hint(plain, description),
+            },
         }
     }
 }

@@ -156,7 +156,7 @@ const REFUSALS: &[(Change, Place, &str)] = &[
             index: 0,
             key: "shear_modulus",
         },
-        "kraft needs the shear modulus",
+        "axial = \"kraft\" in [ground] needs the shear modulus",
     ),
     (
         |d| ground_of(d).pile_diameter_m = Some(6.0),

@@ -84,6 +84,17 @@ pub(super) fn with_models(
         let mistake = Diagnostic::new(ground.span.clone(), kind);
         return reading.refuse(mistake.with_hint(model_hint()));
     }
+    // A model that a layer has from the whole ground is wrong there.
+    if let Some(value) = ground.get("model") {
+        let without = layers
+            .iter()
+            .enumerate()
+            .filter(|(_, layer)| layer.model.is_none());
+        for (index, _) in without {
+            let key = "model";
+            reading.remember(Place::GroundLayer { index, key }, value.span());
+        }
+    }
     let with_model = |layer: Layer| GroundLayer {
         model: layer.model.or(common).unwrap_or(layer.layer.model),
         ..layer.layer

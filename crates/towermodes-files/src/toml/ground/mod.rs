@@ -49,7 +49,10 @@ pub(super) const EDITIONS: [(&str, ApiEdition); 2] =
 const NO_FOUNDATION: &str = "there is no [foundation]: the tip of the pile, the lowest station, is free to move sideways and to rotate about x and y";
 const RIGID_AXIS: &str = "there is no [foundation] and no axial model in [ground]: the tip of the pile, the lowest station, is free to move sideways and to rotate about x and y, and rigid along and about the axis";
 
-const EDITION: &str = "the modulus and the axial springs of sand follow API RP 2GEO; edition = \"rp-2a\" in [ground] selects API RP 2A, whose modulus is up to 38 % smaller";
+const MODULUS_BY_EDITION: &str = "the modulus of sand follows API RP 2GEO; edition = \"rp-2a\" in [ground] selects API RP 2A, whose modulus is up to 38 % smaller";
+const AXIAL_BY_EDITION: &str = "the axial springs of sand follow API RP 2GEO; edition = \"rp-2a\" in [ground] selects API RP 2A";
+const BOTH_BY_EDITION: &str = "the modulus and the axial springs of sand follow API RP 2GEO; edition = \"rp-2a\" in [ground] selects API RP 2A, whose modulus is up to 38 % smaller";
+const NO_EDITION: &str = "edition has no effect: no layer is sand whose modulus follows from its friction angle, or that has the axial springs of API";
 
 fn at(key: &'static str) -> Place {
     Place::Ground { key }
@@ -94,10 +97,23 @@ pub(super) fn ground(
         pile_diameter_m: diameter?,
         layers: layer::with_models(layers, model?, &table, reading)?,
     };
-    if table.get("edition").is_none() && ground.depends_on_edition() {
-        reading.note(table.span.start, EDITION);
-    }
+    note_edition(&table, &ground, reading);
     Some(Some((ground, names)))
+}
+
+/// Which edition is taken if the file names none; that it has no effect if it names one for nothing.
+fn note_edition(table: &Table<'_>, ground: &Ground, reading: &mut Reading) {
+    let (modulus, axial) = (
+        ground.modulus_depends_on_edition(),
+        ground.axial_depends_on_edition(),
+    );
+    match (table.get("edition"), modulus, axial) {
+        (Some(value), false, false) => reading.note(value.span().start, NO_EDITION),
+        (None, true, true) => reading.note(table.span.start, BOTH_BY_EDITION),
+        (None, true, false) => reading.note(table.span.start, MODULUS_BY_EDITION),
+        (None, false, true) => reading.note(table.span.start, AXIAL_BY_EDITION),
+        (None, false, false) | (Some(_), _, _) => {}
+    }
 }
 
 /// The support of the tip of a pile in ground, if the file has no `[foundation]`.

@@ -134,8 +134,12 @@ pub(super) fn margins(campbell: &Campbell, caption: &str) -> Table {
     table.with_only(which, |row| campbell.margins[row].is_near())
 }
 
-/// In percent; 0 if the excitation crosses the natural frequency.
+/// In percent; 0 if the excitation crosses the natural frequency. A pair that warns because its mode
+/// is missing at higher speeds says so.
 fn distance(campbell: &Campbell, margin: &Margin) -> String {
+    if let Some(rpm) = campbell.missing_from_rpm(margin) {
+        return format!("no mode from {} rpm", four_digits(rpm));
+    }
     match margin.distance {
         0.0 => "0".to_owned(),
         _ => typeset(&campbell.distance_percent(margin)),

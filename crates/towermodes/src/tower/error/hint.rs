@@ -102,7 +102,9 @@ impl Problem {
                 "top and bottom are heights, not depths: the bottom has the smaller value"
             }
             Self::LayersAboveTip { .. } => "give the soil down to the tip of the pile",
-            Self::SoilValueMissing { .. } => "give the value, or choose another model",
+            Self::SoilValueMissing { .. } => {
+                "give the value in [[ground.layer]], or choose another model"
+            }
             Self::ModelOfOtherSoil { .. } => {
                 "sand: api, dnv, kallehave, sorensen, pisa-dunkirk, winkler, vesic; clay: api, dnv, reese-stiff-clay, pisa-cowden, pisa-bothkennar, winkler, vesic; \
                  elastic: winkler, vesic; rock: weak-rock"

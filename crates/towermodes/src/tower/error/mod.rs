@@ -460,7 +460,7 @@ pub enum Problem {
         soil: &'static str,
     },
     /// A model of axial springs that has no formula for the kind of soil.
-    #[error("the axial springs of {model} have no formula for {soil}")]
+    #[error("{model} has no formula for {soil}")]
     AxialOfOtherSoil {
         /// The model.
         model: &'static str,

@@ -1,6 +1,6 @@
 //! Soil in layers as its user describes it.
 
-use super::layer::{GroundLayer, LayerSoil};
+use super::layer::{GroundLayer, LayerSoil, Sand};
 
 /// Soil in layers around the part of a tower below the surface of the ground.
 ///
@@ -94,20 +94,27 @@ impl Ground {
         self.surface_m - self.scour.general_m - self.scour.local_m
     }
 
-    /// Whether its springs depend on the [edition](Self::edition) of the standard of API: sand
-    /// whose modulus k is that of its friction angle, or whose axial springs are those of API.
-    pub fn depends_on_edition(&self) -> bool {
-        let depends = |layer: &GroundLayer| match &layer.soil {
-            LayerSoil::Sand(sand) => {
-                let has_k = sand.subgrade_modulus_n_per_m3.is_some();
-                let by_angle = layer.model.has_modulus_of_sand() && !has_k;
-                by_angle || self.axial == Some(AxialModel::Api)
-            }
+    /// Whether springs across the pile depend on the [edition](Self::edition) of the standard of
+    /// API: those of sand whose modulus k is that of its friction angle.
+    pub fn modulus_depends_on_edition(&self) -> bool {
+        self.sand().any(|(layer, sand)| {
+            layer.model.has_modulus_of_sand() && sand.subgrade_modulus_n_per_m3.is_none()
+        })
+    }
+
+    /// Whether springs along the pile depend on the [edition](Self::edition): those of sand by API.
+    pub fn axial_depends_on_edition(&self) -> bool {
+        self.axial == Some(AxialModel::Api) && self.sand().next().is_some()
+    }
+
+    /// The layers of sand.
+    fn sand(&self) -> impl Iterator<Item = (&GroundLayer, &Sand)> {
+        self.layers.iter().filter_map(|layer| match &layer.soil {
+            LayerSoil::Sand(sand) => Some((layer, sand)),
             LayerSoil::Clay(_) | LayerSoil::Elastic | LayerSoil::Rock(_) | LayerSoil::Table(_) => {
-                false
+                None
             }
-        };
-        self.layers.iter().any(depends)
+        })
     }
 }
 
@@ -167,6 +174,15 @@ impl AxialModel {
             Self::Api => "api",
             Self::Kraft => "kraft",
             Self::RandolphWroth => "randolph-wroth",
+        }
+    }
+
+    /// Its key and name in the tower file, for messages.
+    pub(in crate::tower) fn key_and_name(self) -> &'static str {
+        match self {
+            Self::Api => "axial = \"api\" in [ground]",
+            Self::Kraft => "axial = \"kraft\" in [ground]",
+            Self::RandolphWroth => "axial = \"randolph-wroth\" in [ground]",
         }
     }
 }

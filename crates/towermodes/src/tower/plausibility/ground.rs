@@ -1,8 +1,11 @@
 //! Soil in layers: units, angles in radians, dry weights, and the range of the models.
 
 use super::Given;
+use super::unused;
 use super::usual::Usual;
-use crate::tower::ground::{Clay, Ground, GroundLayer, LayerSoil, Sand, ShearModulus, SoilModel};
+use crate::tower::ground::{
+    ApiEdition, Clay, Ground, GroundLayer, LayerSoil, Sand, ShearModulus, SoilModel,
+};
 use crate::tower::{Ineffective, Place, Quantity, Site, Tower, Warning, Water};
 
 const FRICTION_ANGLE: Usual = Usual::new(Quantity::FrictionAngle, 20.0, 50.0);
@@ -69,12 +72,26 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
             }
             LayerSoil::Table(_) | LayerSoil::Elastic => {}
         }
+        for what in unused::of(layer, ground.axial) {
+            let (site, what) = (at(what.key()), what.ineffective());
+            warnings.push(Warning::NoEffect { site, what });
+        }
         if layer.top_m <= tower.base_m() && index > 0 && !is_under_tip(ground, index, tower) {
             let (site, what) = (at("top"), Ineffective::LayerBelowTip);
             warnings.push(Warning::NoEffect { site, what });
         }
     }
     range_of_pisa(tower, ground, warnings);
+    if !ground.submerged
+        && ground.edition == ApiEdition::Rp2Geo
+        && ground.modulus_depends_on_edition()
+    {
+        let key = "submerged";
+        warnings.push(Warning::NoEffect {
+            site: Site::at(Place::Ground { key }),
+            what: Ineffective::SandAboveWater,
+        });
+    }
     if let Some(water) = given.water {
         water_over(ground, water, warnings);
     }

@@ -17,6 +17,7 @@ mod materials;
 mod out_of_line;
 mod soil;
 mod table;
+mod unused;
 mod usual;
 mod water;
 mod wires;

@@ -22,6 +22,12 @@ pub enum Ineffective {
     LayerBelowTip,
     /// A friction angle of sand beside the modulus k that takes its place.
     AngleBesideModulus,
+    /// That sand is above the water, of which the table of RP 2GEO knows nothing.
+    SandAboveWater,
+    /// A value of a layer that its models do not use, by its key.
+    KeyOfOtherModel(&'static str),
+    /// A value of a layer that only a model of axial springs uses, by its key.
+    KeyOfAxialModel(&'static str),
     /// Matlock's factor J in a layer with the model of Reese.
     FactorOfMatlock,
     /// A table of added mass that is all zero.
@@ -37,6 +43,18 @@ pub enum Ineffective {
 impl fmt::Display for Ineffective {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Self::SandAboveWater => {
+                "submerged = false has no effect on the modulus of this sand: the table of API RP 2GEO is for sand under water and is used above it too; edition = \"rp-2a\" has a figure for sand above water"
+            }
+            Self::KeyOfOtherModel(key) => {
+                return write!(f, "{key} has no effect, because the models of this layer do not use it");
+            }
+            Self::KeyOfAxialModel(key) => {
+                return write!(
+                    f,
+                    "{key} has no effect, because only axial = \"api\" in [ground] uses it"
+                );
+            }
             Self::MassAtClampedBase => {
                 "a mass at the clamped base does not move and has no effect; check its height"
             }

@@ -105,7 +105,7 @@ impl Layer<'_> {
         let Some(model) = axial else {
             return Ok(());
         };
-        let user = model.name();
+        let user = model.key_and_name();
         match model {
             AxialModel::Api => {
                 match &self.own.soil {
