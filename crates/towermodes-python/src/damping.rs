@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pyo3::prelude::*;
-use towermodes::{Options, Solution, Tower as CheckedTower, solve_certain};
+use towermodes::{Options, Solution, solve_certain};
 use towermodes_analysis::damping::{GivenDamping, ModalDamping, damping};
 use towermodes_analysis::resonance::GivenRotor;
 use towermodes_cli::table;
