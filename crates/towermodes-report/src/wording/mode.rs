@@ -38,8 +38,8 @@ fn with_shares(label: &str, family: Family, shares: &Shares) -> String {
     )
 }
 
-/// The label of a mode with less than 60 % of its energy in the motion of its name, with the shares:
-/// "2nd side-side bending (58 %; 41 % fore-aft)"; none for any other mode.
+/// The label of a mode with less than 60 % of its energy in the motion of its name, with the
+/// shares: "2nd side-side bending (58 %; 41 % fore-aft)"; none for any other mode.
 pub fn coupled_shape(label: &str, family: Family, shares: &Shares) -> Option<String> {
     shares
         .is_coupled(family)

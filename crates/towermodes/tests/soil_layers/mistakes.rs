@@ -488,9 +488,12 @@ fn silent_nonsense_is_refused_or_warned_of() {
         let mut description = oc3(SoilModel::Api);
         clay_layer(&mut description, change);
         let warnings = Tower::new(description).expect("possible");
-        let warnings = warnings.warnings();
+        let warnings = warnings.warnings().iter();
+        // The model has no use for one of these numbers, which is said too.
+        let warnings = warnings.filter(|warning| !matches!(warning, Warning::NoEffect { .. }));
+        let warnings: Vec<&Warning> = warnings.collect();
         assert!(
-            matches!(warnings, [Warning::Unusual { quantity, site, .. }]
+            matches!(&warnings[..], [Warning::Unusual { quantity, site, .. }]
                 if *quantity == expected && site.place == Some(of(1, key))),
             "{warnings:?}"
         );
@@ -522,9 +525,11 @@ fn silent_nonsense_is_refused_or_warned_of() {
         let own = &mut ground_of(&mut description).layers[1];
         (own.shear_modulus, own.poissons_ratio) = (Some(modulus), Some(0.3));
         let tower = Tower::new(description).expect("possible");
-        let warnings = tower.warnings();
+        let warnings = tower.warnings().iter();
+        let warnings = warnings.filter(|warning| !matches!(warning, Warning::NoEffect { .. }));
+        let warnings: Vec<&Warning> = warnings.collect();
         assert!(
-            matches!(warnings, [Warning::Unusual { quantity, .. }] if *quantity == expected),
+            matches!(&warnings[..], [Warning::Unusual { quantity, .. }] if *quantity == expected),
             "{warnings:?}"
         );
     }

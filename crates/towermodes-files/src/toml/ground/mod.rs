@@ -101,7 +101,8 @@ pub(super) fn ground(
     Some(Some((ground, names)))
 }
 
-/// Which edition is taken if the file names none; that it has no effect if it names one for nothing.
+/// Which edition is taken if the file names none; that it has no effect if it names one for
+/// nothing.
 fn note_edition(table: &Table<'_>, ground: &Ground, reading: &mut Reading) {
     let (modulus, axial) = (
         ground.modulus_depends_on_edition(),

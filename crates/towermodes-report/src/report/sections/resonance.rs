@@ -134,8 +134,8 @@ pub(super) fn margins(campbell: &Campbell, caption: &str) -> Table {
     table.with_only(which, |row| campbell.margins[row].is_near())
 }
 
-/// In percent; 0 if the excitation crosses the natural frequency. A pair that warns because its mode
-/// is missing at higher speeds says so.
+/// In percent; 0 if the excitation crosses the natural frequency. A pair that warns because its
+/// mode is missing at higher speeds says so.
 fn distance(campbell: &Campbell, margin: &Margin) -> String {
     if let Some(rpm) = campbell.missing_from_rpm(margin) {
         return format!("no mode from {} rpm", four_digits(rpm));
