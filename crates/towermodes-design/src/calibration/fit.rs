@@ -29,7 +29,7 @@ const MOST_DAMPING: f64 = 1e14;
 /// The sum of squares of an answer falls by less than this along the undamped step, relative to
 /// itself and 1.
 const STATIONARY: f64 = 1e-6;
-/// A residual that changes by more than this where its name passes to another mode jumps.
+/// A residual that changes by more than this in the last step that was refused jumps.
 const JUMP: f64 = 1e-3;
 /// No logarithm moves by more than this in one step.
 const LONGEST_STEP: f64 = 1.5;
@@ -50,10 +50,8 @@ pub(super) struct Point {
     pub(super) x: Vec<f64>,
     /// The frequency of each measurement, Hz.
     pub(super) frequencies_hz: Vec<f64>,
-    /// The place in the list of the mode of each measurement.
-    places: Vec<usize>,
-    /// The names of all modes of the list.
-    modes: Vec<ModeName>,
+    /// The names and frequencies (Hz) of all modes of the list.
+    modes: Vec<(ModeName, f64)>,
     /// The residuals of the measurements, then of the priors, in standard deviations.
     pub(super) residuals: Vec<f64>,
     /// The derivatives of the residuals, a column for each unknown.
@@ -107,8 +105,9 @@ impl<'a> Towers<'a> {
         let mut point = Point {
             x: x.to_vec(),
             frequencies_hz: Vec::with_capacity(data),
-            places: Vec::with_capacity(data),
-            modes: found.modes.iter().map(ModeFrequency::name).collect(),
+            modes: (found.modes.iter())
+                .map(|mode| (mode.name(), mode.extrapolated_hz))
+                .collect(),
             residuals: Vec::with_capacity(data + n),
             columns: vec![Vec::with_capacity(data + n); n],
         };
@@ -124,7 +123,6 @@ impl<'a> Towers<'a> {
             };
             let hz = found.modes[mode].extrapolated_hz;
             point.frequencies_hz.push(hz);
-            point.places.push(mode);
             let deviation_hz = measured.deviation_hz;
             point
                 .residuals
@@ -226,21 +224,25 @@ impl<'a> Towers<'a> {
         let Some(beyond) = rejected else {
             return Ok(());
         };
-        let moves = |index: &usize| point.places[*index] != beyond.places[*index];
         let jump = |index: &usize| (point.residuals[*index] - beyond.residuals[*index]).abs();
-        let moving = (0..self.names.len()).filter(moves);
-        let largest = moving.max_by(|a, b| jump(a).total_cmp(&jump(b)));
+        let largest = (0..self.names.len()).max_by(|a, b| jump(a).total_cmp(&jump(b)));
         let Some(index) = largest.filter(|index| jump(index) > JUMP) else {
             return Ok(());
         };
+        let (mode, jump_hz) = (
+            self.names[index],
+            [point, beyond].map(|point| point.frequencies_hz[index]),
+        );
         // The mode that the name passes to has another name on this side.
-        let other = point.modes.get(beyond.places[index]);
+        let distance = |of: &&(ModeName, f64)| (of.1 - jump_hz[1]).abs();
+        let others = point.modes.iter().filter(|(name, _)| *name != mode);
+        let other = others.min_by(|a, b| distance(a).total_cmp(&distance(b)));
         Err(CalibrationError::Exchanged {
             index,
-            mode: self.names[index],
-            other: other.copied().unwrap_or(self.names[index]),
+            mode,
+            other: other.map_or(mode, |(name, _)| *name),
             measured_hz: self.problem.measured[index].frequency_hz,
-            jump_hz: [point, beyond].map(|point| point.frequencies_hz[index]),
+            jump_hz,
             values: values_at(self.variables, &point.x),
         })
     }
