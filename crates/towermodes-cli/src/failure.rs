@@ -19,11 +19,10 @@ use towermodes_files::{
 use towermodes_report::raster::RasterError;
 use towermodes_report::wording::{printable, remedy};
 
-use towermodes_sweep::{PartsError, Remedy, RunError, SweepError, TableError};
+use towermodes_sweep::{Remedy, SliceError, SweepError, TableError};
 
 use crate::args::EndingError;
 use crate::input::SETTING;
-use crate::sweep::MOST_ROWS_IN_MEMORY;
 use crate::terminal::NOT_SHOWN;
 
 /// The errors that end the program without a result.
@@ -88,18 +87,12 @@ pub(crate) enum Failure {
     /// The table of a sweep is wrong.
     #[error("{0}")]
     Table(TableError),
-    /// The rows of a sweep could not be computed in memory.
+    /// A slice of a sweep cannot be written, or slices cannot be read together.
     #[error("{0}")]
-    Rows(RunError),
-    /// The folder of results is wrong or cannot be written.
-    #[error("{0}")]
-    Parts(PartsError),
-    /// Too many rows for standard output.
-    #[error("the sweep has {rows} rows; more than {MOST_ROWS_IN_MEMORY} are written to a folder")]
-    ManyRows {
-        /// How many.
-        rows: u64,
-    },
+    Slice(SliceError),
+    /// Rows that no slice has.
+    #[error("the slices do not have the rows {0}")]
+    MissingRows(String),
     /// The options are impossible or the computation failed.
     #[error("{0}")]
     Unsolved(SolveError),
@@ -257,7 +250,6 @@ impl Failure {
     /// What the user can do about it.
     fn hint(&self) -> Option<Cow<'static, str>> {
         let hint = match self {
-            Self::ManyRows { .. } => "give --output FOLDER",
             Self::Server { port: Some(_), .. } => {
                 "without --port the program takes any port that is free"
             }
@@ -298,7 +290,8 @@ impl Failure {
             }
             Self::Unverified { .. } => "see the lines with FAIL above",
             Self::OverwritesInput(_) => "give another path with --output",
-            Self::Parts(error) => return error.remedy().map(option_for),
+            Self::MissingRows(_) => "--rows FIRST..END with --output computes a slice of them",
+            Self::Slice(error) => return error.remedy().map(option_for),
             Self::Table(error) => return error.remedy().map(option_for),
             _ => return None,
         };
@@ -338,14 +331,12 @@ impl Failure {
             Self::Unwritable(..) | Self::Unverified { .. } => 1,
             Self::Server { .. } => 1,
             Self::Several { code, .. } => *code,
-            Self::Rows(_) => 1,
-            Self::Parts(
-                PartsError::Io { .. }
-                | PartsError::Unwritable { .. }
-                | PartsError::Damaged { .. }
-                | PartsError::Lost { .. }
-                | PartsError::Replaced { .. }
-                | PartsError::Run(_),
+            Self::MissingRows(_) => 1,
+            Self::Slice(
+                SliceError::Output(_)
+                | SliceError::Io { .. }
+                | SliceError::Damaged { .. }
+                | SliceError::Run(_),
             ) => 1,
             _ => 2,
         }
@@ -437,13 +428,11 @@ fn hint_for_sweep(error: &SolveError) -> Option<&'static str> {
 /// The option of `sweep` that is a remedy.
 fn option_for(remedy: Remedy) -> Cow<'static, str> {
     match remedy {
-        Remedy::RemoveResults => Cow::Borrowed("--force removes these results"),
         Remedy::IgnoreColumn { name } => {
             let said =
                 format!("--ignore \"{name}\" leaves the column out, as does a # before its name");
             Cow::Owned(said)
         }
-        Remedy::LargerParts { rows } => Cow::Owned(format!("--rows-per-part {rows}")),
         Remedy::Csv => Cow::Borrowed("--format csv"),
     }
 }

@@ -1,30 +1,58 @@
 //! `towermodes sweep`.
 
+mod check;
 mod first_order;
-mod folder;
-mod memory;
 mod picture;
 mod planned;
 mod progress;
 mod selection;
-mod warned;
+mod solve;
+
+use towermodes_sweep::Slices;
 
 use crate::args::SweepArguments;
 use crate::failure::Failure;
+use crate::output::deliver;
+use crate::table;
 use planned::Planned;
 
-pub(crate) use memory::MOST_ROWS as MOST_ROWS_IN_MEMORY;
-
-/// Solves the rows of a table or a study: into a folder, or to standard output; or none, to first
-/// order.
+/// Solves rows of a table or a study and writes them as one slice, or reads slices that are there;
+/// or solves none, but differentiates.
 pub(crate) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     arguments.check().map_err(Failure::Usage)?;
+    let format = arguments.slice_format().map_err(Failure::Ending)?;
+    picture::check(arguments)?;
     let planned = Planned::of(arguments)?;
     if arguments.first_order {
         return first_order::run(&planned, arguments);
     }
-    match arguments.folder() {
-        Some(path) => folder::run(&planned, path, arguments),
-        None => memory::run(&planned, arguments),
+    let rows = planned.rows(arguments)?;
+    let paths = match arguments.output() {
+        _ if !arguments.slices.is_empty() => {
+            check::run(&planned, rows, arguments)?;
+            arguments.slices.clone()
+        }
+        output => {
+            solve::run(&planned, (rows, format), arguments)?;
+            Vec::from_iter(output.map(Into::into))
+        }
+    };
+    if !arguments.summary && arguments.plot.is_none() {
+        return Ok(());
     }
+    let slices = Slices::open(&planned.sweep, &planned.source, &paths);
+    let slices = slices.map_err(Failure::Slice)?;
+    if arguments.summary {
+        summarize(&planned, &slices)?;
+    }
+    picture::run(&planned, &slices, arguments)
+}
+
+/// Prints the results in numbers, with the resonance check of the base's rotor if it has one.
+fn summarize(planned: &Planned, slices: &Slices<'_>) -> Result<(), Failure> {
+    let check = planned.sweep.margin_check();
+    let summary = slices.summary(check.as_ref()).map_err(Failure::Slice)?;
+    let tower = planned.input.tower().map_err(Failure::Input)?;
+    let text = table::sweep_summary(&tower, &summary, check.as_ref());
+    deliver(text.as_bytes(), None)
 }

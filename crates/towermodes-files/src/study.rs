@@ -78,8 +78,6 @@ pub struct SweepResults {
     pub rotary_inertia: bool,
     /// Whether the varied values are columns of the results.
     pub inputs: bool,
-    /// Number of rows of a part; `None` is the default.
-    pub rows_per_part: Option<u64>,
 }
 
 impl Default for SweepResults {
@@ -90,7 +88,6 @@ impl Default for SweepResults {
             method: None,
             rotary_inertia: true,
             inputs: true,
-            rows_per_part: None,
         }
     }
 }

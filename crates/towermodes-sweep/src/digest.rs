@@ -1,7 +1,6 @@
 //! SHA-256 of bytes, in hexadecimal digits.
 
 use std::fmt::Write;
-use std::io;
 
 use sha2::{Digest as _, Sha256};
 
@@ -29,17 +28,6 @@ impl Digest {
             let _ = write!(text, "{byte:02x}");
             text
         })
-    }
-}
-
-impl io::Write for Digest {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.add(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
     }
 }
 

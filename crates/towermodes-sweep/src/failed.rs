@@ -1,7 +1,6 @@
 //! Rows without a complete result.
 
-use std::cmp::Reverse;
-use std::collections::{BinaryHeap, TryReserveError};
+use std::collections::TryReserveError;
 
 /// The numbers of rows that failed or lack a mode, and the sentence of each, by rising rows.
 ///
@@ -57,37 +56,6 @@ impl FailedRows {
         self.ends.push(self.text.len() as u64);
         Ok(())
     }
-
-    /// All rows of several lists.
-    ///
-    /// # Errors
-    /// If the memory is not available.
-    pub(crate) fn merged(mut lists: Vec<Self>) -> Result<Self, TryReserveError> {
-        lists.retain(|list| !list.is_empty());
-        if lists.len() < 2 {
-            return Ok(lists.pop().unwrap_or_default());
-        }
-        let mut all = Self::default();
-        let count = lists.iter().map(Self::len).sum();
-        all.rows.try_reserve_exact(count)?;
-        all.ends.try_reserve_exact(count)?;
-        let bytes = lists.iter().map(|list| list.text.len()).sum();
-        all.text.try_reserve_exact(bytes)?;
-        let firsts = lists.iter().enumerate();
-        let mut next: BinaryHeap<_> = firsts
-            .map(|(list, rows)| Reverse((rows.rows[0], list, 0)))
-            .collect();
-        while let Some(Reverse((_, list, place))) = next.pop() {
-            let rows = &lists[list];
-            if let Some((row, sentence)) = rows.get(place) {
-                all.push(row, sentence)?;
-            }
-            if let Some(row) = rows.rows.get(place + 1) {
-                next.push(Reverse((*row, list, place + 1)));
-            }
-        }
-        Ok(all)
-    }
 }
 
 #[cfg(test)]
@@ -95,15 +63,12 @@ mod tests {
     use super::FailedRows;
 
     #[test]
-    fn lists_of_threads_give_one_list_by_rising_rows() {
+    fn sentences_of_any_length_are_kept_with_their_rows() {
         let sentence = |row: u64| format!("row {row}: {}", "ß".repeat((row % 4) as usize));
-        let mut lists = vec![FailedRows::default(); 4];
+        let mut all = FailedRows::default();
         for row in 0..100 {
-            // The last list stays empty.
-            let list = &mut lists[(row / 3 % 3) as usize];
-            list.push(row, &sentence(row)).expect("memory");
+            all.push(row, &sentence(row)).expect("memory");
         }
-        let all = FailedRows::merged(lists).expect("memory");
         assert_eq!(all.len(), 100);
         for ((row, found), expected) in all.iter().zip(0..) {
             assert_eq!((row, found), (expected, sentence(expected).as_str()));
@@ -112,11 +77,5 @@ mod tests {
         let (rows, ends, text) = all.into_columns();
         assert_eq!((rows[99], ends[99]), (99, text.len() as u64));
         assert_eq!(text[..ends[1] as usize], *"row 0: row 1: ß".as_bytes());
-    }
-
-    #[test]
-    fn no_lists_give_no_rows() {
-        let none = FailedRows::merged(vec![FailedRows::default(); 2]).expect("memory");
-        assert!(none.is_empty() && none.iter().next().is_none());
     }
 }

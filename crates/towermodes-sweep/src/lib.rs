@@ -6,7 +6,7 @@
 //! | [`Sweep`] | the [changes](towermodes::Change) of each row, and the modes with columns |
 //! | [`Columns`], [`Draw`], [`Table`] | the values: in memory, drawn, from a file |
 //! | [`run()`], [`Results`] | all rows in memory |
-//! | [`Parts`], [`Shard`] | all rows into a folder, continued after a kill, shared by processes |
+//! | [`Slice`], [`Slices`] | any rows into a file as they are solved; the files of one sweep together |
 //! | [`FirstOrder`] | mean and deviation of frequencies from derivatives, without rows |
 //! | [`Summary`] | statistics, failures, violated resonance margins |
 //!
@@ -25,15 +25,17 @@ mod failed;
 mod first;
 mod first_order;
 mod lowest;
-mod parts;
 mod remedy;
 mod results;
 mod row;
 mod run;
 mod sampling;
+mod slice;
 mod source;
+mod stream;
 mod summary;
 mod sweep;
+mod sweep_source;
 mod table;
 mod threads;
 mod warned;
@@ -41,21 +43,19 @@ mod warned;
 pub use base::{Base, DEFAULT_SWEEP_SEGMENTS};
 pub use failed::FailedRows;
 pub use first_order::{FirstOrder, FirstOrderError, InputScatter, ModeScatter, NoScatter, Scatter};
-pub use parts::{
-    DEFAULT_ROWS_PER_PART, MAX_ROWS_PER_PART, PartFormat, PartOptions, Parts, PartsError,
-    PartsProgress, Shard, ShardError, SourceBlock, SweepSource, results_csv,
-};
 pub use remedy::Remedy;
 pub use results::Results;
 pub use row::{MORE_MODES, named, number_at};
 pub use run::{RunError, run};
 pub use sampling::Draw;
-pub use source::{Columns, LengthsDiffer, RowSource};
+pub use slice::{Slice, SliceError, SliceFormat, Slices, Solved};
+pub use source::{Columns, LengthsDiffer, RowSource, SourceBlock};
 pub use summary::{
     FailureKind, MarginCheck, MarginCounts, MarginSummary, ModeSummary, QUANTILES, Statistics,
     Summary,
 };
 pub use sweep::{MOST_MODES, Sweep, SweepError};
+pub use sweep_source::SweepSource;
 pub use table::{CellError, RowPlace, Table, TableError, TableProblem};
 pub use threads::Watch;
 pub use warned::RowRemarks;

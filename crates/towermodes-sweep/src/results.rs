@@ -108,54 +108,10 @@ impl Results {
         })
     }
 
-    /// The rows in pieces of at most `count`, each with its first row.
-    pub(crate) fn pieces(&mut self, count: usize) -> impl Iterator<Item = Piece<'_>> {
-        let modes = self.modes.len();
-        let first_row = self.first_row;
-        let numbers = self.frequency_hz.chunks_mut(count * modes);
-        let numbers = numbers.zip(self.error_hz.chunks_mut(count * modes));
-        let numbers = numbers.zip(self.share.chunks_mut(count * modes));
-        let others = self.mass_kg.chunks_mut(count);
-        let others = others.zip(self.certified.chunks_mut(count));
-        let all = others.zip(numbers).enumerate();
-        all.map(
-            move |(index, ((mass_kg, certified), ((frequency_hz, error_hz), share)))| Piece {
-                first_row: first_row + (index * count) as u64,
-                modes,
-                mass_kg,
-                certified,
-                frequency_hz,
-                error_hz,
-                share,
-            },
-        )
-    }
-}
-
-fn column(numbers: &[f64], column: usize, columns: usize) -> impl Iterator<Item = f64> {
-    numbers.iter().skip(column).step_by(columns).copied()
-}
-
-/// Successive rows of results that one thread fills.
-#[derive(Debug)]
-pub(crate) struct Piece<'a> {
-    pub(crate) first_row: u64,
-    modes: usize,
-    mass_kg: &'a mut [f64],
-    certified: &'a mut [bool],
-    frequency_hz: &'a mut [f64],
-    error_hz: &'a mut [f64],
-    share: &'a mut [f64],
-}
-
-impl Piece<'_> {
-    pub(crate) fn rows(&self) -> usize {
-        self.mass_kg.len()
-    }
-
-    /// The cells of a row, by its place in the piece.
+    /// The cells of a row, by its place.
     pub(crate) fn cells(&mut self, row: usize) -> Cells<'_> {
-        let of_modes = row * self.modes..(row + 1) * self.modes;
+        let modes = self.modes.len();
+        let of_modes = row * modes..(row + 1) * modes;
         Cells {
             mass_kg: &mut self.mass_kg[row],
             certified: &mut self.certified[row],
@@ -164,4 +120,41 @@ impl Piece<'_> {
             share: &mut self.share[of_modes],
         }
     }
+
+    /// Adds the rows that follow; remarks on rows are added by themselves.
+    ///
+    /// # Errors
+    /// If the memory is not available.
+    pub(crate) fn append(&mut self, mut next: Self) -> Result<(), TryReserveError> {
+        append(&mut self.mass_kg, &mut next.mass_kg)?;
+        append(&mut self.certified, &mut next.certified)?;
+        append(&mut self.frequency_hz, &mut next.frequency_hz)?;
+        append(&mut self.error_hz, &mut next.error_hz)?;
+        append(&mut self.share, &mut next.share)?;
+        let mut failures = next.failures.iter();
+        failures.try_for_each(|(row, sentence)| self.failures.push(row, sentence))
+    }
+
+    /// Makes room for further rows.
+    ///
+    /// # Errors
+    /// If the memory is not available.
+    pub(crate) fn reserve(&mut self, rows: usize) -> Result<(), TryReserveError> {
+        let cells = rows.saturating_mul(self.modes.len());
+        self.mass_kg.try_reserve_exact(rows)?;
+        self.certified.try_reserve_exact(rows)?;
+        self.frequency_hz.try_reserve_exact(cells)?;
+        self.error_hz.try_reserve_exact(cells)?;
+        self.share.try_reserve_exact(cells)
+    }
+}
+
+fn append<T>(all: &mut Vec<T>, next: &mut Vec<T>) -> Result<(), TryReserveError> {
+    all.try_reserve(next.len())?;
+    all.append(next);
+    Ok(())
+}
+
+fn column(numbers: &[f64], column: usize, columns: usize) -> impl Iterator<Item = f64> {
+    numbers.iter().skip(column).step_by(columns).copied()
 }

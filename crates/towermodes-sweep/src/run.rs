@@ -1,21 +1,12 @@
 //! A sweep in memory.
 
-use std::collections::TryReserveError;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use thiserror::Error;
 
-use crate::failed::FailedRows;
-use crate::results::{Piece, Results};
-use crate::row::RowSolver;
-use crate::source::RowSource;
+use crate::results::Results;
+use crate::source::{RowSource, SourceBlock};
+use crate::stream::stream;
 use crate::sweep::Sweep;
-use crate::threads::{Tick, Watch, lock, shared};
-use crate::warned::RowRemarks;
-
-/// Rows that a thread takes at a time, some milliseconds of work; fewer are not worth a thread.
-pub(crate) const PIECE_ROWS: usize = 64;
+use crate::threads::Watch;
 
 /// Why a sweep in memory has no results.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -35,7 +26,7 @@ pub enum RunError {
         changes: usize,
     },
     /// The results need more memory than there is.
-    #[error("the results of {rows} rows do not fit into memory; write them to a folder instead")]
+    #[error("the results of {rows} rows do not fit into memory; solve fewer rows at a time")]
     Memory {
         /// Number of rows.
         rows: u64,
@@ -84,94 +75,19 @@ pub fn run(
         return Err(RunError::Width { values, changes });
     }
     let rows = source.rows();
-    let too_many = RunError::Memory { rows };
-    let Ok(count) = usize::try_from(rows) else {
-        return Err(too_many);
-    };
-    let Ok(mut results) = Results::unsolved(0, count, sweep.modes()) else {
-        return Err(too_many);
-    };
-    let threads = threads.min(count.div_ceil(PIECE_ROWS));
-    let (failures, full) = (Mutex::new(Vec::new()), AtomicBool::new(false));
-    let [warnings, shared_rows] = [(); 2].map(|()| Mutex::new(RowRemarks::default()));
-    let pieces = Mutex::new(results.pieces(PIECE_ROWS));
-    let ended = shared(threads, watch, |tick| {
-        let mut rows = Rows::new(sweep);
-        while !full.load(Ordering::Relaxed) {
-            // The lock is not held while rows are solved.
-            let piece = lock(&pieces).next();
-            let Some(piece) = piece else { break };
-            let first = piece.first_row;
-            match rows.solve(source, first, piece, tick) {
-                Ok(true) => {}
-                Ok(false) => break,
-                Err(_) => full.store(true, Ordering::Relaxed),
-            }
-        }
-        lock(&failures).push(rows.failed);
-        lock(&warnings).append(rows.warnings);
-        lock(&shared_rows).append(rows.shared);
-    });
-    drop(pieces);
-    ended.map_err(|_| RunError::Stopped)?;
-    let failures = failures.into_inner().unwrap_or_else(|e| e.into_inner());
-    if full.into_inner() {
-        return Err(too_many);
-    }
-    results.failures = FailedRows::merged(failures).map_err(|_| too_many)?;
-    let inner = |rows: Mutex<RowRemarks>| rows.into_inner().unwrap_or_else(|e| e.into_inner());
-    (results.warnings, results.shared) = (inner(warnings), inner(shared_rows));
-    Ok(results)
-}
-
-/// What one thread needs to solve rows.
-pub(crate) struct Rows<'a> {
-    solver: RowSolver<'a>,
-    values: Vec<f64>,
-    /// Of all rows that it has solved, which rise.
-    pub(crate) failed: FailedRows,
-    /// On all rows that it has solved.
-    pub(crate) warnings: RowRemarks,
-    /// The rows that it has solved in which modes share their motions.
-    pub(crate) shared: RowRemarks,
-}
-
-impl<'a> Rows<'a> {
-    pub(crate) fn new(sweep: &'a Sweep) -> Self {
-        Self {
-            solver: RowSolver::new(sweep),
-            values: vec![0.0; sweep.changes().len()],
-            failed: FailedRows::default(),
-            warnings: RowRemarks::default(),
-            shared: RowRemarks::default(),
-        }
-    }
-
-    /// Solves the rows of a piece, whose values are those of a source from its row `first` on;
-    /// false if the tick ended it.
-    ///
-    /// # Errors
-    /// If there is no memory for the sentences of rows that failed.
-    pub(crate) fn solve(
-        &mut self,
-        source: &dyn RowSource,
-        first: u64,
-        mut piece: Piece<'_>,
-        tick: &mut Tick<'_>,
-    ) -> Result<bool, TryReserveError> {
-        for index in 0..piece.rows() {
-            let row = piece.first_row + index as u64;
-            source.row(first + index as u64, &mut self.values);
-            let failure = self.solver.solve(&self.values, piece.cells(index));
-            if let Some(sentence) = failure {
-                self.failed.push(row, &sentence)?;
-            }
-            self.solver.warn(row, &mut self.warnings);
-            self.solver.share(row, &mut self.shared);
-            if !tick() {
-                return Ok(false);
-            }
-        }
-        Ok(true)
-    }
+    let too_many = |_| RunError::Memory { rows };
+    let count = usize::try_from(rows).map_err(|_| RunError::Memory { rows })?;
+    let first_row = source.first_row();
+    let mut all = Results::unsolved(first_row, 0, sweep.modes()).map_err(too_many)?;
+    all.reserve(count).map_err(too_many)?;
+    let remarks = stream(
+        sweep,
+        first_row..first_row + rows,
+        (threads, watch),
+        |rows| Ok(SourceBlock::of(source, rows)),
+        |_, results| results,
+        |results| all.append(results).map_err(too_many),
+    )?;
+    (all.warnings, all.shared) = (remarks.warnings, remarks.shared);
+    Ok(all)
 }

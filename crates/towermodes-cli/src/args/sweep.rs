@@ -1,27 +1,30 @@
 //! The arguments of `sweep`.
 
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
 use towermodes::{MAX_SEGMENTS, Method, ModeName};
 use towermodes_files::{SweepModes, SweepResults};
-use towermodes_sweep::{MAX_ROWS_PER_PART, PartFormat, Shard, ShardError};
+use towermodes_sweep::SliceFormat;
 
+use super::ending::{Ending, EndingError};
 use super::input::ReadingArguments;
 use super::parsers::{method_parser, number_parser};
 use super::picture::PictureFile;
 
 const EXAMPLES: &str = "Examples:
   towermodes sweep tower.toml values.csv > frequencies.csv
-  towermodes sweep tower.toml values.csv --output results/ --summary --plot frequencies.svg
-  towermodes sweep study.toml --output more-results/ --modes 6
+  towermodes sweep study.toml --output results.csv --summary --plot frequencies.svg
+  towermodes sweep study.toml --rows 0..50000 --output slice-0.csv
+  towermodes sweep study.toml --check slice-*.csv --summary
   towermodes sweep study.toml --first-order
 
 The columns of a table are names of numbers: rna.mass replaces the number, scale(stations[*].wall) multiplies it, add(stations[*].height) adds to it; `towermodes parameters FILE` lists the names. A study is a TOML file with [sweep]: base, sampling, distributions and correlations.
 
-With --output the results are files. Each file has a part of the rows and is written completely or not at all. If the sweep was interrupted, the same command computes what is missing; several processes and machines may share the folder (--shard). If the folder is complete, nothing is computed: --summary and --plot show its results. A row that cannot be solved has the error message in the column error.
+The results are one table, written as the rows are solved. A file gets its name when it is complete: a command that is interrupted leaves no file of this name. For many processors or hours of work, let each process write a slice of the rows (--rows) into a file of its own; files that are there need not be computed again. --check reads the slices of one sweep: it refuses slices of another one and names the rows that are missing. A row that cannot be solved has the error message in the column error.
 
-Exit codes: 0 all rows are computed, possibly with rows that could not be solved (a warning gives the number of those computed by this command, --summary that of all), 1 the output failed, or another program changed the folder, 2 wrong usage or wrong input. Ctrl-C ends the program by its signal; shells show 130.";
+Exit codes: 0 all rows are computed, possibly with rows that could not be solved (a warning gives their number), 1 the output failed, or with --check rows are missing or a slice is damaged, 2 wrong usage or wrong input. Ctrl-C ends the program by its signal; shells show 130.";
 
 /// The arguments of `sweep`.
 #[derive(Debug, Args)]
@@ -57,23 +60,19 @@ pub(crate) struct SweepArguments {
     #[arg(long)]
     no_rotary_inertia: bool,
 
-    /// Write the results to this folder, in parts; without it they are printed as CSV
-    #[arg(long, short, value_name = "FOLDER")]
+    /// Solve only the rows FIRST to END-1, numbered from 0; an END behind the last row means the
+    /// last row
+    #[arg(long, value_name = "FIRST..END")]
+    pub(crate) rows: Option<RowRange>,
+
+    /// Write the results to this file; without it they are printed as CSV
+    #[arg(long, short, value_name = "PATH")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Format of the parts [default: parquet if this program is built with it, otherwise csv]; of
-    /// --first-order [default: table]
+    /// Format of the results [default: by the file extension, csv without one]; of --first-order
+    /// [default: table]
     #[arg(long, short, value_enum)]
     pub(crate) format: Option<SweepFormat>,
-
-    /// Rows of each part [default: 16384]
-    #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_ROWS_PER_PART as usize))]
-    rows_per_part: Option<usize>,
-
-    /// Compute only shard I of N: the parts are divided into N equal shards, I is from 0 to N-1;
-    /// for a job array
-    #[arg(long, value_name = "I/N", value_parser = shard_parser)]
-    pub(crate) shard: Option<Shard>,
 
     /// Number of threads [default: the processors that are available to the process]
     #[arg(long, value_name = "N", value_parser = number_parser(1, 4096))]
@@ -83,9 +82,10 @@ pub(crate) struct SweepArguments {
     #[arg(long)]
     no_inputs: bool,
 
-    /// Remove the results in the folder and compute all rows again
-    #[arg(long)]
-    pub(crate) force: bool,
+    /// Solve no rows, but read these files: refuse them if they are not slices of this sweep, and
+    /// name the rows that no file has
+    #[arg(long = "check", value_name = "SLICES", num_args = 1..)]
+    pub(crate) slices: Vec<PathBuf>,
 
     /// Print mean, standard deviation, quantiles, failed rows and, if the rotor is known, the share
     /// of the rows in which an excitation is closer than 5 % to a natural frequency
@@ -107,7 +107,7 @@ pub(crate) struct SweepArguments {
     pub(crate) reading: ReadingArguments,
 }
 
-/// The format of the parts, or of the scatter to first order.
+/// The format of the results, or of the scatter to first order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum SweepFormat {
     /// Text, for any program.
@@ -120,6 +120,41 @@ pub(crate) enum SweepFormat {
     Json,
 }
 
+impl Ending for SweepFormat {
+    const ENDINGS: &'static [(&'static str, Self)] =
+        &[("csv", Self::Csv), ("parquet", Self::Parquet)];
+}
+
+/// Successive rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct RowRange {
+    /// The first row, from 0.
+    pub(crate) start: u64,
+    /// The row behind the last one.
+    pub(crate) end: u64,
+}
+
+impl FromStr for RowRange {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong = || {
+            format!(
+                "`{text}` is no range of rows; write FIRST..END, as 0..50000 for the first 50000 rows"
+            )
+        };
+        let (start, end) = text.split_once("..").ok_or_else(wrong)?;
+        let number = |digits: &str| digits.trim().parse::<u64>().map_err(|_| wrong());
+        let (start, end) = (number(start)?, number(end)?);
+        match start < end {
+            true => Ok(Self { start, end }),
+            false => Err(format!(
+                "there is no row in {text}; END is the row behind the last one"
+            )),
+        }
+    }
+}
+
 impl SweepArguments {
     /// The number of threads.
     pub(crate) fn threads(&self) -> usize {
@@ -129,30 +164,29 @@ impl SweepArguments {
 
     /// What is computed and written: these options, else those of a study.
     pub(crate) fn results(&self, study: SweepResults) -> SweepResults {
-        let rows_per_part = self.rows_per_part.map(|rows| rows as u64);
         SweepResults {
             modes: self.modes.clone().unwrap_or(study.modes),
             segments: self.segments.or(study.segments),
             method: self.method.or(study.method),
             rotary_inertia: study.rotary_inertia && !self.no_rotary_inertia,
             inputs: study.inputs && !self.no_inputs,
-            rows_per_part: rows_per_part.or(study.rows_per_part),
         }
     }
 
-    /// The format of the parts.
-    pub(crate) fn part_format(&self) -> PartFormat {
-        match self.format {
-            Some(SweepFormat::Csv) => PartFormat::Csv,
-            Some(SweepFormat::Parquet) => PartFormat::Parquet,
-            None if cfg!(feature = "parquet") => PartFormat::Parquet,
-            // `check` refuses the formats of --first-order.
-            _ => PartFormat::Csv,
-        }
+    /// The format of the results.
+    ///
+    /// # Errors
+    /// A file extension of another format.
+    pub(crate) fn slice_format(&self) -> Result<SliceFormat, EndingError> {
+        // `check` refuses the formats of --first-order.
+        Ok(match SweepFormat::asked(self.format, self.output())? {
+            Some(SweepFormat::Parquet) => SliceFormat::Parquet,
+            _ => SliceFormat::Csv,
+        })
     }
 
-    /// The folder of the results; none for standard output.
-    pub(crate) fn folder(&self) -> Option<&Path> {
+    /// The file of the results; none for standard output.
+    pub(crate) fn output(&self) -> Option<&Path> {
         super::file_of(self.output.as_deref())
     }
 
@@ -162,7 +196,7 @@ impl SweepArguments {
         Some((path, PictureFile::of(path)?))
     }
 
-    /// Checks the options that need a folder, and the file extension of the picture.
+    /// Checks the options that need a file, and the file extension of the picture.
     ///
     /// # Errors
     /// The message for an option that has no effect, or cannot have the requested one.
@@ -175,33 +209,32 @@ impl SweepArguments {
                 "--format table and json need --first-order; the results of rows are csv or parquet",
             );
         }
-        if self.folder().is_some() {
-            return match self.plot.is_some() && self.picture().is_none() {
-                true => Err(PictureFile::UNKNOWN),
+        if self.plot.is_some() && self.picture().is_none() {
+            return Err(PictureFile::UNKNOWN);
+        }
+        if !self.slices.is_empty() {
+            let of_solves =
+                self.output.is_some() || self.format.is_some() || self.threads.is_some();
+            return match of_solves {
+                true => Err("--check solves no rows; omit --output, --format and --threads"),
                 false => Ok(()),
             };
         }
+        if self.output().is_some() {
+            return Ok(());
+        }
         let needs = [
             (
-                self.shard.is_some(),
-                "--shard needs --output FOLDER, which all shards write to",
-            ),
-            (
                 self.summary,
-                "--summary needs --output FOLDER; standard output is the table of results",
+                "--summary needs --output FILE or --check SLICES; standard output is the table of results",
             ),
             (
                 self.plot.is_some(),
-                "--plot needs --output FOLDER; standard output is the table of results",
-            ),
-            (self.force, "--force needs --output FOLDER"),
-            (
-                self.rows_per_part.is_some(),
-                "--rows-per-part needs --output FOLDER",
+                "--plot needs --output FILE or --check SLICES; standard output is the table of results",
             ),
             (
                 self.format == Some(SweepFormat::Parquet),
-                "--format parquet needs --output FOLDER; standard output is CSV",
+                "--format parquet needs --output FILE; standard output is CSV",
             ),
         ];
         let wrong = needs.into_iter().find(|(is_given, _)| *is_given);
@@ -214,17 +247,16 @@ impl SweepArguments {
     fn check_first_order(&self) -> Result<(), &'static str> {
         let of_rows = [
             self.output.is_some(),
-            self.rows_per_part.is_some(),
-            self.shard.is_some(),
+            self.rows.is_some(),
             self.threads.is_some(),
             self.no_inputs,
-            self.force,
+            !self.slices.is_empty(),
             self.summary,
             self.plot.is_some(),
         ];
         if of_rows.contains(&true) {
             return Err(
-                "--first-order solves no rows; omit --output, --rows-per-part, --shard, --threads, --no-inputs, --force, --summary and --plot",
+                "--first-order solves no rows; omit --output, --rows, --threads, --no-inputs, --check, --summary and --plot",
             );
         }
         if matches!(self.format, Some(SweepFormat::Csv | SweepFormat::Parquet)) {
@@ -256,16 +288,20 @@ fn modes_parser(text: &str) -> Result<SweepModes, String> {
     names.map(SweepModes::Named)
 }
 
-/// A shard of the parts.
-fn shard_parser(text: &str) -> Result<Shard, String> {
-    text.parse().map_err(|error: ShardError| error.to_string())
-}
-
 #[cfg(test)]
 mod tests {
     use towermodes_files::SweepModes;
 
-    use super::modes_parser;
+    use super::{RowRange, modes_parser};
+
+    #[test]
+    fn rows_are_a_range_without_its_end() {
+        let found = "10..20".parse();
+        assert_eq!(found, Ok(RowRange { start: 10, end: 20 }));
+        for wrong in ["20..10", "5..5", "10-20", "10..", "..5", "a..b", "-1..4"] {
+            assert!(wrong.parse::<RowRange>().is_err(), "{wrong}");
+        }
+    }
 
     #[test]
     fn modes_are_a_number_or_names() {

@@ -2,7 +2,10 @@
 
 mod closed;
 mod place;
+mod streamed;
 mod whole;
+
+pub(crate) use streamed::Streamed;
 
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};

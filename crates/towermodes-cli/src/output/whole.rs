@@ -21,11 +21,15 @@ pub(super) fn write(path: &Path, content: &[u8]) -> io::Result<()> {
     match Place::of(path)? {
         Place::File(target) => Staged::new(target, content)?.take_place(),
         Place::Stream => {
-            // At its end, if a file is behind it that others write to.
-            let mut stream = OpenOptions::new().append(true).open(path)?;
+            let mut stream = open_stream(path)?;
             stream.write_all(content).and_then(|()| stream.flush())
         }
     }
+}
+
+/// Opens a stream at its end, if a file is behind it that others write to.
+pub(super) fn open_stream(path: &Path) -> io::Result<File> {
+    OpenOptions::new().append(true).open(path)
 }
 
 /// Writes two files: both or neither.
@@ -69,33 +73,47 @@ pub(super) fn write_anew(
     Err(ErrorKind::AlreadyExists.into())
 }
 
-/// A complete new file in the folder of the file that it will replace; removed on drop.
-struct Staged {
+/// A new file in the folder of the file that it will replace; removed on drop.
+pub(super) struct Staged {
+    file: File,
     new: PathBuf,
     target: PathBuf,
 }
 
 impl Staged {
-    /// Writes it, down to the disk.
-    fn new(target: PathBuf, content: &[u8]) -> io::Result<Self> {
+    /// An empty one.
+    pub(super) fn begin(target: PathBuf) -> io::Result<Self> {
         // A write-protected file is not replaced.
         match OpenOptions::new().write(true).open(&target) {
             Err(error) if error.kind() != ErrorKind::NotFound => return Err(error),
             _ => {}
         }
         let (file, new) = create_beside(&target)?;
-        let staged = Self { new, target };
-        staged.fill(file, content).map(|()| staged)
+        Ok(Self { file, new, target })
     }
 
-    fn fill(&self, mut file: File, content: &[u8]) -> io::Result<()> {
-        file.write_all(content)?;
+    /// A complete one.
+    fn new(target: PathBuf, content: &[u8]) -> io::Result<Self> {
+        let mut staged = Self::begin(target)?;
+        staged.write_all(content)?;
+        staged.complete()?;
+        Ok(staged)
+    }
+
+    /// Nothing more is written: it has the owner of the old file, and is on the disk.
+    fn complete(&self) -> io::Result<()> {
         if let Ok(old) = fs::metadata(&self.target) {
-            keep_owner(&file, &old);
-            file.set_permissions(old.permissions())?;
+            keep_owner(&self.file, &old);
+            self.file.set_permissions(old.permissions())?;
         }
         // A full disk may be detected here.
-        file.sync_all()
+        self.file.sync_all()
+    }
+
+    /// Completes it and puts it in the place of the old file.
+    pub(super) fn finish(self) -> io::Result<()> {
+        self.complete()?;
+        self.take_place()
     }
 
     fn take_place(self) -> io::Result<()> {
@@ -105,6 +123,16 @@ impl Staged {
             let _ = folder.sync_all();
         }
         Ok(())
+    }
+}
+
+impl Write for Staged {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
     }
 }
 

@@ -1,13 +1,12 @@
-//! The picture of a complete sweep.
-
-use std::fs;
-use std::path::Path;
+//! The picture of a sweep.
 
 use towermodes_report::figures::{
     self, ModeColumn, SweepBand, SweepBands, SweepColumns, VariedColumn, ViolatedShare,
 };
 use towermodes_report::svg::Figure;
-use towermodes_sweep::{MarginCheck, MarginCounts, MarginSummary, Parts, RowSource};
+use towermodes_sweep::{
+    MarginCheck, MarginCounts, MarginSummary, Results, RowSource, Slices, TableError,
+};
 
 use super::planned::Planned;
 use super::selection::Selection;
@@ -20,78 +19,83 @@ use crate::plot::deliver_picture;
 const MOST_ROWS: u64 = 1_000_000;
 
 /// Checks that the picture can be written, before hours are spent on its results.
-pub(super) fn check(folder: &Path, arguments: &SweepArguments) -> Result<(), Failure> {
-    let Some((path, _)) = arguments.picture() else {
-        return Ok(());
-    };
-    // The picture may be in the folder of the results.
-    let made = fs::create_dir_all(folder);
-    made.map_err(|error| Failure::Unwritable(folder.display().to_string(), error))?;
-    check_place(path)
+pub(super) fn check(arguments: &SweepArguments) -> Result<(), Failure> {
+    match arguments.picture() {
+        Some((path, _)) => check_place(path),
+        None => Ok(()),
+    }
 }
 
 /// Draws the picture.
 pub(super) fn run(
     planned: &Planned,
-    parts: &Parts<'_>,
+    slices: &Slices<'_>,
     arguments: &SweepArguments,
 ) -> Result<(), Failure> {
     let Some(file) = arguments.picture() else {
         return Ok(());
     };
     let tower = planned.input.tower().map_err(Failure::Input)?;
-    deliver_picture(figure(planned, parts)?, &tower, file)
+    deliver_picture(figure(planned, slices)?, &tower, file)
 }
 
-fn figure(planned: &Planned, parts: &Parts<'_>) -> Result<Figure, Failure> {
+fn figure(planned: &Planned, slices: &Slices<'_>) -> Result<Figure, Failure> {
     let sweep = &planned.sweep;
     let labels: Vec<String> = sweep.modes().iter().map(|mode| mode.label()).collect();
-    let changes = sweep.changes();
-    let selection = Selection::of(parts.rows(), MOST_ROWS);
+    let varied = sweep.changes().iter().map(|change| VariedColumn {
+        name: change.name(),
+        unit: change.unit(),
+        values: Vec::new(),
+    });
+    let modes = labels.iter().map(|label| ModeColumn {
+        label,
+        frequency_hz: Vec::new(),
+    });
     let mut columns = SweepColumns {
-        rows: parts.rows(),
-        varied: changes
-            .iter()
-            .map(|change| VariedColumn {
-                name: change.name(),
-                unit: change.unit(),
-                values: Vec::new(),
-            })
-            .collect(),
-        modes: labels
-            .iter()
-            .map(|label| ModeColumn {
-                label,
-                frequency_hz: Vec::new(),
-            })
-            .collect(),
+        rows: slices.rows(),
+        varied: varied.collect(),
+        modes: modes.collect(),
         bands: SweepBands::default(),
     };
+    let selection = Selection::of(slices.rows(), MOST_ROWS);
     let check = sweep.margin_check();
     let mut counts = MarginCounts::new(labels.len(), check.as_ref());
-    let mut row_values = vec![0.0; changes.len()];
-    for part in 0..parts.count() {
-        let results = parts.read(part).map_err(Failure::Parts)?;
+    let mut added = Ok(());
+    let read = slices.each(&mut |results| {
         counts.add(&results);
-        let rows = parts.rows_of(part);
-        let block = planned.source.block(rows.clone());
-        let block = block.map_err(Failure::Table)?;
-        for row in rows.clone().filter(|row| selection.has(*row)) {
-            let in_part = row - rows.start;
-            block.row(in_part, &mut row_values);
-            for (column, value) in columns.varied.iter_mut().zip(&row_values) {
-                column.values.push(*value);
-            }
-            let first = in_part as usize * columns.modes.len();
-            for (index, mode) in columns.modes.iter_mut().enumerate() {
-                mode.frequency_hz.push(results.frequency_hz[first + index]);
-            }
+        if added.is_ok() {
+            added = add(&mut columns, slices, &results, selection);
         }
-    }
+    });
+    read.map_err(Failure::Slice)?;
+    added.map_err(Failure::Table)?;
     if let Some(check) = &check {
-        columns.bands = bands(check, counts.counts(), parts.source().is_independent());
+        columns.bands = bands(check, counts.counts(), slices.source().is_independent());
     }
     Ok(figures::sweep(&columns))
+}
+
+/// Adds the selected rows of some results, with the values of these rows.
+fn add(
+    columns: &mut SweepColumns<'_>,
+    slices: &Slices<'_>,
+    results: &Results,
+    selection: Selection,
+) -> Result<(), TableError> {
+    let rows = results.first_row..results.first_row + results.rows() as u64;
+    let block = slices.source().block(rows.clone())?;
+    let mut values = vec![0.0; columns.varied.len()];
+    for (place, _) in rows.enumerate().filter(|(_, row)| selection.has(*row)) {
+        block.row(place as u64, &mut values);
+        for (column, value) in columns.varied.iter_mut().zip(&values) {
+            column.values.push(*value);
+        }
+        let first = place * columns.modes.len();
+        for (index, mode) in columns.modes.iter_mut().enumerate() {
+            mode.frequency_hz.push(results.frequency_hz[first + index]);
+        }
+    }
+    Ok(())
 }
 
 /// The margins of 1P and of the blade passing frequency, with the rows that violate them.

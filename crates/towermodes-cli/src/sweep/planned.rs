@@ -1,5 +1,6 @@
 //! What is swept: the base, the changes, the modes, the values.
 
+use std::ops::Range;
 use std::path::Path;
 
 use towermodes::{Change, Operation, TowerDescription};
@@ -7,7 +8,7 @@ use towermodes_files::{
     FileFormat, Input, ReadError, ReadOptions, Setting, SiblingFiles, Source, SweepResults,
     SweepRows, SweepStudy, TowerInput, read, read_sweep_study, recognize,
 };
-use towermodes_sweep::{Base, Sweep, SweepSource, Table};
+use towermodes_sweep::{Base, SliceError, Sweep, SweepSource, Table};
 
 use crate::args::{ReadingArguments, SweepArguments};
 use crate::failure::{Failure, note, warn};
@@ -20,8 +21,6 @@ pub(super) struct Planned {
     pub(super) sweep: Sweep,
     /// The values of the rows.
     pub(super) source: SweepSource,
-    /// What is computed and written.
-    pub(super) results: SweepResults,
 }
 
 impl Planned {
@@ -41,8 +40,22 @@ impl Planned {
             input,
             sweep,
             source,
-            results,
         })
+    }
+
+    /// The rows that are asked for; a range may end behind the last row.
+    pub(super) fn rows(&self, arguments: &SweepArguments) -> Result<Range<u64>, Failure> {
+        let count = self.source.rows();
+        let Some(asked) = arguments.rows else {
+            return Ok(0..count);
+        };
+        match asked.start < count {
+            true => Ok(asked.start..asked.end.min(count)),
+            false => Err(Failure::Slice(SliceError::NoSuchRows {
+                rows: asked.start..asked.end,
+                count,
+            })),
+        }
     }
 }
 

@@ -10,8 +10,8 @@ pub use statistics::{QUANTILES, Statistics};
 use towermodes::{ModeName, Rotor};
 use towermodes_analysis::resonance::{CampbellOptions, tower_margin};
 
-use crate::parts::{Parts, PartsError};
 use crate::results::Results;
+use crate::slice::{SliceError, Slices};
 use crate::sweep::Sweep;
 use failures::Failures;
 use order::{PASSES, Selection};
@@ -213,19 +213,16 @@ impl Results {
     }
 }
 
-impl Parts<'_> {
-    /// The results of all parts in numbers, with a resonance check if one is given. The parts are
-    /// read six times, one after the other, so any number of rows needs the memory of one part, and
-    /// up to 0.9 MB for each column.
+impl Slices<'_> {
+    /// The results of all slices in numbers, with a resonance check if one is given. The files are
+    /// read six times, one after the other, so any number of rows needs little memory, up to 0.9 MB
+    /// for each column.
     ///
     /// # Errors
-    /// [`PartsError`] if a part is not there or not whole.
-    pub fn summary(&self, check: Option<&MarginCheck>) -> Result<Summary, PartsError> {
+    /// [`SliceError`] for a slice that cannot be read or is not whole.
+    pub fn summary(&self, check: Option<&MarginCheck>) -> Result<Summary, SliceError> {
         let summary = summarized(self.sweep().modes(), check, |visit| {
-            for part in 0..self.count() {
-                visit(&self.read(part)?);
-            }
-            Ok(())
+            self.each(&mut |results| visit(&results))
         });
         summary.map(|summary| Summary {
             rows_are_independent: self.source().is_independent(),

@@ -22,15 +22,12 @@ pub(super) fn results(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepR
     let method = table.get("method").map(|value| method(value, reading));
     let rotary_inertia = flag(&table, "rotary_inertia", default.rotary_inertia, reading);
     let inputs = flag(&table, "inputs", default.inputs, reading);
-    let rows_per_part = table.get("rows_per_part");
-    let rows_per_part = rows_per_part.map(|value| whole(value, "rows_per_part", 1, reading));
     Some(SweepResults {
         modes: modes.unwrap_or(Some(default.modes))?,
         segments: segments.map_or(Some(None), |found| found.map(Some))?,
         method: method.map_or(Some(None), |found| found.map(Some))?,
         rotary_inertia: rotary_inertia?,
         inputs: inputs?,
-        rows_per_part: rows_per_part.map_or(Some(None), |found| found.map(Some))?,
     })
 }
 

@@ -53,7 +53,6 @@ tables! {
         optional "method" Text "" "the method of computation; default as of solve";
         optional "rotary_inertia" Flag "" "whether sections have rotary inertia in bending; default true";
         optional "inputs" Flag "" "whether the varied values are columns of the results; default true";
-        optional "rows_per_part" Number "" "number of rows in each file of the results; default 16384";
 
     /// `[sweep.reading]`.
     READING = "[sweep.reading]":

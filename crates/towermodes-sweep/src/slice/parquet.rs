@@ -1,6 +1,9 @@
-//! Parts in Parquet; the footer has the key and the number of the part.
+//! Slices in Parquet; the footer has the header.
 
+use std::collections::TryReserveError;
 use std::fs::File;
+use std::io::Write;
+use std::ops::Range;
 use std::sync::Arc;
 
 use parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type};
@@ -10,54 +13,92 @@ use parquet::data_type::{ByteArray, DataType};
 use parquet::errors::{ParquetError, Result};
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
-use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnPath, Type as SchemaType};
 use towermodes::ModeName;
 
-use super::part::{Column, Part};
+use super::column::Column;
+use super::header::Header;
+use super::write::Part;
 use crate::results::Results;
 
-/// The name of the key in the footer.
+/// The name of the header in the footer.
 const KEY: &str = "towermodes.sweep";
-/// The name of the number of the part in the footer.
-const PART: &str = "towermodes.part";
 
-/// The bytes of a part.
-pub(super) fn write(
-    part: &Part,
-    columns: &[(String, Column)],
-    (key, number): (&str, u64),
-) -> Result<Vec<u8>> {
-    let mut content = Vec::new();
-    let properties = Arc::new(properties(columns, key, number));
-    let schema = Arc::new(schema(columns)?);
-    let mut writer = SerializedFileWriter::new(&mut content, schema, properties)?;
-    let mut group = writer.next_row_group()?;
-    let mut index = 0;
-    while let Some(mut column) = group.next_column()? {
-        write_column(column.untyped(), part, &columns[index].1)?;
-        column.close()?;
-        index += 1;
+/// Rows in memory until they are written as a row group: about ten megabytes.
+const GROUP_ROWS: usize = 65_536;
+
+/// Writes a slice.
+pub(super) struct Writer<W: Write + Send> {
+    file: SerializedFileWriter<W>,
+    columns: Vec<(String, Column)>,
+    /// Rows that are not written.
+    group: Option<Part>,
+}
+
+impl<W: Write + Send> Writer<W> {
+    pub(super) fn new(out: W, header: &Header, columns: Vec<(String, Column)>) -> Result<Self> {
+        let properties = Arc::new(properties(&columns, header));
+        let schema = Arc::new(schema(&columns)?);
+        Ok(Self {
+            file: SerializedFileWriter::new(out, schema, properties)?,
+            columns,
+            group: None,
+        })
     }
-    group.close()?;
-    writer.close()?;
-    Ok(content)
+
+    /// Adds the rows that follow.
+    pub(super) fn add(&mut self, part: Part) -> Result<()> {
+        let rows = match &mut self.group {
+            None => self.group.insert(part).results.rows(),
+            Some(group) => {
+                group.inputs.extend(part.inputs);
+                let added = group.results.append(part.results);
+                added.map_err(|error| ParquetError::External(error.into()))?;
+                group.results.rows()
+            }
+        };
+        match rows >= GROUP_ROWS {
+            true => self.write_group(),
+            false => Ok(()),
+        }
+    }
+
+    fn write_group(&mut self) -> Result<()> {
+        let Some(part) = self.group.take() else {
+            return Ok(());
+        };
+        let mut group = self.file.next_row_group()?;
+        let mut columns = self.columns.iter();
+        while let (Some(mut writer), Some((_, column))) = (group.next_column()?, columns.next()) {
+            write_column(writer.untyped(), &part, column)?;
+            writer.close()?;
+        }
+        group.close()?;
+        Ok(())
+    }
+
+    /// Writes the last rows and the footer.
+    pub(super) fn finish(mut self) -> Result<()> {
+        self.write_group()?;
+        self.file.close()?;
+        Ok(())
+    }
 }
 
 /// Frequencies of near towers have equal first bytes: the bytes of each place side by side are
 /// compressed best.
-fn properties(columns: &[(String, Column)], key: &str, part: u64) -> WriterProperties {
+fn properties(columns: &[(String, Column)], header: &Header) -> WriterProperties {
     let mut builder = WriterProperties::builder()
         .set_created_by(concat!("towermodes ", env!("CARGO_PKG_VERSION")).to_owned())
         .set_compression(Compression::SNAPPY)
         .set_dictionary_enabled(false)
         .set_statistics_enabled(EnabledStatistics::Chunk)
-        .set_max_row_group_row_count(Some(super::MAX_ROWS_PER_PART as usize))
-        .set_key_value_metadata(Some(vec![
-            KeyValue::new(KEY.to_owned(), key.to_owned()),
-            KeyValue::new(PART.to_owned(), part.to_string()),
-        ]));
+        .set_key_value_metadata(Some(vec![KeyValue::new(
+            KEY.to_owned(),
+            header.to_string(),
+        )]));
     for (name, column) in columns {
         let path = ColumnPath::new(vec![name.clone()]);
         builder = match column {
@@ -148,44 +189,52 @@ fn numbers(part: &Part, column: &Column) -> Vec<f64> {
     }
 }
 
-/// What the footer of a file says.
-pub(super) struct Footer {
-    /// The key of its sweep and its number, if it is a part.
-    pub(super) key: Option<(String, u64)>,
-    pub(super) rows: i64,
-}
-
-/// Reads the footer of a file.
-pub(super) fn footer(file: File) -> Result<Footer> {
-    let reader = SerializedFileReader::new(file)?;
+/// The header of a file, if it has one.
+pub(super) fn header(reader: &SerializedFileReader<File>) -> Option<Header> {
     let metadata = reader.metadata().file_metadata();
-    let entries = metadata.key_value_metadata().map_or(&[][..], |list| list);
-    let value = |name: &str| {
-        let entry = entries.iter().find(|entry| entry.key == name)?;
-        entry.value.clone()
-    };
-    let part = value(PART).and_then(|digits| digits.parse().ok());
-    Ok(Footer {
-        key: value(KEY).zip(part),
-        rows: metadata.num_rows(),
-    })
+    let entries = metadata.key_value_metadata()?;
+    let entry = entries.iter().find(|entry| entry.key == KEY)?;
+    entry.value.as_deref()?.parse().ok()
 }
 
-/// Reads the results of a part.
-pub(super) fn read(
-    file: File,
+/// Visits the results of a slice, one row group after the other.
+pub(super) fn each(
+    reader: &SerializedFileReader<File>,
     columns: &[(String, Column)],
-    first_row: u64,
+    rows: Range<u64>,
+    modes: &[ModeName],
+    visit: &mut dyn FnMut(Results),
+) -> Result<()> {
+    let wrong = |detail: &str| Err(ParquetError::General(detail.to_owned()));
+    let mut first_row = rows.start;
+    for index in 0..reader.num_row_groups() {
+        let group = reader.get_row_group(index)?;
+        let count = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
+        let end = first_row + count as u64;
+        if group.num_columns() != columns.len() {
+            return wrong("it has other columns");
+        }
+        if end > rows.end {
+            return wrong("it has more rows than its footer says");
+        }
+        visit(results_of(&*group, columns, (first_row, count), modes)?);
+        first_row = end;
+    }
+    match first_row == rows.end {
+        true => Ok(()),
+        false => wrong(&format!("it ends before row {first_row}")),
+    }
+}
+
+/// The results of a row group.
+fn results_of(
+    group: &dyn RowGroupReader,
+    columns: &[(String, Column)],
+    (first_row, rows): (u64, usize),
     modes: &[ModeName],
 ) -> Result<Results> {
-    let reader = SerializedFileReader::new(file)?;
-    let rows = usize::try_from(reader.metadata().file_metadata().num_rows()).unwrap_or(0);
-    let mut results = Results::unsolved(first_row, rows, modes)
-        .map_err(|error| ParquetError::General(error.to_string()))?;
-    let group = reader.get_row_group(0)?;
-    if group.num_columns() != columns.len() {
-        return Err(ParquetError::General("it has other columns".into()));
-    }
+    let full = |error: TryReserveError| ParquetError::External(error.into());
+    let mut results = Results::unsolved(first_row, rows, modes).map_err(full)?;
     for (index, (_, column)) in columns.iter().enumerate() {
         if matches!(column, Column::Row | Column::Input(_)) {
             continue;
@@ -199,8 +248,7 @@ pub(super) fn read(
                 for (row, text) in (first_row..).zip(cells(reader, rows)?) {
                     if let Some(text) = text {
                         let sentence = String::from_utf8_lossy(text.data());
-                        let kept = results.failures.push(row, &sentence);
-                        kept.map_err(|error| ParquetError::General(error.to_string()))?;
+                        results.failures.push(row, &sentence).map_err(full)?;
                     }
                 }
             }
