@@ -9,9 +9,11 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pyarrow as pa
 import pytest
 from conftest import Ticking
 
@@ -48,6 +50,35 @@ def test_results_do_not_depend_on_the_number_of_threads(nrel: tm.Tower) -> None:
     one = nrel.sweep(table, threads=1)
     for threads in (2, 3, None):
         assert (nrel.sweep(table, threads=threads).frequency_hz == one.frequency_hz).all()
+
+
+def test_some_rows_keep_their_numbers(nrel: tm.Tower, tmp_path: Path) -> None:
+    masses = [3e5, -1.0, 3.2e5, -1.0, 3.4e5]
+    path = tmp_path / "towers.csv"
+    path.write_text("rna.mass\n" + "\n".join(map(str, masses)) + "\n")
+    whole = nrel.sweep({"rna.mass": masses}, modes=1)
+    study = {"sweep": {"sampling": "grid", "vary": {"rna.mass": {"values": masses}}}}
+    for table in ({"rna.mass": masses}, path, study):
+        some = nrel.sweep(table, modes=1, rows=range(2, 4))
+        assert (some.first_row, len(some)) == (2, 2)
+        assert some.frequency_hz[0, 0] == whole.frequency_hz[2, 0]
+        assert some.failures == [whole.failures[1]]
+        assert some.to_dict()["row"].tolist() == [2, 3]
+        assert some.to_dict()["error"] == whole.to_dict()["error"][2:4]
+        arrow = pa.table(some).to_pydict()
+        assert (arrow["row"], arrow["error"]) == ([2, 3], some.to_dict()["error"])
+        assert some.inputs["rna.mass"].tolist() == masses[2:4]
+        # A range may end behind the last row.
+        assert len(nrel.sweep(table, modes=1, rows=range(4, 100))) == 1
+        with pytest.raises(ValueError, match="the sweep has 5 rows, numbered from 0"):
+            nrel.sweep(table, modes=1, rows=range(5, 6))
+    copy = pickle.loads(pickle.dumps(some))
+    assert (copy.first_row, copy.to_dict()["row"].tolist()) == (2, [2, 3])
+    for wrong in (range(3, 3), range(0, 4, 2), range(-1, 2)):
+        with pytest.raises(ValueError, match="must be successive rows from 0"):
+            nrel.sweep(study, rows=wrong)
+    with pytest.raises(TypeError, match="must be a range"):
+        nrel.sweep(study, rows=3)  # type: ignore[arg-type]
 
 
 def test_modes_are_taken_by_name(nrel: tm.Tower) -> None:

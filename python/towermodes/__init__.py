@@ -64,11 +64,11 @@ __all__ = [
 
 
 def __getattr__(name: str) -> object:
-    # These modules need other packages.
-    if name in ("dask", "openmdao"):
+    # This module needs another package.
+    if name == "openmdao":
         from importlib import import_module
 
-        return import_module(f"towermodes.{name}")
+        return import_module("towermodes.openmdao")
     message = f"module 'towermodes' has no attribute {name!r}"
     raise AttributeError(message)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from os import fsdecode
 
 from towermodes import _towermodes as _rust
-from towermodes._checks import whole_or_none, word_or_none
+from towermodes._checks import MOST, whole_or_none, word_or_none
 from towermodes._columns import columns_of
 from towermodes._constant import Constant, constant
 from towermodes._found import study_text, with_base
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from towermodes._tower import Tower
 
     Array = NDArray[np.float64]
+    # Columns with their names, and the number of their first row.
+    Values = tuple[list[tuple[str, Array]], int]
 
 
 def swept(
@@ -33,32 +35,55 @@ def swept(
     table: Table | Study,
     options: dict[str, object],
     ignore: list[str],
+    rows: range | None,
     progress: Callable[[int, int], object] | None,
 ) -> SweepResult:
     """The results of `Tower.sweep`, which documents the arguments."""
-    columns, options = _values(tower, table, options, ignore)
-    solved = _rust.sweep(tower._core, columns, options, progress=progress)
-    return SweepResult(columns, solved)
+    values, options = _values(tower, table, options, ignore, _rows(rows))
+    columns, first_row = values
+    solved = _rust.sweep(tower._core, columns, first_row, options, progress=progress)
+    return SweepResult(columns, first_row, solved)
 
 
 def sampled(tower: Tower, study: Study) -> dict[str, Array]:
     """The values of `Tower.sample`, which documents the arguments."""
     options = sweep_options(None, None, None, True, None)
-    columns, _ = _of_study(tower, study, options, [])
+    (columns, _), _ = _of_study(tower, study, options, [], None)
     return dict(columns)
 
 
+def _rows(rows: range | None) -> tuple[int, int] | None:
+    """The first of the rows, and the row behind the last one."""
+    if rows is None:
+        return None
+    if not isinstance(rows, range):
+        message = f"rows is {rows!r}; it must be a range, as range(0, 50_000)"
+        raise TypeError(message)
+    if rows.step != 1 or rows.start < 0 or rows.start >= rows.stop or rows.stop > MOST:
+        message = f"rows is {rows!r}; it must be successive rows from 0, as range(0, 50_000)"
+        raise ValueError(message)
+    return rows.start, rows.stop
+
+
 def _values(
-    tower: Tower, table: Any, options: dict[str, object], ignore: list[str]
-) -> tuple[list[tuple[str, Array]], dict[str, object]]:
+    tower: Tower,
+    table: Any,
+    options: dict[str, object],
+    ignore: list[str],
+    rows: tuple[int, int] | None,
+) -> tuple[Values, dict[str, object]]:
     """The columns of a sweep, and its options, which a study may decide."""
     is_path = isinstance(table, (str, bytes)) or hasattr(table, "__fspath__")
     if is_path and not fsdecode(table).lower().endswith(".toml"):
-        columns = _rust.values_of_table(tower._core, fsdecode(table), ignore)
-        return constant(columns), options
+        columns, first_row = _rust.values_of_table(tower._core, fsdecode(table), ignore, rows)
+        return (constant(columns), first_row), options
     if is_path or _is_study(table):
-        return _of_study(tower, table, options, ignore)
-    return columns_of(table, ignore), options
+        return _of_study(tower, table, options, ignore, rows)
+    columns = columns_of(table, ignore)
+    if rows is None or not columns:
+        return (columns, 0), options
+    first, end = _rust.rows_within(rows, len(columns[0][1]))
+    return ([(name, values[first:end]) for name, values in columns], first), options
 
 
 def _is_study(table: object) -> bool:
@@ -67,12 +92,17 @@ def _is_study(table: object) -> bool:
 
 
 def _of_study(
-    tower: Tower, study: Any, options: dict[str, object], ignore: list[str]
-) -> tuple[list[tuple[str, Array]], dict[str, object]]:
+    tower: Tower,
+    study: Any,
+    options: dict[str, object],
+    ignore: list[str],
+    rows: tuple[int, int] | None,
+) -> tuple[Values, dict[str, object]]:
     given = with_base(study) if hasattr(study, "items") else study
     text, name = study_text(given)
-    columns, options = _rust.values_of_study(tower._core, text, name, ignore, options)
-    return constant(columns), options
+    values, options = _rust.values_of_study(tower._core, text, name, ignore, options, rows)
+    columns, first_row = values
+    return (constant(columns), first_row), options
 
 
 def sweep_options(
@@ -118,12 +148,15 @@ class SweepResult:
         "_modes",
         "_share",
         "failures",
+        "first_row",
         "shared",
         "shared_rows",
         "warned_rows",
         "warnings",
     )
 
+    first_row: int
+    """The number of the first row in the table or the study; 0 without the argument `rows`."""
     failures: Failures
     """What failed or is missing: a list of the row, from 0, and the message."""
     warned_rows: int
@@ -135,12 +168,15 @@ class SweepResult:
     shared: list[tuple[int, str]]
     """The first of these rows, up to five: the row, from 0, and which modes share their motion."""
 
-    def __init__(self, inputs: list[tuple[str, Array]], solved: tuple[Any, ...]) -> None:
+    def __init__(
+        self, inputs: list[tuple[str, Array]], first_row: int, solved: tuple[Any, ...]
+    ) -> None:
         # It needs `collections`, whose import takes two milliseconds.
         from towermodes._failures import Failures
 
         modes, frequency_hz, error_hz, share, mass_kg, certified, failures, remarks = solved
         self._inputs: list[tuple[str, Array]] = inputs
+        self.first_row = first_row
         self._modes: list[tuple[Family, int, str]] = modes
         self._frequency_hz: Array = frequency_hz
         self._error_hz: Array = error_hz
@@ -232,7 +268,8 @@ class SweepResult:
         """
         import numpy as np
 
-        columns: dict[str, Any] = {"row": np.arange(len(self)), **dict(self._inputs)}
+        rows = range(self.first_row, self.first_row + len(self))
+        columns: dict[str, Any] = {"row": np.arange(rows.start, rows.stop), **dict(self._inputs)}
         columns["mass_kg"] = self._mass_kg
         columns["certified"] = self._certified
         for place, (_, _, column) in enumerate(self._modes):
@@ -240,7 +277,7 @@ class SweepResult:
             columns[f"{column}_error_hz"] = self._error_hz[:, place]
             columns[f"{column}_share"] = self._share[:, place]
         messages = dict(self.failures)
-        columns["error"] = [messages.get(row) for row in range(len(self))]
+        columns["error"] = [messages.get(row) for row in rows]
         return columns
 
     def __array__(self, dtype: object = None, copy: object = None) -> Array:
@@ -253,6 +290,7 @@ class SweepResult:
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
         """The table as an Arrow stream, with the messages of failed rows in the column `error`."""
         return _rust.stream_of_results(
+            self.first_row,
             self._inputs,
             [column for _, _, column in self._modes],
             self._mass_kg,

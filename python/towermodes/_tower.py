@@ -337,6 +337,7 @@ class Tower:
         rotary_inertia: bool = True,
         threads: SupportsIndex | None = None,
         ignore: Iterable[str] = (),
+        rows: range | None = None,
         progress: Callable[[int, int], object] | None = None,
     ) -> SweepResult:
         """Changes this tower by each row of a table or a study and solves it.
@@ -363,11 +364,15 @@ class Tower:
             threads: Number of threads; by default all processors. The results do not depend on
                 it. With 1, the calling thread does the work.
             ignore: Names of other columns that are left out.
+            rows: The rows that are solved, by default all: `range(0, 50_000)` for the first 50 000.
+                A table in a file that does not fit into memory is solved in several calls; `row`
+                and `failures` have the numbers of the rows in the table.
             progress: Called about once a second with the number of rows that are done and of all
                 rows; an exception in it ends the sweep.
 
         Raises:
-            ValueError: A column is not a number of this tower, or columns have different lengths.
+            ValueError: A column is not a number of this tower, columns have different lengths, or
+                there are no such rows.
             TypeError: A column does not hold numbers.
             SolveError: This tower itself cannot be solved.
 
@@ -380,7 +385,7 @@ class Tower:
         True
         """
         options = sweep_options(modes, segments, method, rotary_inertia, threads)
-        return swept(self, table, options, words("a column to ignore", ignore), progress)
+        return swept(self, table, options, words("a column to ignore", ignore), rows, progress)
 
     def sample(self, study: Study) -> dict[str, NDArray[np.float64]]:
         """The values of the rows of a study, which `sweep` would solve.

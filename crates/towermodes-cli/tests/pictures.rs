@@ -55,7 +55,7 @@ fn pictures_are_those_that_the_program_draws() {
     }
 }
 
-/// Pictures of studies, which need a folder for their results.
+/// Pictures of studies, which need a file for their results.
 const STUDIES: [(&str, &str); 1] = [("nrel-5mw-scatter", "examples/studies/uncertainty.toml")];
 
 #[test]
@@ -63,16 +63,12 @@ fn pictures_of_studies_are_those_that_the_program_draws() {
     let overwrite = std::env::var_os("TRYCMD").is_some_and(|what| what == "overwrite");
     for (name, study) in STUDIES {
         let folder = std::env::temp_dir().join(format!("{name}-{}", std::process::id()));
-        let picture = folder.join("picture.svg");
+        fs::create_dir_all(&folder).expect("a folder");
+        let [results, picture] = ["results.csv", "picture.svg"].map(|name| folder.join(name));
         let mut command = Command::new(env!("CARGO_BIN_EXE_towermodes"));
-        command
-            .current_dir(root())
-            .args(["sweep", study, "--format", "csv"]);
-        command
-            .arg("--output")
-            .arg(&folder)
-            .arg("--plot")
-            .arg(&picture);
+        command.current_dir(root()).args(["sweep", study]);
+        command.arg("--output").arg(&results);
+        command.arg("--plot").arg(&picture);
         let output = command.output().expect("the program runs");
         let said = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{study}: {said}");

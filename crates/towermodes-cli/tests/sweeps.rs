@@ -1,21 +1,19 @@
-//! Sweeps into folders that are killed, interrupted, run twice at once, or run out of disk:
-//! afterwards every row is there once, and nothing is half-written.
+//! Sweeps that are killed, interrupted, run twice at once, or run out of disk: a file is whole or
+//! not there, and the next run succeeds. Slices have the rows of the whole run.
 
 #![cfg(unix)]
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::os::unix::process::ExitStatusExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use crate::pages::root;
 use crate::sandbox::PROGRAM;
 
 const ROWS: usize = 6000;
-const PART: usize = 200;
 
 /// A folder that is gone when the test is, with a study.
 struct Folder(PathBuf);
@@ -40,16 +38,17 @@ impl Folder {
         let text = format!(
             "[sweep]\nbase = \"tower.toml\"\nsampling = \"random\"\nrows = {rows}\nseed = {seed}\n\
              [sweep.vary]\n\"rna.mass\" = {{ uniform = [3e5, 4e5] }}\n\
-             [sweep.results]\nrows_per_part = {PART}\nmodes = 2\n"
+             [sweep.results]\nmodes = 2\n"
         );
         fs::write(self.0.join("study.toml"), text).expect("written");
     }
 
-    fn command(&self, output: &str, more: &[&str]) -> Command {
+    /// The sweep of the study, with further arguments.
+    fn command(&self, more: &[&str]) -> Command {
         let mut command = Command::new(PROGRAM);
         command
             .current_dir(&self.0)
-            .args(["sweep", "study.toml", "--format", "csv", "--output", output])
+            .args(["sweep", "study.toml"])
             .args(more)
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
@@ -58,62 +57,78 @@ impl Folder {
     }
 
     #[track_caller]
-    fn done(&self, output: &str, more: &[&str]) -> Output {
-        let done = self
-            .command(output, more)
-            .output()
-            .expect("the program runs");
+    fn done(&self, more: &[&str]) -> Output {
+        let done = self.command(more).output().expect("the program runs");
         let said = String::from_utf8_lossy(&done.stderr);
         assert!(done.status.success(), "{said}");
         done
     }
 
+    /// What a run says that ends with an exit code.
+    #[track_caller]
+    fn refused(&self, more: &[&str], code: i32) -> String {
+        let done = self.command(more).output().expect("the program runs");
+        let said = String::from_utf8_lossy(&done.stderr).into_owned();
+        assert_eq!(done.status.code(), Some(code), "{said}");
+        said
+    }
+
     fn started(&self, output: &str) -> Child {
-        let mut command = with_ctrl_c(&self.command(output, &["--threads", "1"]));
+        let mut command = with_ctrl_c(&self.command(&["--output", output, "--threads", "1"]));
         command.stdout(Stdio::null()).stderr(Stdio::null());
         command.spawn().expect("the program runs")
     }
 
-    /// The files of a folder of results by name.
-    fn files(&self, output: &str) -> BTreeMap<String, Vec<u8>> {
-        let entries = fs::read_dir(self.0.join(output)).expect("the folder");
-        let file = |entry: std::io::Result<fs::DirEntry>| {
-            let path = entry.expect("an entry").path();
-            let name = path
-                .file_name()
-                .expect("a name")
-                .to_string_lossy()
-                .into_owned();
-            (name, fs::read(path).expect("a file"))
-        };
-        entries.map(file).collect()
+    fn text(&self, file: &str) -> String {
+        fs::read_to_string(self.0.join(file)).expect("a file")
     }
 
-    fn parts(&self, output: &str) -> usize {
-        let Ok(entries) = fs::read_dir(self.0.join(output)) else {
-            return 0;
-        };
-        let names = entries.flatten().map(|entry| entry.file_name());
-        names
-            .filter(|name| name.to_string_lossy().starts_with("part-"))
-            .count()
+    /// Names of files that have not got their name yet, and their lengths.
+    fn temporary(&self) -> Vec<(PathBuf, u64)> {
+        let entries = fs::read_dir(&self.0).expect("the folder").flatten();
+        let files = entries.filter_map(|entry| Some((entry.path(), entry.metadata().ok()?.len())));
+        let is_temporary = |path: &Path| path.extension().is_some_and(|ending| ending == "tmp");
+        files.filter(|(path, _)| is_temporary(path)).collect()
     }
 
-    /// Waits until a run has written a number of parts.
+    /// Starts a run and ends it by a signal when it has written rows. On a busy machine a run can
+    /// end before the signal comes: then there is another.
     #[track_caller]
-    fn wait_for_parts(&self, output: &str, parts: usize, run: &mut Child) {
-        let begun = Instant::now();
-        while self.parts(output) < parts {
-            assert!(
-                begun.elapsed() < Duration::from_secs(60),
-                "no parts are written"
-            );
-            assert!(
-                run.try_wait().expect("a process").is_none(),
-                "the run has ended"
-            );
-            thread::sleep(Duration::from_millis(2));
+    fn killed(&self, output: &str, signal: &str) {
+        const ATTEMPTS: usize = 50;
+        for _ in 0..ATTEMPTS {
+            let _ = fs::remove_file(self.0.join(output));
+            let mut run = self.started(output);
+            let has_written = || self.temporary().iter().any(|(_, bytes)| *bytes > 10_000);
+            while !has_written() && run.try_wait().expect("a process").is_none() {
+                thread::sleep(Duration::from_millis(1));
+            }
+            // The program `kill` sends it as a user or a scheduler does.
+            let id = run.id().to_string();
+            // There may be no such process any more.
+            let _ = Command::new("kill")
+                .args([signal, &id])
+                .stderr(Stdio::null())
+                .status();
+            let ended = run.wait().expect("a process");
+            for (left, _) in self.temporary() {
+                fs::remove_file(left).expect("removed");
+            }
+            if ended.code() == Some(0) {
+                continue;
+            }
+            // No exit code: the help says that the signal ends the program.
+            let by_signal = ended.code().is_none() && ended.signal().is_some();
+            assert!(by_signal, "{ended}");
+            return;
         }
+        panic!("{signal}: each of {ATTEMPTS} runs ended before the signal");
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
     }
 }
 
@@ -135,64 +150,11 @@ fn with_ctrl_c(command: &Command) -> Command {
     with
 }
 
-impl Folder {
-    /// Starts a run and ends it by a signal after its first parts; returns what it left. On a busy
-    /// machine a run can end before the signal comes: then there is another.
-    #[track_caller]
-    fn killed(&self, output: &str, name: &str) -> BTreeMap<String, Vec<u8>> {
-        const ATTEMPTS: usize = 50;
-        for _ in 0..ATTEMPTS {
-            let _ = fs::remove_dir_all(self.0.join(output));
-            let mut run = self.started(output);
-            while self.parts(output) < 3 && run.try_wait().expect("a process").is_none() {
-                thread::sleep(Duration::from_millis(1));
-            }
-            // The program `kill` sends it as a user or a scheduler does.
-            let id = run.id().to_string();
-            // There may be no such process any more.
-            let _ = Command::new("kill")
-                .args([name, &id])
-                .stderr(Stdio::null())
-                .status();
-            let ended = run.wait().expect("a process");
-            let left = self.files(output);
-            if left.contains_key("_SUCCESS") || ended.code() == Some(0) {
-                continue;
-            }
-            // No exit code: the help says that the signal ends the program.
-            assert!(
-                ended.code().is_none() && ended.signal().is_some(),
-                "{ended}"
-            );
-            return left;
-        }
-        panic!("{name}: each of {ATTEMPTS} runs ended before the signal");
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
-/// Every row once, in whole parts, and nothing besides.
+/// The lines of the rows of a file, which has each row once.
 #[track_caller]
-fn check_complete(files: &BTreeMap<String, Vec<u8>>, rows: usize) {
-    assert!(files.contains_key("_SUCCESS") && files.contains_key("_sweep.json"));
-    let temporary = files.keys().find(|name| name.ends_with(".tmp"));
-    assert_eq!(temporary, None);
-    let parts = files.iter().filter(|(name, _)| name.starts_with("part-"));
-    let mut next = 0;
-    for (name, content) in parts {
-        let text = std::str::from_utf8(content).expect("text");
-        for line in text.lines().skip(1) {
-            let row = line.split(',').next().expect("a cell");
-            assert_eq!(row, next.to_string(), "{name}");
-            next += 1;
-        }
-    }
-    assert_eq!(next, rows);
+fn rows(text: &str) -> Vec<&str> {
+    assert!(text.starts_with("# towermodes "), "{text:.80}");
+    text.lines().skip(2).collect()
 }
 
 /// A row would put the mass of the RNA back without its inertia.
@@ -213,120 +175,119 @@ fn a_column_of_an_omitted_rna_is_refused() {
     let study = fs::read_to_string(folder.0.join("study.toml")).expect("the study");
     let without = format!("{study}[sweep.reading]\nno_rna = true\n");
     fs::write(folder.0.join("study.toml"), without).expect("written");
-    let done = folder
-        .command("results", &[])
-        .output()
-        .expect("the program runs");
-    let said = String::from_utf8_lossy(&done.stderr);
-    assert_eq!(done.status.code(), Some(2), "{said}");
+    let said = folder.refused(&[], 2);
     assert!(said.contains("[sweep.reading] no_rna"), "{said}");
 }
 
 #[test]
-fn a_killed_sweep_continues_and_has_the_same_bytes() {
+fn a_killed_sweep_leaves_no_file_and_the_next_run_succeeds() {
     let folder = Folder::new("killed");
-    folder.done("whole", &[]);
-    let whole = folder.files("whole");
-    check_complete(&whole, ROWS);
-    for name in ["-KILL", "-INT", "-TERM"] {
-        let output = format!("results{name}");
-        let left = folder.killed(&output, name);
-        // What is there is whole.
-        for (part, content) in left.iter().filter(|(part, _)| part.starts_with("part-")) {
-            assert_eq!(Some(content), whole.get(part), "{name}: {part}");
-        }
-        folder.done(&output, &[]);
-        assert!(folder.files(&output) == whole, "{name}");
+    folder.done(&["--output", "whole.csv"]);
+    let whole = folder.text("whole.csv");
+    assert_eq!(rows(&whole).len(), ROWS);
+    for signal in ["-KILL", "-INT", "-TERM"] {
+        folder.killed("results.csv", signal);
+        assert!(!folder.0.join("results.csv").exists(), "{signal}");
+        folder.done(&["--output", "results.csv"]);
+        assert!(folder.text("results.csv") == whole, "{signal}");
     }
+    // A file that is there stays until it is replaced by a whole one.
+    fs::write(folder.0.join("old.csv"), "old").expect("written");
+    let mut run = folder.started("old.csv");
+    while folder.temporary().is_empty() && run.try_wait().expect("a process").is_none() {
+        thread::sleep(Duration::from_millis(1));
+    }
+    let _ = run.kill();
+    let _ = run.wait();
+    let left = folder.text("old.csv");
+    assert!(left == "old" || left == whole);
 }
 
 #[test]
-fn threads_shares_and_simultaneous_runs_give_the_same_bytes() {
+fn threads_slices_and_simultaneous_runs_give_the_same_rows() {
     let folder = Folder::new("same");
-    folder.done("whole", &["--threads", "1"]);
-    let whole = folder.files("whole");
-    check_complete(&whole, ROWS);
-    folder.done("threads", &["--threads", "3"]);
-    assert!(folder.files("threads") == whole);
-    for share in ["2/3", "0/3"] {
-        let done = folder.done("shares", &["--shard", share]);
-        let said = String::from_utf8_lossy(&done.stderr).into_owned();
-        assert!(said.contains("other shards are missing"), "{said}");
+    let printed = folder.done(&["--threads", "1"]).stdout;
+    let whole = String::from_utf8(printed).expect("text");
+    assert_eq!(rows(&whole).len(), ROWS);
+    folder.done(&["--output", "threads.csv", "--threads", "3"]);
+    assert!(folder.text("threads.csv") == whole);
+    let ranges = ["4000..9999", "0..1", "1..4000"];
+    let names = ["c.csv", "a.csv", "b.csv"];
+    for (range, name) in ranges.into_iter().zip(names) {
+        folder.done(&["--rows", range, "--output", name]);
     }
-    assert!(!folder.files("shares").contains_key("_SUCCESS"));
-    folder.done("shares", &["--shard", "1/3"]);
-    assert!(folder.files("shares") == whole);
-    let mut runs = [folder.started("both"), folder.started("both")];
+    let texts = ["a.csv", "b.csv", "c.csv"].map(|name| folder.text(name));
+    let joined: Vec<&str> = texts.iter().flat_map(|text| rows(text)).collect();
+    assert!(joined == rows(&whole));
+    // Together they are the whole sweep, and have its numbers.
+    let summary = |files: &[&str]| {
+        let check = [&["--summary", "--check"], files].concat();
+        folder.done(&check).stdout
+    };
+    assert!(summary(&names) == summary(&["threads.csv"]));
+    let mut runs = [folder.started("both.csv"), folder.started("both.csv")];
     for run in &mut runs {
         assert!(run.wait().expect("a process").success());
     }
-    assert!(folder.files("both") == whole);
+    assert!(folder.text("both.csv") == whole && folder.temporary().is_empty());
 }
 
 #[test]
-fn another_sweep_is_refused_and_nothing_is_changed() {
-    let folder = Folder::new("other");
+fn a_mixture_of_slices_is_refused_and_missing_rows_are_named() {
+    let folder = Folder::new("mixture");
     folder.write_study(400, 1);
-    folder.done("results", &[]);
-    let before = folder.files("results");
+    folder.done(&["--rows", "0..100", "--output", "a.csv"]);
+    folder.done(&["--rows", "150..400", "--output", "b.csv"]);
+    let said = folder.refused(&["--check", "a.csv", "b.csv"], 1);
+    assert!(said.contains("do not have the rows 100..150"), "{said}");
+    assert!(said.contains("--rows FIRST..END"), "{said}");
+    // Those that are asked for are there.
+    folder.done(&["--rows", "150..400", "--check", "b.csv"]);
+    let said = folder.refused(&["--check", "a.csv", "b.csv", "a.csv"], 2);
+    assert!(said.contains("both have the rows 0..100"), "{said}");
     folder.write_study(400, 2);
-    let refused = folder
-        .command("results", &[])
-        .output()
-        .expect("the program runs");
-    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
-    assert_eq!(refused.status.code(), Some(2), "{said}");
+    folder.done(&["--rows", "100..150", "--output", "c.csv"]);
+    let said = folder.refused(&["--check", "c.csv", "a.csv"], 2);
+    let expected = "a.csv is a slice of another sweep: the values of the rows differ";
+    assert!(said.contains(expected), "{said}");
+    // What a killed command has printed.
+    let half: Vec<String> = folder
+        .text("c.csv")
+        .lines()
+        .take(9)
+        .map(str::to_owned)
+        .collect();
+    fs::write(folder.0.join("c.csv"), half.join("\n")).expect("written");
+    let said = folder.refused(&["--rows", "100..150", "--check", "c.csv"], 1);
     assert!(
-        said.contains("another sweep") && said.contains("--force"),
+        said.contains("c.csv is not whole: it ends before row 107"),
         "{said}"
     );
-    assert!(folder.files("results") == before);
-    folder.done("results", &["--force"]);
-    check_complete(&folder.files("results"), 400);
 }
 
 /// Files cannot become longer than two blocks: as on a full disk a write fails.
 #[test]
-fn a_write_that_fails_ends_the_sweep_and_the_next_run_continues() {
+fn a_write_that_fails_ends_the_sweep_and_leaves_nothing() {
     let folder = Folder::new("limit");
     folder.write_study(400, 1);
-    // The plan is there, so that the first file that does not fit is a part.
-    let mut run = folder.started("results");
-    folder.wait_for_parts("results", 1, &mut run);
-    let _ = run.wait();
-    for name in folder
-        .files("results")
-        .keys()
-        .filter(|name| *name != "_sweep.json")
-    {
-        fs::remove_file(folder.0.join("results").join(name)).expect("removed");
-    }
     let script = "trap '' XFSZ; ulimit -f 2; exec \"$0\" \"$@\"";
     let failed = Command::new("sh")
         .current_dir(&folder.0)
-        .args([
-            "-c",
-            script,
-            PROGRAM,
-            "sweep",
-            "study.toml",
-            "--format",
-            "csv",
-        ])
-        .args(["--output", "results"])
+        .args(["-c", script, PROGRAM, "sweep", "study.toml"])
+        .args(["--output", "results.csv"])
         .output()
         .expect("a shell");
     let said = String::from_utf8_lossy(&failed.stderr).into_owned();
     assert_eq!(failed.status.code(), Some(1), "{said}");
-    assert!(said.contains("results/part-0000"), "{said}");
-    assert_eq!(folder.parts("results"), 0);
-    folder.done("results", &[]);
-    check_complete(&folder.files("results"), 400);
+    assert!(said.contains("error: results.csv: "), "{said}");
+    assert!(!folder.0.join("results.csv").exists() && folder.temporary().is_empty());
+    folder.done(&["--output", "results.csv"]);
+    assert_eq!(rows(&folder.text("results.csv")).len(), 400);
 }
 
 /// A disk of its own that is smaller than the results; only root can have one.
 #[test]
-fn a_full_disk_ends_the_sweep_and_the_next_run_continues() {
+fn a_full_disk_is_an_error_with_the_path() {
     let folder = Folder::new("disk");
     folder.write_study(2000, 1);
     let disk = folder.0.join("disk");
@@ -335,31 +296,17 @@ fn a_full_disk_ends_the_sweep_and_the_next_run_continues() {
         eprintln!("skipped: a file system of the test's own cannot be mounted");
         return;
     };
-    let failed = folder
-        .command("disk/results", &[])
-        .output()
-        .expect("the program runs");
-    let said = String::from_utf8_lossy(&failed.stderr).into_owned();
-    assert_eq!(failed.status.code(), Some(1), "{said}");
-    assert!(
-        said.contains("disk/results/") && said.contains("No space left"),
-        "{said}"
-    );
-    // What is there is whole.
-    for (name, content) in folder.files("disk/results") {
-        let lines = content.iter().filter(|byte| **byte == b'\n').count();
-        assert!(
-            !name.starts_with("part-") || lines == PART + 1,
-            "{name}: {lines} lines"
-        );
-    }
+    let said = folder.refused(&["--output", "disk/results.csv"], 1);
+    let is_named = said.contains("error: disk/results.csv: No space left");
+    assert!(is_named, "{said}");
+    assert_eq!(fs::read_dir(&disk).expect("the disk").count(), 0);
     let grown = Command::new("mount")
         .args(["-o", "remount,size=20m"])
         .arg(&disk)
         .status();
     assert!(grown.expect("mount").success());
-    folder.done("disk/results", &[]);
-    check_complete(&folder.files("disk/results"), 2000);
+    folder.done(&["--output", "disk/results.csv"]);
+    assert_eq!(rows(&folder.text("disk/results.csv")).len(), 2000);
 }
 
 /// A file system in memory, gone when the test is.
@@ -384,55 +331,62 @@ impl Drop for Mounted {
 }
 
 #[test]
+fn a_reader_that_has_enough_ends_the_sweep() {
+    let folder = Folder::new("pipe");
+    folder.write_study(1_000_000, 1);
+    let script = "\"$0\" sweep study.toml | head -n 3; echo \"${PIPESTATUS[0]}\"";
+    let mut command = Command::new("bash");
+    command.current_dir(&folder.0).args(["-c", script, PROGRAM]);
+    let done = command.output().expect("a shell");
+    let lines = String::from_utf8_lossy(&done.stdout).into_owned();
+    let lines: Vec<&str> = lines.lines().collect();
+    assert!(lines.len() == 4 && lines[3] == "0", "{lines:?}");
+}
+
+#[test]
 fn pictures_of_a_sweep_are_written() {
     let folder = Folder::new("picture");
     folder.write_study(400, 1);
-    folder.done("results", &["--plot", "curves.svg"]);
-    let curves = fs::read_to_string(folder.0.join("curves.svg")).expect("a picture");
+    folder.done(&["--output", "results.csv", "--plot", "curves.svg"]);
+    let curves = folder.text("curves.svg");
     assert!(curves.contains("rna.mass (kg)") && curves.contains("1st fore-aft bending"));
-    // The folder is complete: only the picture is made.
-    folder.done("results", &["--plot", "curves.png"]);
+    // Of a file that is there only the picture is made.
+    folder.done(&["--check", "results.csv", "--plot", "curves.png"]);
     let picture = fs::read(folder.0.join("curves.png")).expect("a picture");
     assert!(picture.starts_with(b"\x89PNG"));
 }
 
-/// A path of a picture that cannot be written is refused before anything is computed.
+/// A path that cannot be written is refused before anything is computed.
 #[test]
-fn a_picture_that_cannot_be_written_is_refused_first() {
+fn what_cannot_be_written_is_refused_first() {
     let folder = Folder::new("no-picture");
-    for (path, code, words) in [
-        ("curves.pdf", 2, "FILE.svg or FILE.png"),
-        ("curves", 2, "FILE.svg or FILE.png"),
-        ("missing/curves.svg", 1, "the folder missing does not exist"),
+    for (option, path, code, words) in [
+        ("--plot", "curves.pdf", 2, "FILE.svg or FILE.png"),
+        ("--plot", "curves", 2, "FILE.svg or FILE.png"),
+        (
+            "--plot",
+            "missing/curves.svg",
+            1,
+            "the folder missing does not exist",
+        ),
+        (
+            "--output",
+            "missing/results.csv",
+            1,
+            "the folder missing does not exist",
+        ),
+        ("--output", "results.xlsx", 2, "use .csv, .parquet"),
+        ("--output", "study.toml", 2, "unknown file extension .toml"),
+        ("--output", ".", 1, "this is a folder"),
     ] {
-        let refused = folder.command("results", &["--plot", path]).output();
-        let refused = refused.expect("the program runs");
-        let said = String::from_utf8_lossy(&refused.stderr).into_owned();
-        assert_eq!(refused.status.code(), Some(code), "{said}");
+        let mut arguments = vec![option, path];
+        if option == "--plot" {
+            arguments.extend(["--output", "results.csv"]);
+        }
+        let said = folder.refused(&arguments, code);
         assert!(said.contains(words), "{said}");
-        assert!(!folder.0.join("results/_sweep.json").exists(), "{path}");
+        assert!(!folder.0.join("results.csv").exists(), "{path}");
     }
-    // The folder of the results need not exist.
-    folder.write_study(2, 1);
-    folder.done("results", &["--plot", "results/curves.svg"]);
-    assert!(folder.0.join("results/curves.svg").is_file());
-}
-
-/// A part that another program removes during the run is not taken for that of another shard.
-#[test]
-fn a_part_that_is_lost_during_the_run_is_an_error() {
-    let folder = Folder::new("lost");
-    let mut command = folder.command("results", &["--threads", "1"]);
-    let mut run = command.spawn().expect("the program runs");
-    folder.wait_for_parts("results", 3, &mut run);
-    fs::remove_file(folder.0.join("results/part-00000.csv")).expect("removed");
-    let done = run.wait_with_output().expect("a process");
-    let said = String::from_utf8_lossy(&done.stderr).into_owned();
-    assert_eq!(done.status.code(), Some(1), "{said}");
-    assert!(said.contains("part-00000.csv is missing"), "{said}");
-    assert!(!folder.files("results").contains_key("_SUCCESS"));
-    folder.done("results", &[]);
-    check_complete(&folder.files("results"), ROWS);
 }
 
 /// Options of readers that contradict the tower or `--set` have the names of the study's keys.
@@ -459,10 +413,7 @@ fn reading_options_of_a_study_are_checked_under_their_names() {
     ] {
         let text = format!("{study}[sweep.reading]\n{key}\n");
         fs::write(folder.0.join("study.toml"), text).expect("written");
-        let refused = folder.command("results", &["--set", set]).output();
-        let refused = refused.expect("the program runs");
-        let said = String::from_utf8_lossy(&refused.stderr).into_owned();
-        assert_eq!(refused.status.code(), Some(2), "{said}");
+        let said = folder.refused(&["--set", set], 2);
         assert!(said.contains(words), "{said}");
     }
 }
@@ -471,8 +422,7 @@ fn reading_options_of_a_study_are_checked_under_their_names() {
 #[test]
 fn a_hint_names_options_of_the_command() {
     let folder = Folder::new("hint");
-    let refused = folder.command("results", &["--modes", "5000"]).output();
-    let said = String::from_utf8_lossy(&refused.expect("the program runs").stderr).into_owned();
+    let said = folder.refused(&["--modes", "5000"], 2);
     assert!(
         said.contains("increase --segments or reduce --modes"),
         "{said}"

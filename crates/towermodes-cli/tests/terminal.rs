@@ -221,7 +221,7 @@ fn a_long_sweep_says_its_rate_and_leaves_one_line() {
         );
         let path = folder.join("study.toml");
         std::fs::write(&path, study).expect("written");
-        let output = folder.join(format!("results-{rows}"));
+        let output = folder.join(format!("results-{rows}.csv"));
         let arguments = format!("sweep '{}' --output '{}'", path.display(), output.display());
         let Some(sent) = on_a_terminal("", &arguments) else {
             break;
@@ -231,7 +231,7 @@ fn a_long_sweep_says_its_rate_and_leaves_one_line() {
             let shown = screen(&sent);
             let words: Vec<&String> = shown.iter().filter(|line| !line.is_empty()).collect();
             assert!(
-                matches!(words[..], [line] if line.contains(": complete, ")),
+                matches!(words[..], [line] if line.contains(&format!(": all {rows} rows"))),
                 "{shown:?}"
             );
             break;

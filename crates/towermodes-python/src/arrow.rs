@@ -6,6 +6,7 @@
 #![allow(unsafe_code)]
 
 use std::ffi::CStr;
+use std::ops::Range;
 use std::sync::Arc;
 
 use arrow_array::builder::StringBuilder;
@@ -124,10 +125,11 @@ fn of_type<T: ArrowPrimitiveType>(
 /// certified, frequency, error and share of each mode, and why a row failed. A number that is NaN
 /// is missing.
 #[pyfunction]
-#[pyo3(signature = (inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", share: "object", failures: "tuple[object, object, object]") -> "object")]
+#[pyo3(signature = (first_row, inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", share: "object", failures: "tuple[object, object, object]") -> "object")]
 #[allow(clippy::too_many_arguments)]
 pub fn stream_of_results<'py>(
     py: Python<'py>,
+    first_row: u64,
     inputs: Vec<(String, PyReadonlyArray1<'py, f64>)>,
     modes: Vec<String>,
     mass_kg: PyReadonlyArray1<'py, f64>,
@@ -137,12 +139,9 @@ pub fn stream_of_results<'py>(
     share: PyReadonlyArray2<'py, f64>,
     failures: Failures<'py>,
 ) -> PyResult<Bound<'py, PyCapsule>> {
-    let rows = certified.as_array().len();
+    let rows = first_row..first_row + certified.as_array().len() as u64;
     let mut table = Table::default();
-    table.add(
-        "row",
-        Arc::new(UInt64Array::from_iter_values(0..rows as u64)),
-    );
+    table.add("row", Arc::new(UInt64Array::from_iter_values(rows.clone())));
     for (name, column) in &inputs {
         table.add(name, present(column.as_array().iter().copied()));
     }
@@ -174,7 +173,7 @@ type Failures<'py> = (
 );
 
 /// The message of each row, none for a row that is complete.
-fn sentences(rows: usize, (failed, ends, text): &Failures<'_>) -> PyResult<StringArray> {
+fn sentences(rows: Range<u64>, (failed, ends, text): &Failures<'_>) -> PyResult<StringArray> {
     let text = text.as_slice()?;
     if i32::try_from(text.len()).is_err() {
         return Err(usage(format!(
@@ -183,11 +182,11 @@ fn sentences(rows: usize, (failed, ends, text): &Failures<'_>) -> PyResult<Strin
             failed.as_array().len()
         )));
     }
-    let mut column = StringBuilder::with_capacity(rows, text.len());
+    let mut column = StringBuilder::with_capacity((rows.end - rows.start) as usize, text.len());
     let mut begin = 0;
     let (failed, ends) = (failed.as_array(), ends.as_array());
     let mut failures = failed.iter().zip(ends).peekable();
-    for row in 0..rows as u64 {
+    for row in rows {
         let failure = failures.next_if(|(failed, _)| **failed == row);
         let message = failure.and_then(|(_, end)| {
             let message = text.get(begin..*end as usize);

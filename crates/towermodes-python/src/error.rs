@@ -15,7 +15,7 @@ use towermodes_analysis::whirl::CoupledError;
 use towermodes_files::{
     ConvertError, Diagnostic, FileError, ReadError, ResultError, Source, TowerInput, entry_at,
 };
-use towermodes_sweep::{PartsError, Remedy, TableError, TableProblem, number_at};
+use towermodes_sweep::{Remedy, SliceError, TableError, TableProblem, number_at};
 
 use crate::lock::attached;
 
@@ -145,21 +145,17 @@ fn of_system(error: &io::Error, file: &str, otherwise: &str) -> PyErr {
     PyOSError::new_err((number, text, file.to_owned()))
 }
 
-/// A folder of a sweep that cannot be used, or a table with mistakes.
-pub fn of_parts(error: PartsError) -> PyErr {
+/// A table with mistakes, or rows that it does not have.
+pub fn of_slice(error: SliceError) -> PyErr {
     let message = match error.remedy().map(argument_for) {
         Some(remedy) => format!("{error}; {remedy}"),
         None => error.to_string(),
     };
     match &error {
-        PartsError::Io { path, error } => of_system(error, &path.display().to_string(), &message),
-        PartsError::Table(TableError { name, problem }) => match &**problem {
+        SliceError::Table(TableError { name, problem }) => match &**problem {
             TableProblem::Io(error) => of_system(error, name, &message),
             _ => usage(message),
         },
-        PartsError::Unwritable { .. }
-        | PartsError::Damaged { .. }
-        | PartsError::Replaced { .. } => PyOSError::new_err(message),
         _ => usage(message),
     }
 }
@@ -167,12 +163,10 @@ pub fn of_parts(error: PartsError) -> PyErr {
 /// The argument of `sweep` that is a remedy.
 fn argument_for(remedy: Remedy) -> String {
     match remedy {
-        Remedy::RemoveResults => "force=True removes these results".to_owned(),
         Remedy::IgnoreColumn { name } => {
             format!("ignore=[{name:?}] leaves the column out, as does a # before its name")
         }
-        Remedy::LargerParts { rows } => format!("give rows_per_part={rows}"),
-        Remedy::Csv => "give format=\"csv\"".to_owned(),
+        Remedy::Csv => "write it as CSV".to_owned(),
     }
 }
 

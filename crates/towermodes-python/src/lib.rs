@@ -16,7 +16,6 @@ mod found;
 mod interrupt;
 mod lock;
 mod options;
-mod parts;
 mod pickle;
 mod planned;
 mod program;
@@ -50,9 +49,7 @@ mod _towermodes {
     #[pymodule_export]
     use crate::lock::close;
     #[pymodule_export]
-    use crate::parts::SweepFolder;
-    #[pymodule_export]
-    use crate::planned::{values_of_study, values_of_table};
+    use crate::planned::{rows_within_table, values_of_study, values_of_table};
     #[pymodule_export]
     use crate::program::run;
     #[pymodule_export]

@@ -1,5 +1,6 @@
 //! What is swept: the tower, the changes, their values, and what is computed.
 
+use std::ops::Range;
 use std::path::Path;
 
 use numpy::PyArray1;
@@ -9,9 +10,9 @@ use towermodes::Change;
 use towermodes_files::{
     SiblingFiles, Source, SweepResults, SweepRows, TowerInput, read, read_sweep_study,
 };
-use towermodes_sweep::{Base, RowSource, SweepSource, Table};
+use towermodes_sweep::{Base, RowSource, SweepSource, Table, rows_within};
 
-use crate::error::{of_parts, of_read, usage};
+use crate::error::{of_read, of_slice, usage};
 use crate::lock::released;
 use crate::reading::tower_input;
 use crate::sweep::SweepOptions;
@@ -41,7 +42,7 @@ pub fn of_table(
 ) -> PyResult<Planned> {
     let results = results.over(SweepResults::default())?;
     let table = Table::open(table, &input.description, ignore);
-    let table = table.map_err(|error| of_parts(error.into()))?;
+    let table = table.map_err(|error| of_slice(error.into()))?;
     Ok(Planned {
         base: Base::from(input),
         changes: table.changes().to_vec(),
@@ -98,29 +99,46 @@ pub fn of_study(
 /// A column of numbers with its name.
 type NamedColumn<'py> = (String, Bound<'py, PyArray1<f64>>);
 
+/// Columns with their names, and the number of their first row.
+type Values<'py> = (Vec<NamedColumn<'py>>, u64);
+
+/// The first of the rows that are asked for, and the row behind the last one.
+type Rows = Option<(u64, u64)>;
+
+/// The rows of a table that are asked for: the first one, and the row behind the last one.
+#[pyfunction]
+#[pyo3(name = "rows_within")]
+pub fn rows_within_table(rows: (u64, u64), count: u64) -> PyResult<(u64, u64)> {
+    let rows = rows_within(rows.0..rows.1, count).map_err(of_slice)?;
+    Ok((rows.start, rows.end))
+}
+
 /// The values of a table in a file: a column for each change of a tower.
 #[pyfunction]
-#[pyo3(signature = (tower, path: "str", ignore: "list[str]") -> "list[tuple[str, Incomplete]]")]
+#[pyo3(signature = (
+    tower, path: "str", ignore: "list[str]", rows,
+) -> "tuple[list[tuple[str, Incomplete]], int]")]
 pub fn values_of_table<'py>(
     py: Python<'py>,
     tower: &Tower,
     path: &str,
     ignore: Vec<String>,
-) -> PyResult<Vec<NamedColumn<'py>>> {
+    rows: Rows,
+) -> PyResult<Values<'py>> {
     let input = &tower.model.input;
-    let columns = released(py, || {
+    let (columns, first_row) = released(py, || {
         let planned = of_table(input, Path::new(path), &SweepOptions::default(), &ignore)?;
-        columns(&planned)
+        columns(&planned, rows)
     })?;
-    Ok(arrays(py, columns))
+    Ok((arrays(py, columns), first_row))
 }
 
 /// The values of a study on a tower in place of its base, and the options of the sweep: those
 /// given, else those of the study.
 #[pyfunction]
 #[pyo3(signature = (
-    tower, text, name, ignore: "list[str]", options: "dict[str, object]",
-) -> "tuple[list[tuple[str, Incomplete]], dict[str, object]]")]
+    tower, text, name, ignore: "list[str]", options: "dict[str, object]", rows,
+) -> "tuple[tuple[list[tuple[str, Incomplete]], int], dict[str, object]]")]
 pub fn values_of_study<'py>(
     py: Python<'py>,
     tower: &Tower,
@@ -128,14 +146,15 @@ pub fn values_of_study<'py>(
     name: String,
     ignore: Vec<String>,
     options: SweepOptions,
-) -> PyResult<(Vec<NamedColumn<'py>>, SweepOptions)> {
+    rows: Rows,
+) -> PyResult<(Values<'py>, SweepOptions)> {
     let (input, source) = (&tower.model.input, Source { name, text });
-    let (columns, options) = released(py, || {
+    let ((columns, first_row), options) = released(py, || {
         let planned = of_study(&source, Some(input), &options, &ignore)?;
         let options = options.with(&planned.results);
-        Ok::<_, PyErr>((columns(&planned)?, options))
+        Ok::<_, PyErr>((columns(&planned, rows)?, options))
     })?;
-    Ok((arrays(py, columns), options))
+    Ok(((arrays(py, columns), first_row), options))
 }
 
 fn arrays(py: Python<'_>, columns: Vec<(String, Vec<f64>)>) -> Vec<NamedColumn<'_>> {
@@ -143,29 +162,35 @@ fn arrays(py: Python<'_>, columns: Vec<(String, Vec<f64>)>) -> Vec<NamedColumn<'
     columns.into_iter().map(array).collect()
 }
 
-/// All values of a sweep: name and values of each change.
-fn columns(planned: &Planned) -> PyResult<Vec<(String, Vec<f64>)>> {
-    let rows = planned.source.rows();
+/// Name and values of each change in the rows that are asked for, and the number of the first row.
+fn columns(planned: &Planned, rows: Rows) -> PyResult<(Vec<(String, Vec<f64>)>, u64)> {
+    let all = planned.source.rows();
+    let Range { start, end } = match rows {
+        None => 0..all,
+        Some((start, end)) => rows_within(start..end, all).map_err(of_slice)?,
+    };
+    let count = end - start;
     let full = || {
-        let message =
-            format!("the values of {rows} rows do not fit into memory; sweep into a folder");
+        let message = format!(
+            "the values of {count} rows do not fit into memory; take fewer at a time with rows=range(…)"
+        );
         PyMemoryError::new_err(message)
     };
-    let block = planned.source.block(0..rows);
-    let block = block.map_err(|error| of_parts(error.into()))?;
-    let count = usize::try_from(rows).map_err(|_| full())?;
+    let block = planned.source.block(start..end);
+    let block = block.map_err(|error| of_slice(error.into()))?;
+    let reserved = usize::try_from(count).map_err(|_| full())?;
     let mut columns = Vec::new();
     for change in &planned.changes {
         let mut values = Vec::new();
-        values.try_reserve_exact(count).map_err(|_| full())?;
+        values.try_reserve_exact(reserved).map_err(|_| full())?;
         columns.push((change.name().to_owned(), values));
     }
     let mut values = vec![0.0; columns.len()];
-    for row in 0..rows {
+    for row in 0..count {
         block.row(row, &mut values);
         for ((_, column), value) in columns.iter_mut().zip(&values) {
             column.push(*value);
         }
     }
-    Ok(columns)
+    Ok((columns, start))
 }

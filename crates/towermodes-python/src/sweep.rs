@@ -71,15 +71,17 @@ type Solved<'py> = (
     [Remarks; 2],
 );
 
-/// Solves the tower with the numbers of each row in place of its own.
+/// Solves the tower with the numbers of each row in place of its own; the rows are counted from
+/// `first_row` on.
 #[pyfunction]
 #[pyo3(signature = (
-    tower, columns: "list[tuple[str, Incomplete]]", options: "dict[str, object]", *, progress = None,
+    tower, columns: "list[tuple[str, Incomplete]]", first_row, options: "dict[str, object]", *, progress = None,
 ))]
 pub fn sweep<'py>(
     py: Python<'py>,
     tower: &Tower,
     columns: Vec<(String, PyReadonlyArray1<'py, f64>)>,
+    first_row: u64,
     options: SweepOptions,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Solved<'py>> {
@@ -91,6 +93,7 @@ pub fn sweep<'py>(
     let numbers: Result<Vec<&[f64]>, _> = columns.iter().map(|(_, one)| one.as_slice()).collect();
     let columns = Columns::new(numbers?);
     let columns = columns.map_err(|error| usage(error.to_string()))?;
+    let columns = columns.from_row(first_row);
     let (results, threads) = (options.over(SweepResults::default())?, options.threads());
     let solved = released(py, || {
         let sweep = Sweep::new(Base::from(input), changes, &results).map_err(refused)?;
@@ -119,7 +122,6 @@ impl SweepOptions {
             method: method.or(study.method),
             rotary_inertia: self.rotary_inertia && study.rotary_inertia,
             inputs: study.inputs,
-            rows_per_part: study.rows_per_part,
         })
     }
 
@@ -189,7 +191,7 @@ fn solve(
 }
 
 /// Looks for a signal: the exception of its handler ends a sweep.
-pub fn look(interrupted: &mut Option<PyErr>) -> ControlFlow<()> {
+fn look(interrupted: &mut Option<PyErr>) -> ControlFlow<()> {
     match attached(|py| py.check_signals()) {
         Ok(()) => ControlFlow::Continue(()),
         Err(exception) => {

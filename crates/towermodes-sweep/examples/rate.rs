@@ -1,22 +1,23 @@
-//! Rate of a sweep: a Sobol sample of four numbers of a tower, written to a folder.
+//! Rate of a sweep: a Sobol sample of four numbers of a tower, written to a file.
 //!
-//!     cargo run --release -p towermodes-sweep --features parquet --example rate -- \
-//!         examples/nrel-5mw.toml results 1000000 2
+//!     cargo run --release -p towermodes-sweep --example rate -- \
+//!         examples/nrel-5mw.toml results.csv 1000000 2
 
 #![expect(clippy::print_stdout, reason = "it is a program")]
 
 use std::error::Error;
+use std::fs::File;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
 use towermodes::Change;
 use towermodes_files::{Distribution, Sampling, SamplingKind, SweepResults, Varied, read_tower};
-use towermodes_sweep::{Base, PartFormat, PartOptions, Parts, Sweep, SweepSource};
+use towermodes_sweep::{Base, Slice, Slices, Sweep, SweepSource};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [file, folder, rows, threads] = &arguments[..] else {
-        return Err("usage: rate TOWER FOLDER ROWS THREADS".into());
+    let [file, path, rows, threads] = &arguments[..] else {
+        return Err("usage: rate TOWER CSV ROWS THREADS".into());
     };
     let base = Base::from(&read_tower(file)?.input);
     let names = [
@@ -42,27 +43,16 @@ fn main() -> Result<(), Box<dyn Error>> {
         correlations: Vec::new(),
         vary: vary.to_vec(),
     })?;
-    let format = match cfg!(feature = "parquet") {
-        true => PartFormat::Parquet,
-        false => PartFormat::Csv,
-    };
-    let options = PartOptions {
-        format,
-        force: true,
-        ..PartOptions::default()
-    };
-    let parts = Parts::open(&sweep, &source, folder.as_ref(), options)?;
+    let slice = Slice::all(&sweep, &source);
     let begun = Instant::now();
-    let missing = parts.missing()?;
-    let done = parts.solve(&missing, threads.parse()?, &mut |_| {
-        ControlFlow::Continue(())
-    })?;
-    let is_complete = parts.finish()?;
+    let file = File::create(path)?;
+    let done = slice.write(file, threads.parse()?, &mut |_| ControlFlow::Continue(()))?;
     let seconds = begun.elapsed().as_secs_f64();
     let rate = done.rows as f64 / seconds;
-    println!("{done:?} in {seconds:.2} s, {rate:.0} rows/s, complete {is_complete}");
+    println!("{done:?} in {seconds:.2} s, {rate:.0} rows/s");
     let begun = Instant::now();
-    let summary = parts.summary(sweep.margin_check().as_ref())?;
+    let slices = Slices::open(&sweep, &source, &[path.into()])?;
+    let summary = slices.summary(sweep.margin_check().as_ref())?;
     println!("{:#?}", summary.modes[0]);
     println!("summary in {:.2} s", begun.elapsed().as_secs_f64());
     Ok(())

@@ -48,7 +48,7 @@ pub use results::Results;
 pub use row::{MORE_MODES, named, number_at};
 pub use run::{RunError, run};
 pub use sampling::Draw;
-pub use slice::{Slice, SliceError, SliceFormat, Slices, Solved};
+pub use slice::{Slice, SliceError, SliceFormat, Slices, Solved, rows_within};
 pub use source::{Columns, LengthsDiffer, RowSource, SourceBlock};
 pub use summary::{
     FailureKind, MarginCheck, MarginCounts, MarginSummary, ModeSummary, QUANTILES, Statistics,

@@ -4,7 +4,7 @@ mod correlation;
 mod first_order;
 mod memory;
 mod names;
-mod parts;
+mod slices;
 mod summary;
 #[cfg(feature = "parquet")]
 mod table_parquet;

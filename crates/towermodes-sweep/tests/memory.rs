@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use towermodes::{Change, Method, Options, Tower, solve};
 use towermodes_files::{Distribution, Sampling, SamplingKind, SweepModes, SweepResults, Varied};
-use towermodes_sweep::{Base, Columns, Draw, RunError, Sweep, SweepError, results_csv, run};
+use towermodes_sweep::{Base, Columns, Draw, RunError, Sweep, SweepError, run};
 
 use crate::towers::{example, lowest, names, solved, sweep, tower};
 
@@ -313,16 +313,17 @@ fn a_row_keeps_its_modes_when_more_cannot_be_computed() {
     assert!(results.certified[0] && results.frequency_hz[1].is_nan());
 }
 
+/// Rows of a larger table keep their numbers.
 #[test]
-fn a_table_of_results_needs_the_values_of_its_rows() {
-    let sweep = lowest(&["rna.mass", "stations[1].wall"], 2);
-    let (masses, walls) = ([3.5e5, 3.6e5], [0.02, 0.02]);
-    let results = solved(&sweep, &[&masses, &walls], 1);
-    for columns in [vec![&masses[..]], vec![&masses[..1], &walls[..1]]] {
-        let source = Columns::new(columns).expect("columns");
-        let error = results_csv(&sweep, &source, results.clone()).expect_err("refused");
-        assert_eq!(error.kind(), std::io::ErrorKind::InvalidInput);
-    }
+fn rows_are_counted_from_the_first_one_of_their_source() {
+    let sweep = lowest(&["rna.mass"], 2);
+    let columns = Columns::new(vec![&[3e5, -1.0]])
+        .expect("a column")
+        .from_row(70);
+    let results = run(&sweep, &columns, 1, &mut |_| ControlFlow::Continue(()));
+    let results = results.expect("results");
+    assert_eq!((results.first_row, results.rows()), (70, 2));
+    assert_eq!(results.failures.get(0).map(|(row, _)| row), Some(71));
 }
 
 #[test]

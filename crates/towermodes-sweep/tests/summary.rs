@@ -1,16 +1,18 @@
 //! Summaries against the definitions of their numbers.
 
+use std::fs::File;
 use std::ops::ControlFlow;
+use std::path::PathBuf;
 
 use towermodes::Rotor;
 use towermodes_analysis::resonance::CampbellOptions;
 use towermodes_files::{Distribution, Sampling, SamplingKind, Varied};
 use towermodes_sweep::{
-    FailedRows, MarginCheck, MarginSummary, PartFormat, PartOptions, Parts, QUANTILES, Results,
-    RowRemarks, SweepSource,
+    FailedRows, MarginCheck, MarginSummary, QUANTILES, Results, RowRemarks, Slice, Slices, Sweep,
+    SweepSource, run,
 };
 
-use crate::towers::{Folder, lowest, names, solved};
+use crate::towers::{Folder, lowest, names};
 
 /// Results of one mode with given frequencies, Hz.
 fn results(frequency_hz: &[f64]) -> Results {
@@ -135,6 +137,17 @@ fn the_rotor_of_the_base_is_checked_unless_it_is_varied() {
     assert_eq!(lowest(&["scale(rotor.rpm[1])"], 2).margin_check(), None);
 }
 
+/// Writes all rows into a file.
+fn written(folder: &Folder, sweep: &Sweep, source: &SweepSource) -> PathBuf {
+    let path = folder.path("all.csv");
+    let file = File::create(&path).expect("a file");
+    let slice = Slice::all(sweep, source);
+    slice
+        .write(file, 2, &mut |_| ControlFlow::Continue(()))
+        .expect("a slice");
+    path
+}
+
 /// The standard error is that of independent rows.
 #[test]
 fn only_random_rows_are_independent() {
@@ -152,18 +165,15 @@ fn only_random_rows_are_independent() {
         });
         let source = source.expect("a sample");
         let (sweep, folder) = (lowest(&["rna.mass"], 1), Folder::new());
-        let parts = Parts::open(&sweep, &source, &folder.path("r"), PartOptions::default());
-        let parts = parts.expect("open");
-        parts
-            .solve(&[0], 1, &mut |_| ControlFlow::Continue(()))
-            .expect("a part");
-        let summary = parts.summary(None).expect("a summary");
+        let path = written(&folder, &sweep, &source);
+        let slices = Slices::open(&sweep, &source, &[path]).expect("a slice");
+        let summary = slices.summary(None).expect("a summary");
         assert_eq!(summary.rows_are_independent, kind == SamplingKind::Random);
     }
 }
 
 #[test]
-fn parts_have_the_summary_of_the_results_in_memory() {
+fn slices_have_the_summary_of_the_results_in_memory() {
     let sweep = lowest(&["rna.mass", "stations[1].wall"], 3);
     let vary = |name: &str, low, high| Varied {
         name: name.to_owned(),
@@ -182,35 +192,20 @@ fn parts_have_the_summary_of_the_results_in_memory() {
     });
     let source = source.expect("a sample");
     let folder = Folder::new();
-    let options = PartOptions {
-        rows_per_part: 70,
-        format: PartFormat::Csv,
-        ..PartOptions::default()
-    };
-    let parts = Parts::open(&sweep, &source, &folder.path("r"), options).expect("open");
-    assert!(parts.summary(None).is_err(), "no parts yet");
-    let missing = parts.missing().expect("a folder");
-    parts
-        .solve(&missing, 2, &mut |_| ControlFlow::Continue(()))
-        .expect("parts");
+    let path = written(&folder, &sweep, &source);
     let check = sweep.margin_check();
-    let of_parts = parts.summary(check.as_ref()).expect("a summary");
+    let slices = Slices::open(&sweep, &source, &[path]).expect("a slice");
+    let of_slices = slices.summary(check.as_ref()).expect("a summary");
     let SweepSource::Sampled { draw, .. } = &source else {
         unreachable!("a sample")
     };
-    let mut columns = [Vec::new(), Vec::new()];
-    for row in 0..300 {
-        let mut values = [0.0; 2];
-        draw.row(row, &mut values);
-        columns[0].push(values[0]);
-        columns[1].push(values[1]);
-    }
     assert!(
-        !of_parts.rows_are_independent,
+        !of_slices.rows_are_independent,
         "a Latin hypercube is more even"
     );
-    let in_memory = solved(&sweep, &[&columns[0], &columns[1]], 1);
-    assert_eq!(of_parts, in_memory.summary(check.as_ref()));
-    assert!(of_parts.failed > 0 && of_parts.failures.len() == 1);
-    assert_eq!(of_parts.failures[0].count, of_parts.failed);
+    let in_memory = run(&sweep, draw, 1, &mut |_| ControlFlow::Continue(()));
+    let in_memory = in_memory.expect("results");
+    assert_eq!(of_slices, in_memory.summary(check.as_ref()));
+    assert!(of_slices.failed > 0 && of_slices.failures.len() == 1);
+    assert_eq!(of_slices.failures[0].count, of_slices.failed);
 }

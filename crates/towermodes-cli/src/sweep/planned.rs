@@ -8,7 +8,7 @@ use towermodes_files::{
     FileFormat, Input, ReadError, ReadOptions, Setting, SiblingFiles, Source, SweepResults,
     SweepRows, SweepStudy, TowerInput, read, read_sweep_study, recognize,
 };
-use towermodes_sweep::{Base, SliceError, Sweep, SweepSource, Table};
+use towermodes_sweep::{Base, Sweep, SweepSource, Table, rows_within};
 
 use crate::args::{ReadingArguments, SweepArguments};
 use crate::failure::{Failure, note, warn};
@@ -46,15 +46,9 @@ impl Planned {
     /// The rows that are asked for; a range may end behind the last row.
     pub(super) fn rows(&self, arguments: &SweepArguments) -> Result<Range<u64>, Failure> {
         let count = self.source.rows();
-        let Some(asked) = arguments.rows else {
-            return Ok(0..count);
-        };
-        match asked.start < count {
-            true => Ok(asked.start..asked.end.min(count)),
-            false => Err(Failure::Slice(SliceError::NoSuchRows {
-                rows: asked.start..asked.end,
-                count,
-            })),
+        match arguments.rows {
+            Some(asked) => rows_within(asked.start..asked.end, count).map_err(Failure::Slice),
+            None => Ok(0..count),
         }
     }
 }

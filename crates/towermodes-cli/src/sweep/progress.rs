@@ -19,10 +19,11 @@ pub(super) struct SweepProgress {
 }
 
 impl SweepProgress {
-    /// Progress of a number of rows.
-    pub(super) fn new(rows: u64) -> Self {
+    /// Progress of a number of rows. Rows that are printed on a terminal show it themselves.
+    pub(super) fn new(rows: u64, are_printed: bool) -> Self {
         let begun = Instant::now();
-        let bar = std::io::stderr().is_terminal().then(|| {
+        let is_shown = !are_printed || !std::io::stdout().is_terminal();
+        let bar = (is_shown && std::io::stderr().is_terminal()).then(|| {
             let bar = ProgressBar::with_draw_target(Some(rows), ProgressDrawTarget::hidden());
             let words = move |state: &ProgressState, out: &mut dyn std::fmt::Write| {
                 let seconds = begun.elapsed().as_secs_f64();

@@ -27,7 +27,7 @@ pub(super) fn run(
         format,
     };
     let mut out = Streamed::to(arguments.output())?;
-    let mut progress = SweepProgress::new(rows.end - rows.start);
+    let mut progress = SweepProgress::new(rows.end - rows.start, arguments.output().is_none());
     let solved = slice.write(&mut out, arguments.threads(), &mut |done| {
         progress.set(done);
         ControlFlow::Continue(())

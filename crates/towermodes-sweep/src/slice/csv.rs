@@ -59,7 +59,7 @@ impl Rows {
     /// # Errors
     /// What is wrong with the names of the columns.
     pub(super) fn new(file: BufReader<File>, columns: &[(String, Column)]) -> Result<Self, String> {
-        let mut reader = ::csv::Reader::from_reader(file);
+        let mut reader = ::csv::ReaderBuilder::new().flexible(true).from_reader(file);
         let found = reader.headers().map_err(|error| error.to_string())?;
         match found.iter().eq(columns.iter().map(|(name, _)| name)) {
             true => Ok(Self(reader)),

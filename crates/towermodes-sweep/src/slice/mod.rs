@@ -23,4 +23,4 @@ mod write;
 
 pub use error::SliceError;
 pub use slices::Slices;
-pub use write::{Slice, SliceFormat, Solved};
+pub use write::{Slice, SliceFormat, Solved, rows_within};

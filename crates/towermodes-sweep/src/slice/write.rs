@@ -76,6 +76,19 @@ pub struct Slice<'a> {
     pub format: SliceFormat,
 }
 
+/// The rows of a sweep that are asked for, numbered from 0: those of a range that may end behind
+/// the last row.
+///
+/// # Errors
+/// [`SliceError::NoSuchRows`] for a range without rows of the sweep.
+pub fn rows_within(asked: Range<u64>, count: u64) -> Result<Range<u64>, SliceError> {
+    let rows = asked.start..asked.end.min(count);
+    match rows.is_empty() {
+        true => Err(SliceError::NoSuchRows { rows: asked, count }),
+        false => Ok(rows),
+    }
+}
+
 /// What a run has solved.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Solved {
