@@ -103,6 +103,12 @@ struct Queue<'a> {
     block: Option<Arc<SourceBlock<'a>>>,
 }
 
+/// Rows of a block that a thread solves.
+struct Share<'a> {
+    block: Arc<SourceBlock<'a>>,
+    rows: Range<u64>,
+}
+
 /// The results that are not taken.
 struct Order<P> {
     /// The first row that is not taken.
@@ -137,7 +143,7 @@ where
     }
 
     fn solve_all(&self, solver: &mut Rows<'_>, tick: &mut Tick<'_>) -> Result<(), E> {
-        while let Some((block, rows)) = self.next()? {
+        while let Some(Share { block, rows }) = self.next()? {
             let Some(results) = solver.solve(&block, rows.clone(), tick)? else {
                 break;
             };
@@ -147,9 +153,9 @@ where
         Ok(())
     }
 
-    /// The next rows, with the block that has their values; none if there are no more or the run
+    /// The next rows; none if there are no more or the run
     /// is over.
-    fn next(&self) -> Result<Option<(Arc<SourceBlock<'a>>, Range<u64>)>, E> {
+    fn next(&self) -> Result<Option<Share<'a>>, E> {
         let mut queue = lock(&self.queue);
         if queue.next == self.end || !self.may_begin(queue.next) {
             return Ok(None);
@@ -167,7 +173,7 @@ where
         if rows.end < end_of_block {
             queue.block = Some(Arc::clone(&block));
         }
-        Ok(Some((block, rows)))
+        Ok(Some(Share { block, rows }))
     }
 
     /// Waits until the row is not too far ahead of those that are taken; false if the run is over.

@@ -201,7 +201,7 @@ struct Ready {
 enum Content {
     Text(Vec<u8>),
     #[cfg(feature = "parquet")]
-    Columns(Part),
+    Columns(Box<Part>),
 }
 
 impl Ready {
@@ -223,7 +223,7 @@ impl Ready {
             content: match slice.format {
                 SliceFormat::Csv => csv::rows(&part, columns).map(Content::Text),
                 #[cfg(feature = "parquet")]
-                SliceFormat::Parquet => Ok(Content::Columns(part)),
+                SliceFormat::Parquet => Ok(Content::Columns(Box::new(part))),
                 // The writer has refused it.
                 #[cfg(not(feature = "parquet"))]
                 SliceFormat::Parquet => Err(io::ErrorKind::Unsupported.into()),
@@ -250,7 +250,7 @@ impl Part {
 enum Writer<W: Write + Send> {
     Csv(W),
     #[cfg(feature = "parquet")]
-    Parquet(super::parquet::Writer<W>),
+    Parquet(Box<super::parquet::Writer<W>>),
 }
 
 impl<W: Write + Send> Writer<W> {
@@ -270,7 +270,7 @@ impl<W: Write + Send> Writer<W> {
             #[cfg(feature = "parquet")]
             SliceFormat::Parquet => {
                 let writer = super::parquet::Writer::new(out, header, columns.to_vec());
-                Ok(Self::Parquet(writer.map_err(of_parquet)?))
+                Ok(Self::Parquet(Box::new(writer.map_err(of_parquet)?)))
             }
             #[cfg(not(feature = "parquet"))]
             SliceFormat::Parquet => Err(SliceError::NoParquet),
@@ -284,7 +284,9 @@ impl<W: Write + Send> Writer<W> {
                 out.write_all(&text).map_err(SliceError::Output)
             }
             #[cfg(feature = "parquet")]
-            (Self::Parquet(writer), Content::Columns(part)) => writer.add(part).map_err(of_parquet),
+            (Self::Parquet(writer), Content::Columns(part)) => {
+                writer.add(*part).map_err(of_parquet)
+            }
             #[cfg(feature = "parquet")]
             _ => Err(SliceError::Output(io::ErrorKind::InvalidInput.into())),
         }
