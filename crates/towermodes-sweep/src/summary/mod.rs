@@ -1,7 +1,6 @@
 //! A sweep in numbers: statistics of each column, failures, violated resonance margins.
 
 mod failures;
-mod order;
 mod statistics;
 
 pub use failures::FailureKind;
@@ -14,8 +13,7 @@ use crate::results::Results;
 use crate::slice::{SliceError, Slices};
 use crate::sweep::Sweep;
 use failures::Failures;
-use order::{PASSES, Selection};
-use statistics::Moments;
+use statistics::Values;
 
 /// The resonance check of a summary: a rotor, the required distance and the multiples of the rotor
 /// speed.
@@ -202,79 +200,36 @@ impl<'a> MarginCounts<'a> {
 impl Results {
     /// These results in numbers, with a resonance check if one is given.
     pub fn summary(&self, check: Option<&MarginCheck>) -> Summary {
-        let all = |visit: &mut dyn FnMut(&Self)| -> Result<(), std::convert::Infallible> {
-            visit(self);
-            Ok(())
-        };
-        match summarized(&self.modes, check, all) {
-            Ok(summary) => summary,
-            Err(never) => match never {},
-        }
+        let mut counted = Counted::new(self.modes.len(), check);
+        counted.add(self);
+        counted.summary(&self.modes)
     }
 }
 
 impl Slices<'_> {
-    /// The results of all slices in numbers, with a resonance check if one is given. The files are
-    /// read six times, one after the other, so any number of rows needs little memory, up to 0.9 MB
-    /// for each column.
+    /// The results of all slices in numbers, with a resonance check if one is given. It needs eight
+    /// bytes for each frequency and mass of the rows.
     ///
     /// # Errors
     /// [`SliceError`] for a slice that cannot be read or is not whole.
     pub fn summary(&self, check: Option<&MarginCheck>) -> Result<Summary, SliceError> {
-        let summary = summarized(self.sweep().modes(), check, |visit| {
-            self.each(&mut |results| visit(&results))
-        });
-        summary.map(|summary| Summary {
+        let modes = self.sweep().modes();
+        let mut counted = Counted::new(modes.len(), check);
+        self.each(&mut |results| counted.add(&results))?;
+        Ok(Summary {
             rows_are_independent: self.source().is_independent(),
-            ..summary
+            ..counted.summary(modes)
         })
     }
 }
 
-/// Visits all results several times.
-fn summarized<E>(
-    modes: &[ModeName],
-    check: Option<&MarginCheck>,
-    mut each: impl FnMut(&mut dyn FnMut(&Results)) -> Result<(), E>,
-) -> Result<Summary, E> {
-    let mut counted = Counted::new(modes.len(), check);
-    each(&mut |results| counted.add(results))?;
-    let of = |moments: &Moments| Selection::new(&moments.ranks());
-    let mut selections: Vec<Selection> = counted.moments.iter().map(of).collect();
-    for _ in 0..PASSES {
-        each(&mut |results| {
-            for (column, selection) in selections.iter_mut().enumerate() {
-                values(results, column, |value| selection.count(value));
-            }
-        })?;
-        selections.iter_mut().for_each(Selection::end_pass);
-    }
-    Ok(counted.summary(modes, &selections))
-}
-
-/// Visits the values of a column that were computed: the mass, then the frequencies of the modes.
-fn values(results: &Results, column: usize, visit: impl FnMut(f64)) {
-    let is_there = |value: &f64| !value.is_nan();
-    match column.checked_sub(1) {
-        None => results
-            .mass_kg
-            .iter()
-            .copied()
-            .filter(is_there)
-            .for_each(visit),
-        Some(mode) => results
-            .frequencies_hz(mode)
-            .filter(is_there)
-            .for_each(visit),
-    }
-}
-
-/// What the first visit counts.
+/// What the rows have, as they come.
 struct Counted<'a> {
     rows: u64,
     failures: Failures,
-    /// Of the mass and of each mode.
-    moments: Vec<Moments>,
+    mass_kg: Values,
+    /// By mode.
+    frequency_hz: Vec<Values>,
     largest_error_hz: Vec<f64>,
     margins: MarginCounts<'a>,
 }
@@ -284,7 +239,8 @@ impl<'a> Counted<'a> {
         Self {
             rows: 0,
             failures: Failures::default(),
-            moments: vec![Moments::default(); modes + 1],
+            mass_kg: Values::default(),
+            frequency_hz: vec![Values::default(); modes],
             largest_error_hz: vec![0.0; modes],
             margins: MarginCounts::new(modes, check),
         }
@@ -296,26 +252,24 @@ impl<'a> Counted<'a> {
         for (row, sentence) in results.failures.iter() {
             self.failures.add(row, sentence);
         }
-        for (column, moments) in self.moments.iter_mut().enumerate() {
-            values(results, column, |value| moments.add(value));
-        }
-        for mode in 0..results.modes.len() {
+        add_all(&mut self.mass_kg, results.mass_kg.iter().copied());
+        for (mode, values) in self.frequency_hz.iter_mut().enumerate() {
+            add_all(values, results.frequencies_hz(mode));
             let largest = &mut self.largest_error_hz[mode];
             // NaN is not larger than any number.
             *largest = results.errors_hz(mode).fold(*largest, f64::max);
         }
     }
 
-    fn summary(self, modes: &[ModeName], selections: &[Selection]) -> Summary {
-        let statistics = |column: usize| self.moments[column].statistics(&selections[column]);
-        let of_mode = |(mode, name): (usize, &ModeName)| ModeSummary {
-            name: *name,
-            frequency_hz: statistics(mode + 1),
+    fn summary(self, modes: &[ModeName]) -> Summary {
+        let frequencies = self.frequency_hz.into_iter().enumerate();
+        let modes = frequencies.map(|(mode, values)| ModeSummary {
+            name: modes[mode],
+            frequency_hz: values.statistics(),
             largest_error_hz: self.largest_error_hz[mode],
             margins: self.margins.counts()[mode].clone(),
-        };
-        let modes = modes.iter().enumerate().map(of_mode).collect();
-        let mass_kg = statistics(0);
+        });
+        let modes = modes.collect();
         let failed = self.failures.count;
         let (failures, other_failures) = self.failures.kinds();
         Summary {
@@ -323,9 +277,15 @@ impl<'a> Counted<'a> {
             failed,
             failures,
             other_failures,
-            mass_kg,
+            mass_kg: self.mass_kg.statistics(),
             modes,
             rows_are_independent: false,
         }
     }
+}
+
+/// Adds the values that were computed.
+fn add_all(values: &mut Values, new: impl Iterator<Item = f64>) {
+    new.filter(|value| !value.is_nan())
+        .for_each(|value| values.add(value));
 }
