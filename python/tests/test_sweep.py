@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pyarrow as pa
 import pytest
 from conftest import Ticking
 
@@ -53,6 +52,7 @@ def test_results_do_not_depend_on_the_number_of_threads(nrel: tm.Tower) -> None:
 
 
 def test_some_rows_keep_their_numbers(nrel: tm.Tower, tmp_path: Path) -> None:
+    pyarrow = pytest.importorskip("pyarrow")
     masses = [3e5, -1.0, 3.2e5, -1.0, 3.4e5]
     path = tmp_path / "towers.csv"
     path.write_text("rna.mass\n" + "\n".join(map(str, masses)) + "\n")
@@ -65,7 +65,7 @@ def test_some_rows_keep_their_numbers(nrel: tm.Tower, tmp_path: Path) -> None:
         assert some.failures == [whole.failures[1]]
         assert some.to_dict()["row"].tolist() == [2, 3]
         assert some.to_dict()["error"] == whole.to_dict()["error"][2:4]
-        arrow = pa.table(some).to_pydict()
+        arrow = pyarrow.table(some).to_pydict()
         assert (arrow["row"], arrow["error"]) == ([2, 3], some.to_dict()["error"])
         assert some.inputs["rna.mass"].tolist() == masses[2:4]
         # A range may end behind the last row.

@@ -6,7 +6,7 @@ The classes and functions of the package.
 from _typeshed import Incomplete, SupportsGetItem
 from typing import Any, Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Damping", "Examination", "FirstOrder", "Found", "Solution", "SweepFolder", "Tower", "TurbineCampbell", "TurbineModes", "calibrate", "close", "columns_of_stream", "design", "mode_named", "read", "read_text", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep", "tower_file_keys", "values_of_study", "values_of_table"]
+__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Damping", "Examination", "FirstOrder", "Found", "Solution", "Tower", "TurbineCampbell", "TurbineModes", "calibrate", "close", "columns_of_stream", "design", "mode_named", "read", "read_text", "rows_within", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep", "tower_file_keys", "values_of_study", "values_of_table"]
 
 VERSION: Final[str]
 """
@@ -397,52 +397,6 @@ class Solution:
         """
 
 @final
-class SweepFolder:
-    """
-    The folder of the results of a sweep.
-    """
-    def __new__(cls, /, tower: Tower | None, values: "str", folder: "str", results: "dict[str, object]", options: "dict[str, object]") -> SweepFolder:
-        """
-        Opens the folder, and makes it if it does not exist. The values are a table, or without a
-        tower a study.
-        """
-    @property
-    def count(self, /) -> int:
-        """
-        Number of parts of the whole sweep.
-        """
-    def failures_of(self, /, part: SupportsIndex) -> int:
-        """
-        How many rows of a part that is there have failed.
-        """
-    def finish(self, /) -> bool:
-        """
-        Writes `_SUCCESS` if all parts are there; whether they are.
-        """
-    @property
-    def key(self, /) -> str:
-        """
-        The SHA-256 of all that the results depend on.
-        """
-    def missing(self, /) -> list[int]:
-        """
-        The parts that are not there or not whole.
-        """
-    @property
-    def rows(self, /) -> int:
-        """
-        Number of rows of the whole sweep.
-        """
-    def rows_of(self, /, part: SupportsIndex) -> tuple[int, int]:
-        """
-        The first row of a part and the row behind its last.
-        """
-    def solve(self, /, part: SupportsIndex, threads: SupportsIndex) -> tuple[int, int]:
-        """
-        Solves a part and writes it: its number of rows, and how many of them have failed.
-        """
-
-@final
 class Tower:
     """
     A tower.
@@ -803,6 +757,11 @@ def read_text(text: str, name: str) -> Tower:
     The tower of a text in any format; `name` stands for the name of the file.
     """
 
+def rows_within(rows: tuple[SupportsIndex, SupportsIndex], count: SupportsIndex) -> tuple[int, int]:
+    """
+    The rows of a table that are asked for: the first one, and the row behind the last one.
+    """
+
 def run(words: "list[str]") -> "int":
     """
     Runs the program with the words of a command line, its own name first; returns its exit code.
@@ -824,16 +783,17 @@ def stream_of_columns(texts: "list[tuple[str, list[str]]]", numbers: "list[tuple
     missing.
     """
 
-def stream_of_results(inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", share: "object", failures: "tuple[object, object, object]") -> "object":
+def stream_of_results(first_row: SupportsIndex, inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", share: "object", failures: "tuple[object, object, object]") -> "object":
     """
     A table of results as a stream: the number of each row, the inputs, the mass, whether it is
     certified, frequency, error and share of each mode, and why a row failed. A number that is NaN
     is missing.
     """
 
-def sweep(tower: Tower, columns: "list[tuple[str, Incomplete]]", options: "dict[str, object]", *, progress: Any | None = None) -> tuple[list[tuple[str, int, str]], Incomplete, Incomplete, Incomplete, Incomplete, Incomplete, tuple[Incomplete, Incomplete, Incomplete], list[tuple[int, list[tuple[int, str]]]]]:
+def sweep(tower: Tower, columns: "list[tuple[str, Incomplete]]", first_row: SupportsIndex, options: "dict[str, object]", *, progress: Any | None = None) -> tuple[list[tuple[str, int, str]], Incomplete, Incomplete, Incomplete, Incomplete, Incomplete, tuple[Incomplete, Incomplete, Incomplete], list[tuple[int, list[tuple[int, str]]]]]:
     """
-    Solves the tower with the numbers of each row in place of its own.
+    Solves the tower with the numbers of each row in place of its own; the rows are counted from
+    `first_row` on.
     """
 
 def tower_file_keys() -> list[list[str]]:
@@ -841,13 +801,13 @@ def tower_file_keys() -> list[list[str]]:
     The keys of a tower file, and those of its table `[tower]`.
     """
 
-def values_of_study(tower: Tower, text: str, name: str, ignore: "list[str]", options: "dict[str, object]") -> "tuple[list[tuple[str, Incomplete]], dict[str, object]]":
+def values_of_study(tower: Tower, text: str, name: str, ignore: "list[str]", options: "dict[str, object]", rows: tuple[SupportsIndex, SupportsIndex] | None) -> "tuple[tuple[list[tuple[str, Incomplete]], int], dict[str, object]]":
     """
     The values of a study on a tower in place of its base, and the options of the sweep: those
     given, else those of the study.
     """
 
-def values_of_table(tower: Tower, path: "str", ignore: "list[str]") -> "list[tuple[str, Incomplete]]":
+def values_of_table(tower: Tower, path: "str", ignore: "list[str]", rows: tuple[SupportsIndex, SupportsIndex] | None) -> "tuple[list[tuple[str, Incomplete]], int]":
     """
     The values of a table in a file: a column for each change of a tower.
     """

@@ -10,7 +10,7 @@ use towermodes::Change;
 use towermodes_files::{
     SiblingFiles, Source, SweepResults, SweepRows, TowerInput, read, read_sweep_study,
 };
-use towermodes_sweep::{Base, RowSource, SweepSource, Table, rows_within};
+use towermodes_sweep::{RowSource, SweepSource, Table, rows_within};
 
 use crate::error::{of_read, of_slice, usage};
 use crate::lock::released;
@@ -20,8 +20,6 @@ use crate::tower::Tower;
 
 /// What is swept.
 pub struct Planned {
-    /// The tower that is changed.
-    pub base: Base,
     /// Its changes.
     pub changes: Vec<Change>,
     /// Their values.
@@ -44,7 +42,6 @@ pub fn of_table(
     let table = Table::open(table, &input.description, ignore);
     let table = table.map_err(|error| of_slice(error.into()))?;
     Ok(Planned {
-        base: Base::from(input),
         changes: table.changes().to_vec(),
         source: SweepSource::Table(Box::new(table)),
         results,
@@ -87,7 +84,6 @@ pub fn of_study(
             let source = SweepSource::sampled(sampling.clone());
             let source = source.map_err(|error| of_read(study.undrawn(error)))?;
             Ok(Planned {
-                base: Base::from(input),
                 changes,
                 source,
                 results: results.over(study.results)?,
