@@ -73,7 +73,11 @@ fn remark(solved: &Solved) {
     let has = |of: &RowRemarks| if of.rows == 1 { "has" } else { "have" };
     let (warnings, shared) = (&solved.warnings, &solved.shared);
     let unusual = "unusual input that the base does not have";
-    say(warnings, solved.rows, &format!("{} {unusual}", has(warnings)));
+    say(
+        warnings,
+        solved.rows,
+        &format!("{} {unusual}", has(warnings)),
+    );
     let coupled = "a mode that shares its motion with others: less than 60 % of its energy is in the \
                    motion of its name (columns …_share). Between neighbouring rows such a name may pass \
                    from one of these modes to another, and its frequency jumps by their difference";
