@@ -3,7 +3,7 @@
 
 use crate::refused;
 
-use refused::refused_text;
+use refused::{refused_text, rows};
 use towermodes_files::tower_from_toml;
 
 /// Every file begins with this tower, so that what each test is about begins in line 7.
@@ -133,6 +133,13 @@ fn refused(good: &str, from: &str, to: &str, place: &str, message: &str, hint: &
     refused_text(&text, place, message, hint);
 }
 
+/// Mistakes one after the other: what is replaced, by what, place, message, hint.
+fn all_refused(good: &str, table: &str) {
+    for [from, to, place, message, hint] in rows(table) {
+        refused(good, &from, &to, &place, &message, &hint);
+    }
+}
+
 #[test]
 fn without_a_mistake_all_are_good() {
     for good in [
@@ -173,29 +180,13 @@ fn matrices_of_another_size() {
         "row 3 of matrix has 5 values instead of 6",
         hint,
     );
-    refused(
+    all_refused(
         STIFFNESS,
-        "[0, 0, 5e9, 0, 0, 0]",
-        "5e9",
-        "12:3",
-        "row 3 of matrix must be a list in brackets, found a number",
-        "",
-    );
-    refused(
-        STIFFNESS,
-        "5e9",
-        "\"5e9\"",
-        "12:10",
-        "row 3 of matrix, column 3, must be a number, found a text",
-        "without quotation marks",
-    );
-    refused(
-        STIFFNESS,
-        "5e9",
-        "nan",
-        "12:10",
-        "row 3 of matrix, column 3, is NaN",
-        "",
+        r#"
+        [0, 0, 5e9, 0, 0, 0] | 5e9 | 12:3 | row 3 of matrix must be a list in brackets, found a number
+        5e9 | "5e9" | 12:10 | row 3 of matrix, column 3, must be a number, found a text | without quotation marks
+        5e9 | nan | 12:10 | row 3 of matrix, column 3, is NaN
+        "#,
     );
 }
 
@@ -240,55 +231,18 @@ fn matrices_that_no_foundation_has() {
 
 #[test]
 fn springs_that_no_base_has() {
-    refused(
+    all_refused(
         SPRINGS,
-        "rocking = 2e10\n",
-        "",
-        "7:1",
-        "[foundation] of type \"springs\" has no `rocking`",
-        "rocking in N m; inf is rigid, 0 is none",
-    );
-    refused(
-        SPRINGS,
-        "= 1e8",
-        "= -1e8",
-        "9:11",
-        "the lateral spring is -1e8 N/m; it must not be negative",
-        "",
-    );
-    refused(
-        SPRINGS,
-        "= 3e9",
-        "= -inf",
-        "11:12",
-        "the vertical spring is -inf",
-        "finite number",
-    );
-    refused(SPRINGS, "= inf", "= 1e999", "12:11", "torsion is inf", "");
-    refused(SPRINGS, "= -4e8", "= inf", "13:12", "coupling is inf", "");
-    refused(
-        SPRINGS,
-        "= 1e8",
-        "= inf",
-        "13:12",
-        "a coupling spring cannot be combined",
-        "omit coupling",
-    );
-    refused(
-        SPRINGS,
-        "= -4e8",
-        "= -4e9",
-        "13:12",
-        "coupling and rocking springs has a negative eigenvalue",
-        "square of a coupling term",
-    );
-    refused(
-        SPRINGS,
-        "lateral",
-        "latteral",
-        "9:1",
-        "`latteral` is not a key of [foundation] of type \"springs\"",
-        "did you mean `lateral`?",
+        r#"
+        rocking = 2e10\n |  | 7:1 | [foundation] of type "springs" has no `rocking` | rocking in N m; inf is rigid, 0 is none
+        = 1e8 | = -1e8 | 9:11 | the lateral spring is -1e8 N/m; it must not be negative
+        = 3e9 | = -inf | 11:12 | the vertical spring is -inf | finite number
+        = inf | = 1e999 | 12:11 | torsion is inf
+        = -4e8 | = inf | 13:12 | coupling is inf
+        = 1e8 | = inf | 13:12 | a coupling spring cannot be combined | omit coupling
+        = -4e8 | = -4e9 | 13:12 | coupling and rocking springs has a negative eigenvalue | square of a coupling term
+        lateral | latteral | 9:1 | `latteral` is not a key of [foundation] of type "springs" | did you mean `lateral`?
+        "#,
     );
 }
 
@@ -318,231 +272,72 @@ fn towers_that_nothing_holds() {
 
 #[test]
 fn footings_that_cannot_be() {
-    refused(
+    all_refused(
         HALF_SPACE,
-        "radius = 8.0\n",
-        "",
-        "7:1",
-        "of type \"half-space\" has no `radius`",
-        "radius of the footing in m",
+        r#"
+        radius = 8.0\n |  | 7:1 | of type "half-space" has no `radius` | radius of the footing in m
+        8.0 | 0 | 9:10 | radius is 0 m
+        "#,
     );
-    refused(HALF_SPACE, "8.0", "0", "9:10", "radius is 0 m", "");
-    refused(
+    all_refused(
         MONOPILE,
-        "shadlou-bhattacharya",
-        "gazetas",
-        "9:11",
-        "there is no formula `gazetas`",
-        "names: shadlou-bhattacharya, randolph, en-1998-5, carter-kulhawy",
+        r#"
+        shadlou-bhattacharya | gazetas | 9:11 | there is no formula `gazetas` | names: shadlou-bhattacharya, randolph, en-1998-5, carter-kulhawy
+        "homogeneous" | 3 | 14:16 | soil profile
+        0.08 | 80 | 11:18 | wall thickness is 80 m; it must be from 0 to 3.5 m | check value and unit
+        3e7 | 0 | 15:23 | the soil's Young's modulus is 0 Pa
+        soil_youngs_modulus = 3e7\n | soil_shear_modulus = 3e7\n | 15:1 | `soil_shear_modulus` is not a key | belongs to type = "half-space"
+        "#,
     );
-    refused(
-        MONOPILE,
-        "\"homogeneous\"",
-        "3",
-        "14:16",
-        "soil profile",
-        "",
-    );
-    refused(
-        MONOPILE,
-        "0.08",
-        "80",
-        "11:18",
-        "wall thickness is 80 m; it must be from 0 to 3.5 m",
-        "check value and unit",
-    );
-    refused(
-        MONOPILE,
-        "3e7",
-        "0",
-        "15:23",
-        "the soil's Young's modulus is 0 Pa",
-        "",
-    );
-    refused(
-        MONOPILE,
-        "soil_youngs_modulus = 3e7\n",
-        "soil_shear_modulus = 3e7\n",
-        "15:1",
-        "`soil_shear_modulus` is not a key",
-        "belongs to type = \"half-space\"",
-    );
-    refused(
+    all_refused(
         HALF_SPACE,
-        "0.35",
-        "0.6",
-        "11:23",
-        "Poisson's ratio of the soil is 0.6; it must be from 0 to 0.5",
-        "clay 0.5",
-    );
-    refused(
-        HALF_SPACE,
-        "= 2.0",
-        "= -2.0",
-        "12:13",
-        "the embedment is -2 m",
-        "",
-    );
-    refused(
-        HALF_SPACE,
-        "5e7",
-        "inf",
-        "10:22",
-        "soil_shear_modulus is inf",
-        "",
+        r#"
+        0.35 | 0.6 | 11:23 | Poisson's ratio of the soil is 0.6; it must be from 0 to 0.5 | clay 0.5
+        = 2.0 | = -2.0 | 12:13 | the embedment is -2 m
+        5e7 | inf | 10:22 | soil_shear_modulus is inf
+        "#,
     );
 }
 
 #[test]
 fn platforms_that_do_not_float() {
-    refused(
+    all_refused(
         FLOATING,
-        "3.3e5",
-        "inf",
-        "13:15",
-        "the hydrostatic stiffness has an infinite entry, but a floating platform cannot be rigidly supported",
-        "type = \"springs\", where inf is allowed",
-    );
-    refused(
-        FLOATING,
-        "3.3e5",
-        "1e999",
-        "16:10",
-        "row 3 of hydrostatic, column 3, is inf",
-        "",
-    );
-    refused(
-        FLOATING,
-        "mass = 7.5e6",
-        "lateral = inf\nmass = 7.5e6",
-        "9:1",
-        "`lateral` is not a key of [foundation] of type \"floating\"",
-        "it belongs to type = \"springs\"; the stiffness of a floating platform is given by",
-    );
-    refused(
-        FLOATING,
-        "hydrostatic_height = -5.0\n",
-        "",
-        "7:1",
-        "has no `hydrostatic_height`",
-        "of the reference point of the matrix",
-    );
-    refused(
-        FLOATING,
-        "hydrostatic_height",
-        "mooring_height = -70.0\nhydrostatic_height",
-        "12:18",
-        "`mooring_height` has no effect without `mooring`",
-        "add the matrix",
-    );
-    refused(
-        FLOATING,
-        "[0.0, 0.0, -90.0]",
-        "-90.0",
-        "10:10",
-        "center must be a list",
-        "",
-    );
-    refused(
-        FLOATING,
-        "[0.0, 0.0, -90.0]",
-        "[-90.0]",
-        "10:10",
-        "center has 1 values instead of 3",
-        "z in the datum of the stations",
-    );
-    refused(
-        FLOATING,
-        "yy = 4e9, ",
-        "",
-        "11:11",
-        "inertia has no `yy`",
-        "about the centre of mass",
-    );
-    refused(
-        FLOATING,
-        "xx = 4e9",
-        "xx = -4e9",
-        "11:11",
-        "moments of inertia are -4e9, 1.6e8 and 4e9 kg m2",
-        "",
-    );
-    refused(
-        FLOATING,
-        "7.5e6",
-        "0",
-        "9:8",
-        "the platform's mass is 0 kg",
-        "",
-    );
-    refused(
-        FLOATING,
-        "[0, 0, 0, 0, 5e9, 0]",
-        "[1e6, 0, 0, 0, 5e9, 0]",
-        "13:15",
-        "the hydrostatic stiffness is not symmetric: row 1, column 5 is 0 and row 5, column 1 is 1000000",
-        "",
+        r#"
+        3.3e5 | inf | 13:15 | the hydrostatic stiffness has an infinite entry, but a floating platform cannot be rigidly supported | type = "springs", where inf is allowed
+        3.3e5 | 1e999 | 16:10 | row 3 of hydrostatic, column 3, is inf
+        mass = 7.5e6 | lateral = inf\nmass = 7.5e6 | 9:1 | `lateral` is not a key of [foundation] of type "floating" | it belongs to type = "springs"; the stiffness of a floating platform is given by
+        hydrostatic_height = -5.0\n |  | 7:1 | has no `hydrostatic_height` | of the reference point of the matrix
+        hydrostatic_height | mooring_height = -70.0\nhydrostatic_height | 12:18 | `mooring_height` has no effect without `mooring` | add the matrix
+        [0.0, 0.0, -90.0] | -90.0 | 10:10 | center must be a list
+        [0.0, 0.0, -90.0] | [-90.0] | 10:10 | center has 1 values instead of 3 | z in the datum of the stations
+        yy = 4e9,␣ |  | 11:11 | inertia has no `yy` | about the centre of mass
+        xx = 4e9 | xx = -4e9 | 11:11 | moments of inertia are -4e9, 1.6e8 and 4e9 kg m2
+        7.5e6 | 0 | 9:8 | the platform's mass is 0 kg
+        [0, 0, 0, 0, 5e9, 0] | [1e6, 0, 0, 0, 5e9, 0] | 13:15 | the hydrostatic stiffness is not symmetric: row 1, column 5 is 0 and row 5, column 1 is 1000000
+        "#,
     );
 }
 
 /// Strata, sides, skirts and springs: each mistake at its place.
 #[test]
 fn strata_caissons_and_springs_that_cannot_be() {
-    refused(
+    all_refused(
         CIRCULAR_FOOTING,
-        "20.0",
-        "1.5",
-        "13:13",
-        "the underside of the footing is 2 m below the surface of the soil, and the stratum ends at 1.5 m",
-        "soil_thickness is the depth of the rock",
+        r#"
+        20.0 | 1.5 | 13:13 | the underside of the footing is 2 m below the surface of the soil, and the stratum ends at 1.5 m | soil_thickness is the depth of the rock
+        soil_thickness = 20.0 | soil_thickness = 20.0\nlower_shear_modulus = 5e8 | 14:13 | the footing is embedded by 2 m in a stratum over another stratum | write embedment = 0, or omit lower_shear_modulus
+        soil_thickness = 20.0 | lower_shear_modulus = 5e8 | 12:23 | `lower_shear_modulus` has no effect without `soil_thickness` | add the thickness of the stratum
+        embedment = 2.0 | coupled = 1 | 13:11 | coupled
+        "#,
     );
-    refused(
-        CIRCULAR_FOOTING,
-        "soil_thickness = 20.0",
-        "soil_thickness = 20.0\nlower_shear_modulus = 5e8",
-        "14:13",
-        "the footing is embedded by 2 m in a stratum over another stratum",
-        "write embedment = 0, or omit lower_shear_modulus",
-    );
-    refused(
-        CIRCULAR_FOOTING,
-        "soil_thickness = 20.0",
-        "lower_shear_modulus = 5e8",
-        "12:23",
-        "`lower_shear_modulus` has no effect without `soil_thickness`",
-        "add the thickness of the stratum",
-    );
-    refused(
-        CIRCULAR_FOOTING,
-        "embedment = 2.0",
-        "coupled = 1",
-        "13:11",
-        "coupled",
-        "",
-    );
-    refused(
+    all_refused(
         RECTANGULAR_FOOTING,
-        "18.0",
-        "-18.0",
-        "10:12",
-        "the footing's side along x is -18 m",
-        "",
-    );
-    refused(
-        RECTANGULAR_FOOTING,
-        "length_y",
-        "width",
-        "11:1",
-        "`width` is not a key",
-        "`length_y`",
-    );
-    refused(
-        RECTANGULAR_FOOTING,
-        "gazetas",
-        "arya",
-        "9:11",
-        "there is no formula `arya`",
-        "names: gazetas, pais-kausel",
+        r#"
+        18.0 | -18.0 | 10:12 | the footing's side along x is -18 m
+        length_y | width | 11:1 | `width` is not a key | `length_y`
+        gazetas | arya | 9:11 | there is no formula `arya` | names: gazetas, pais-kausel
+        "#,
     );
     refused(
         SUCTION_CAISSON,
@@ -552,89 +347,29 @@ fn strata_caissons_and_springs_that_cannot_be() {
         "the length of the caisson's skirt is 0 m",
         "",
     );
-    refused(
+    all_refused(
         WINKLER_PILE,
-        "spring_formula = \"vesic\"\n",
-        "",
-        "13:23",
-        "`soil_youngs_modulus` has no effect without `spring_formula`",
-        "add spring_formula",
-    );
-    refused(
-        WINKLER_PILE,
-        "\"vesic\"",
-        "\"gazetas\"",
-        "15:23",
-        "`soil_poissons_ratio` has no effect with spring_formula = \"gazetas\"",
-        "remove it",
-    );
-    refused(
-        WINKLER_PILE,
-        "exponent",
-        "soil_spring = 1e8\nexponent",
-        "16:15",
-        "`soil_spring` has no effect beside `spring_formula`",
-        "keep one of the two",
-    );
-    refused(
-        WINKLER_PILE,
-        "exponent = 0.0",
-        "exponent = 1.0\nformula = \"poulos-davis\"",
-        "16:12",
-        "here they grow with the power 1.0833 of the depth",
-        "use formula = \"exact\"",
+        r#"
+        spring_formula = "vesic"\n |  | 13:23 | `soil_youngs_modulus` has no effect without `spring_formula` | add spring_formula
+        "vesic" | "gazetas" | 15:23 | `soil_poissons_ratio` has no effect with spring_formula = "gazetas" | remove it
+        exponent | soil_spring = 1e8\nexponent | 16:15 | `soil_spring` has no effect beside `spring_formula` | keep one of the two
+        exponent = 0.0 | exponent = 1.0\nformula = "poulos-davis" | 16:12 | here they grow with the power 1.0833 of the depth | use formula = "exact"
+        "#,
     );
 }
 
 #[test]
 fn types_and_their_keys() {
-    refused(
+    all_refused(
         SPRINGS,
-        "\"springs\"",
-        "\"spring\"",
-        "8:8",
-        "there is no foundation of type `spring`",
-        "did you mean `springs`?",
-    );
-    refused(
-        SPRINGS,
-        "\"springs\"",
-        "\"jelly\"",
-        "8:8",
-        "there is no foundation of type `jelly`",
-        "types: clamped, stiffness, springs, half-space, circular-footing, rectangular-footing, suction-caisson, monopile, winkler-pile, floating",
-    );
-    refused(
-        SPRINGS,
-        "\"springs\"",
-        "\"clamped\"",
-        "9:1",
-        "`lateral` is not a key of [foundation] of type \"clamped\"",
-        "it belongs to type = \"springs\"; a clamped base does not move",
-    );
-    refused(
-        SPRINGS,
-        "lateral",
-        "mass = 1e5\nlateral",
-        "9:1",
-        "`mass` is not a key",
-        "it belongs to type = \"stiffness\" or \"floating\"",
-    );
-    refused(
-        SPRINGS,
-        "type = \"springs\"\n",
-        "",
-        "7:1",
-        "[foundation] has no `type`",
-        "\"clamped\" or \"stiffness\" or \"springs\"",
-    );
-    refused(
-        SPRINGS,
-        "type",
-        "tpye",
-        "8:1",
-        "`tpye` is not a key of [foundation]",
-        "did you mean `type`?",
+        r#"
+        "springs" | "spring" | 8:8 | there is no foundation of type `spring` | did you mean `springs`?
+        "springs" | "jelly" | 8:8 | there is no foundation of type `jelly` | types: clamped, stiffness, springs, half-space, circular-footing, rectangular-footing, suction-caisson, monopile, winkler-pile, floating
+        "springs" | "clamped" | 9:1 | `lateral` is not a key of [foundation] of type "clamped" | it belongs to type = "springs"; a clamped base does not move
+        lateral | mass = 1e5\nlateral | 9:1 | `mass` is not a key | it belongs to type = "stiffness" or "floating"
+        type = "springs"\n |  | 7:1 | [foundation] has no `type` | "clamped" or "stiffness" or "springs"
+        type | tpye | 8:1 | `tpye` is not a key of [foundation] | did you mean `type`?
+        "#,
     );
     let text = format!("{TOWER}{}", SPRINGS.replace("type", "tpye"));
     assert_eq!(tower_from_toml(&text).expect_err("no tower").len(), 1);
@@ -642,101 +377,22 @@ fn types_and_their_keys() {
 
 #[test]
 fn soil_that_cannot_be() {
-    refused(
+    all_refused(
         SOIL,
-        "[-10.0,",
-        "[90.0,",
-        "11:4",
-        "the soil extends from -30 m to 90 m, but the tower from -20 m to 80 m",
-        "heights below it are negative",
-    );
-    refused(
-        SOIL,
-        "[-30.0, 2e7, 3e7]",
-        "[-30.0, 2e7]",
-        "10:3",
-        "row 1 of the soil has 2 values instead of 3 to 5 or 7",
-        "a row is [height in m, spring in x, spring in y]",
-    );
-    refused(
-        SOIL,
-        "[-30.0, 2e7, 3e7]",
-        "[-30.0, 1, 2, 3, 4, 5]",
-        "10:3",
-        "row 1 of the soil has 6 values instead of 3 to 5 or 7",
-        "in torsion and against rotation about x and y (N)",
-    );
-    refused(
-        SOIL,
-        "[-10.0, 0, 0]",
-        "[-10.0, 0, 0, 0]",
-        "11:3",
-        "row 2 of the soil has 4 values instead of 3 as the first row",
-        "",
-    );
-    refused(
-        SOIL,
-        "[-10.0, 0, 0]",
-        "-10.0",
-        "11:3",
-        "row 2 of the soil must be a list in brackets, found a number",
-        "",
-    );
-    refused(
-        SOIL,
-        "3e7",
-        "-3e7",
-        "10:16",
-        "the soil spring in y is -3e7 N/m2; it must not be negative",
-        "",
-    );
-    refused(
-        SOIL,
-        "2e7",
-        "inf",
-        "10:11",
-        "the soil spring in x is inf",
-        "",
-    );
-    refused(
-        SOIL,
-        "[-10.0,",
-        "[-40.0,",
-        "11:4",
-        "height -40 m is below the previous row at -30 m",
-        "from the bottom to the surface",
-    );
-    refused(
-        SOIL,
-        "  [-10.0, 0, 0],\n",
-        "",
-        "9:8",
-        "the soil needs at least two rows, but has 1",
-        "",
-    );
-    refused(
-        SOIL,
-        "[-30.0,",
-        "[-10.0,",
-        "11:4",
-        "the soil has no depth: all rows are at -10 m",
-        "",
-    );
-    refused(
-        SOIL,
-        "rows",
-        "row",
-        "9:1",
-        "`row` is not a key of [[soil]]",
-        "did you mean `rows`?",
-    );
-    refused(
-        SOIL,
-        "[[soil]]",
-        "[soil]",
-        "7:1",
-        "soil must be a list of tables",
-        "write [[soil]] in double brackets, once for each layer",
+        r#"
+        [-10.0, | [90.0, | 11:4 | the soil extends from -30 m to 90 m, but the tower from -20 m to 80 m | heights below it are negative
+        [-30.0, 2e7, 3e7] | [-30.0, 2e7] | 10:3 | row 1 of the soil has 2 values instead of 3 to 5 or 7 | a row is [height in m, spring in x, spring in y]
+        [-30.0, 2e7, 3e7] | [-30.0, 1, 2, 3, 4, 5] | 10:3 | row 1 of the soil has 6 values instead of 3 to 5 or 7 | in torsion and against rotation about x and y (N)
+        [-10.0, 0, 0] | [-10.0, 0, 0, 0] | 11:3 | row 2 of the soil has 4 values instead of 3 as the first row
+        [-10.0, 0, 0] | -10.0 | 11:3 | row 2 of the soil must be a list in brackets, found a number
+        3e7 | -3e7 | 10:16 | the soil spring in y is -3e7 N/m2; it must not be negative
+        2e7 | inf | 10:11 | the soil spring in x is inf
+        [-10.0, | [-40.0, | 11:4 | height -40 m is below the previous row at -30 m | from the bottom to the surface
+        ␣␣[-10.0, 0, 0],\n |  | 9:8 | the soil needs at least two rows, but has 1
+        [-30.0, | [-10.0, | 11:4 | the soil has no depth: all rows are at -10 m
+        rows | row | 9:1 | `row` is not a key of [[soil]] | did you mean `rows`?
+        [[soil]] | [soil] | 7:1 | soil must be a list of tables | write [[soil]] in double brackets, once for each layer
+        "#,
     );
     let second = format!("{SOIL}{}", SOIL.replace("2e7", "-2e7"));
     refused(&second, "name", "name", "16:11", "spring in x is -2e7", "");
@@ -752,53 +408,16 @@ fn water_that_cannot_be() {
         "the water does not touch the tower",
         "datum",
     );
-    refused(
+    all_refused(
         WATER,
-        "-15.0",
-        "12.0",
-        "9:7",
-        "the seabed at 12 m is not below the water level at 10 m",
-        "lowest station",
-    );
-    refused(
-        WATER,
-        "level = 10.0\n",
-        "",
-        "7:1",
-        "[water] has no `level`",
-        "height of the surface",
-    );
-    refused(
-        WATER,
-        "1000.0",
-        "0",
-        "10:11",
-        "the water's density is 0 kg/m3",
-        "",
-    );
-    refused(
-        WATER,
-        "0.9",
-        "-1",
-        "11:26",
-        "the added mass coefficient is -1",
-        "",
-    );
-    refused(
-        WATER,
-        "= true",
-        "= 1",
-        "12:11",
-        "flooded must be true or false, found a number",
-        "",
-    );
-    refused(
-        WATER,
-        "density",
-        "desnity",
-        "10:1",
-        "`desnity` is not a key of [water]",
-        "did you mean `density`?",
+        r#"
+        -15.0 | 12.0 | 9:7 | the seabed at 12 m is not below the water level at 10 m | lowest station
+        level = 10.0\n |  | 7:1 | [water] has no `level` | height of the surface
+        1000.0 | 0 | 10:11 | the water's density is 0 kg/m3
+        0.9 | -1 | 11:26 | the added mass coefficient is -1
+        = true | = 1 | 12:11 | flooded must be true or false, found a number
+        density | desnity | 10:1 | `desnity` is not a key of [water] | did you mean `density`?
+        "#,
     );
 }
 
@@ -822,61 +441,17 @@ fn wires_that_cannot_be() {
         let to = format!("count = {count}");
         refused(WIRES, "count = 3", &to, "10:9", said, hint);
     }
-    refused(
+    all_refused(
         WIRES,
-        "60.0",
-        "81.0",
-        "9:10",
-        "height 81 m is not on the tower, which reaches from -20 m to 80 m",
-        "",
-    );
-    refused(
-        WIRES,
-        "45.0",
-        "120",
-        "12:13",
-        "the angle of the guy wires from the horizontal is 120 degrees; it must be from 0 to 90",
-        "angle_deg = 45",
-    );
-    refused(
-        WIRES,
-        "1e6",
-        "0",
-        "11:13",
-        "the stiffness of a wire is 0 N/m",
-        "",
-    );
-    refused(
-        WIRES,
-        "30.0",
-        "\"north\"",
-        "13:15",
-        "azimuth_deg must be a number",
-        "",
-    );
-    refused(
-        WIRES,
-        "angle_deg",
-        "angle",
-        "12:1",
-        "`angle` is not a key of [[wires]]",
-        "did you mean `angle_deg`?",
-    );
-    refused(
-        WIRES,
-        "count = 3\n",
-        "",
-        "7:1",
-        "[[wires]] has no `count`",
-        "equally spaced",
-    );
-    refused(
-        WIRES,
-        "[[wires]]",
-        "[wires]",
-        "7:1",
-        "wires must be a list of tables",
-        "once for each set of wires",
+        r#"
+        60.0 | 81.0 | 9:10 | height 81 m is not on the tower, which reaches from -20 m to 80 m
+        45.0 | 120 | 12:13 | the angle of the guy wires from the horizontal is 120 degrees; it must be from 0 to 90 | angle_deg = 45
+        1e6 | 0 | 11:13 | the stiffness of a wire is 0 N/m
+        30.0 | "north" | 13:15 | azimuth_deg must be a number
+        angle_deg | angle | 12:1 | `angle` is not a key of [[wires]] | did you mean `angle_deg`?
+        count = 3\n |  | 7:1 | [[wires]] has no `count` | equally spaced
+        [[wires]] | [wires] | 7:1 | wires must be a list of tables | once for each set of wires
+        "#,
     );
 }
 

@@ -11,6 +11,7 @@ use towermodes_files::{
 };
 
 use crate::mutations::{any_mutation, mutated};
+use crate::refused::rows;
 
 const GOOD: &str = r#"[sweep]
 base = "tower.toml"
@@ -188,24 +189,13 @@ fn correlations_that_are_wrong() {
         "must be a text",
     );
     refused(first, "", "12:1", "has no `between`");
-    refused(
-        "coefficient = 0.5",
-        "coeficient = 0.5",
-        "14:1",
-        "did you mean `coefficient`?",
-    );
-    refused(
-        "coefficient = 0.5",
-        "coefficient = 1.5",
-        "12:1",
-        "it must be from -1 to 1",
-    );
-    refused("coefficient = 0.5", "coefficient = nan", "14:15", "NaN");
-    refused(
-        "\"material.density\", \"material.youngs_modulus\"",
-        "\"material.density\", \"rna.mass\"",
-        "15:1",
-        "is given twice",
+    all_refused(
+        r#"
+        coefficient = 0.5 | coeficient = 0.5 | 14:1 | did you mean `coefficient`?
+        coefficient = 0.5 | coefficient = 1.5 | 12:1 | it must be from -1 to 1
+        coefficient = 0.5 | coefficient = nan | 14:15 | NaN
+        "material.density", "material.youngs_modulus" | "material.density", "rna.mass" | 15:1 | is given twice
+        "#,
     );
     refused(
         first,
@@ -252,6 +242,13 @@ fn refused(from: &str, to: &str, place: &str, words: &str) {
     refused_text(&GOOD.replacen(from, to, 1), place, words);
 }
 
+/// Mistakes one after the other: what is replaced, by what, place, words.
+fn all_refused(table: &str) {
+    for [from, to, place, words] in rows(table) {
+        refused(&from, &to, &place, &words);
+    }
+}
+
 #[track_caller]
 fn refused_text(text: &str, place: &str, words: &str) {
     let error = read(text).expect_err("this is no study").to_string();
@@ -263,92 +260,40 @@ fn refused_text(text: &str, place: &str, words: &str) {
 
 #[test]
 fn keys_and_types() {
-    refused("base =", "bse =", "2:1", "did you mean `base`?");
-    refused(
-        "base = \"tower.toml\"\n",
-        "",
-        "1:1",
-        "[sweep] has no `base`",
+    all_refused(
+        r#"
+        base = | bse = | 2:1 | did you mean `base`?
+        base = "tower.toml"\n |  | 1:1 | [sweep] has no `base`
+        "tower.toml" | "" | 2:8 | the path `base` is missing
+        "tower.toml" | 3 | 2:8 | base must be a text
+        "sobol" | "soboll" | 3:12 | did you mean `sobol`?
+        "sobol" | "monte carlo" | 3:12 | grid, latin-hypercube, random, sobol
+        sampling = "sobol"\n |  | 1:1 | has no `sampling`
+        segments = 30 | segments = 0 | 20:12 | at least 1
+        segments = 30 | segments = 1e9 | 20:12 | at most 2000000
+        "spectral" | "spectrl" | 21:10 | did you mean `spectral`?
+        inputs = false | inputs = 0 | 23:10 | inputs must be true or false
+        part = "tower" | part = "nacelle" | 29:8 | there is no part `nacelle`
+        [1, 2] | [1] | 32:10 | subset has 1 values instead of 2
+        [sweep.reading] | [sweep.readin] | 24:8 | did you mean `reading`?
+        [sweep] | [swep] | 1:2 | did you mean `sweep`?
+        "#,
     );
-    refused(
-        "\"tower.toml\"",
-        "\"\"",
-        "2:8",
-        "the path `base` is missing",
-    );
-    refused("\"tower.toml\"", "3", "2:8", "base must be a text");
-    refused("\"sobol\"", "\"soboll\"", "3:12", "did you mean `sobol`?");
-    refused(
-        "\"sobol\"",
-        "\"monte carlo\"",
-        "3:12",
-        "grid, latin-hypercube, random, sobol",
-    );
-    refused("sampling = \"sobol\"\n", "", "1:1", "has no `sampling`");
-    refused("segments = 30", "segments = 0", "20:12", "at least 1");
-    refused(
-        "segments = 30",
-        "segments = 1e9",
-        "20:12",
-        "at most 2000000",
-    );
-    refused(
-        "\"spectral\"",
-        "\"spectrl\"",
-        "21:10",
-        "did you mean `spectral`?",
-    );
-    refused(
-        "inputs = false",
-        "inputs = 0",
-        "23:10",
-        "inputs must be true or false",
-    );
-    refused(
-        "part = \"tower\"",
-        "part = \"nacelle\"",
-        "30:8",
-        "there is no part `nacelle`",
-    );
-    refused("[1, 2]", "[1]", "33:10", "subset has 1 values instead of 2");
-    refused(
-        "[sweep.reading]",
-        "[sweep.readin]",
-        "25:8",
-        "did you mean `reading`?",
-    );
-    refused("[sweep]", "[swep]", "1:2", "did you mean `sweep`?");
 }
 
 #[test]
 fn rows_and_seeds() {
-    refused(
-        "1_000",
-        "0",
-        "4:8",
-        "rows is 0, but must be a whole number, at least 1",
-    );
-    refused("1_000", "1.5", "4:8", "rows is 1.5");
-    refused("1_000", "1e10", "4:8", "it must be from 1 to 4294967296");
-    refused(
-        "1_000",
-        "\"many\"",
-        "4:8",
-        "rows must be a number, found a text",
-    );
-    refused("rows = 1_000\n", "", "1:1", "has no `rows`");
-    refused("seed = 7", "seed = -1", "5:8", "at least 0");
-    refused(
-        "sampling = \"sobol\"",
-        "table = \"t.csv\"",
-        "4:8",
-        "`rows` has no effect beside `table`",
-    );
-    refused(
-        "seed = 7",
-        "table = \"t.csv\"",
-        "5:9",
-        "`table` has no effect beside `sampling`",
+    all_refused(
+        r#"
+        1_000 | 0 | 4:8 | rows is 0, but must be a whole number, at least 1
+        1_000 | 1.5 | 4:8 | rows is 1.5
+        1_000 | 1e10 | 4:8 | it must be from 1 to 4294967296
+        1_000 | "many" | 4:8 | rows must be a number, found a text
+        rows = 1_000\n |  | 1:1 | has no `rows`
+        seed = 7 | seed = -1 | 5:8 | at least 0
+        sampling = "sobol" | table = "t.csv" | 4:8 | `rows` has no effect beside `table`
+        seed = 7 | table = "t.csv" | 5:9 | `table` has no effect beside `sampling`
+        "#,
     );
 }
 
@@ -385,50 +330,19 @@ fn distributions() {
         "7:43",
         "`values` has no effect beside `uniform`",
     );
-    refused(
-        "[3.3e5, 3.7e5]",
-        "[3.7e5, 3.3e5]",
-        "7:26",
-        "is not below the upper limit",
+    all_refused(
+        r#"
+        [3.3e5, 3.7e5] | [3.7e5, 3.3e5] | 7:26 | is not below the upper limit
+        [3.3e5, 3.7e5] | [3.3e5] | 7:26 | uniform has 1 values instead of 2
+        [3.3e5, 3.7e5] | [3.3e5, "x"] | 7:34 | uniform must be a number, found a text
+        [3.3e5, 3.7e5] | [nan, 1] | 7:27 | uniform is NaN
+        [2.1e11, 3e9] | [2.1e11, -1] | 8:40 | the standard deviation is -1
+        [2.0e11, 2.2e11] | [2, 1] | 8:67 | the lower limit 2 is not below the upper limit 1
+        [0.95, 1.0, 1.05] | [0.95, 1.2, 1.05] | 9:44 | is not between
+        [8500, 100] | [-1, 100] | 10:36 | the mean of a lognormal distribution is -1
+        [1.9, 2.0] | [] | 11:30 | the list of values is empty
+        "#,
     );
-    refused(
-        "[3.3e5, 3.7e5]",
-        "[3.3e5]",
-        "7:26",
-        "uniform has 1 values instead of 2",
-    );
-    refused(
-        "[3.3e5, 3.7e5]",
-        "[3.3e5, \"x\"]",
-        "7:34",
-        "uniform must be a number, found a text",
-    );
-    refused("[3.3e5, 3.7e5]", "[nan, 1]", "7:27", "uniform is NaN");
-    refused(
-        "[2.1e11, 3e9]",
-        "[2.1e11, -1]",
-        "8:40",
-        "the standard deviation is -1",
-    );
-    refused(
-        "[2.0e11, 2.2e11]",
-        "[2, 1]",
-        "8:67",
-        "the lower limit 2 is not below the upper limit 1",
-    );
-    refused(
-        "[0.95, 1.0, 1.05]",
-        "[0.95, 1.2, 1.05]",
-        "9:44",
-        "is not between",
-    );
-    refused(
-        "[8500, 100]",
-        "[-1, 100]",
-        "10:36",
-        "the mean of a lognormal distribution is -1",
-    );
-    refused("[1.9, 2.0]", "[]", "11:30", "the list of values is empty");
     refused(
         uniform,
         "{ uniform = [1, 2], levels = 3 }",
@@ -465,17 +379,11 @@ fn modes() {
         "19:9",
         "modes has 0 values instead of one or more",
     );
-    refused(
-        "\"torsion 1\"",
-        "\"twist 1\"",
-        "19:24",
-        "is not the name of a mode",
-    );
-    refused(
-        "\"torsion 1\"",
-        "\"fore-aft 1\"",
-        "19:24",
-        "the mode `fore-aft 1` occurs 2 times",
+    all_refused(
+        r#"
+        "torsion 1" | "twist 1" | 19:24 | is not the name of a mode
+        "torsion 1" | "fore-aft 1" | 19:24 | the mode `fore-aft 1` occurs 2 times
+        "#,
     );
 }
 
@@ -500,23 +408,19 @@ fn other_files() {
 fn grids() {
     let grid =
         |vary: &str| format!("[sweep]\nbase = \"t\"\nsampling = \"grid\"\n[sweep.vary]\n{vary}\n");
-    let refused = |vary: &str, place: &str, words: &str| refused_text(&grid(vary), place, words);
-    refused(
-        "a = { normal = [1, 2] }",
-        "5:1",
-        "`a` is normal, which cannot be used in a grid",
-    );
-    refused(
-        "a = { uniform = [1, 2] }",
-        "5:1",
-        "`a` is uniform without levels",
-    );
-    refused("a = { uniform = [1, 2], levels = 1 }", "5:34", "at least 2");
+    let table = r#"
+        a = { normal = [1, 2] } | 5:1 | `a` is normal, which cannot be used in a grid
+        a = { uniform = [1, 2] } | 5:1 | `a` is uniform without levels
+        a = { uniform = [1, 2], levels = 1 } | 5:34 | at least 2
+        "#;
+    for [vary, place, words] in rows(table) {
+        refused_text(&grid(&vary), &place, &words);
+    }
     let large =
         "a = { uniform = [1, 2], levels = 100_000 }\nb = { uniform = [1, 2], levels = 100_000 }";
-    refused(large, "4:1", "reduce the levels");
-    let rows = grid("a = { values = [1, 2] }").replace("[sweep.vary]", "rows = 3\n[sweep.vary]");
-    refused_text(&rows, "4:8", "the grid has 2");
+    refused_text(&grid(large), "4:1", "reduce the levels");
+    let more = grid("a = { values = [1, 2] }").replace("[sweep.vary]", "rows = 3\n[sweep.vary]");
+    refused_text(&more, "4:8", "the grid has 2");
 }
 
 #[test]

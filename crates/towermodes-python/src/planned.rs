@@ -153,13 +153,16 @@ pub fn values_of_study<'py>(
     Ok(((arrays(py, columns), first_row), options))
 }
 
-fn arrays(py: Python<'_>, columns: Vec<(String, Vec<f64>)>) -> Vec<NamedColumn<'_>> {
+fn arrays(py: Python<'_>, columns: Columns) -> Vec<NamedColumn<'_>> {
     let array = |(name, values)| (name, PyArray1::from_vec(py, values));
     columns.into_iter().map(array).collect()
 }
 
-/// Name and values of each change in the rows that are asked for, and the number of the first row.
-fn columns(planned: &Planned, rows: Rows) -> PyResult<(Vec<(String, Vec<f64>)>, u64)> {
+/// The name and the values of each change.
+type Columns = Vec<(String, Vec<f64>)>;
+
+/// The columns of the rows that are asked for, and the number of the first row.
+fn columns(planned: &Planned, rows: Rows) -> PyResult<(Columns, u64)> {
     let all = planned.source.rows();
     let Range { start, end } = match rows {
         None => 0..all,
