@@ -580,8 +580,12 @@ fn the_class_does_not_change_with_the_names() {
         let solution = solve(&tower, &Options::default()).expect("modes");
         let options = CampbellOptions::default();
         let diagram = campbell(&tower, &solution, None, &rotor(3, 7.0, 9.0), &options);
+        let diagram = diagram.expect("a diagram");
         let names = solution.modes.iter().map(|mode| mode.label());
-        (diagram.expect("a diagram").classes, names.take(3).collect())
+        let headline = diagram.conclusion().remove(0);
+        let is_torsion = solution.modes[0].family == Family::Torsion;
+        assert_eq!(headline.contains("shared with 1st torsion"), is_torsion);
+        (diagram.classes, names.take(3).collect())
     };
     let both = vec![
         (Family::ForeAft, StiffnessClass::SoftStiff),

@@ -125,6 +125,18 @@ impl FrequencyLine {
         }
     }
 
+    /// Whether it has the name of the first mode of a family, as the lines of a turbine that are
+    /// chosen for it always have.
+    pub(super) fn is_named_first_of(&self, family: Family) -> bool {
+        match self.of {
+            Excited::Tower {
+                family: own, order, ..
+            } => own == family && order == 1,
+            Excited::Blade { .. } => false,
+            Excited::Turbine { .. } => true,
+        }
+    }
+
     /// Whether both have the modes of one name: a turbine has a line for each curve with the name.
     pub fn is_of_same_mode(&self, other: &Self) -> bool {
         match (self.of, other.of) {

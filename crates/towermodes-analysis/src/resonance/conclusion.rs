@@ -88,25 +88,63 @@ fn sentence(campbell: &Campbell, firsts: &[First]) -> String {
     };
     let mut firsts = firsts.to_vec();
     firsts.sort_by(|a, b| hz(a).total_cmp(&hz(b)));
-    let named: Vec<_> = firsts
-        .iter()
-        .map(|first| (first.family.name(), four_digits(hz(first))))
-        .collect();
-    let subject = subject(&named);
+    let named = firsts.iter().map(|first| Named {
+        plane: first.family.name(),
+        hz: four_digits(hz(first)),
+        shared_with: campbell.lines.get(first.line).and_then(|line| {
+            let is_shared = !line.is_named_first_of(first.family);
+            is_shared.then_some(&line.label[..])
+        }),
+    });
+    let subject = subject(&named.collect::<Vec<_>>());
     let class = firsts.first().map(|first| first.class);
     let (place, class) = class.map_or_else(Default::default, |class| place(class, &campbell.rotor));
     let distance = least_distance(campbell, &firsts).unwrap_or_default();
     format!("The first {subject} {place}{distance}: {class}.")
 }
 
-/// The subject of the sentence with its verb, from the planes and their frequencies.
-fn subject(named: &[(&str, String)]) -> String {
-    match named {
-        [(_, a), (_, b)] if a == b => format!("bending frequencies, both {a} Hz, lie"),
-        [(plane, a), (other, b)] => {
-            format!("bending frequencies, {a} Hz ({plane}) and {b} Hz ({other}), lie")
+/// A first bending mode in words.
+struct Named<'a> {
+    plane: &'static str,
+    hz: String,
+    /// The name of the mode, if it has another one and shares this motion.
+    shared_with: Option<&'a str>,
+}
+
+impl Named<'_> {
+    /// "side-side" or "fore-aft, shared with 1st torsion".
+    fn motion(&self) -> String {
+        match self.shared_with {
+            None => self.plane.to_owned(),
+            Some(other) => format!("{}, shared with {other}", self.plane),
         }
-        [(plane, hz)] => format!("{plane} bending frequency, {hz} Hz, lies"),
+    }
+}
+
+/// The subject of the sentence with its verb, from the planes and their frequencies.
+fn subject(named: &[Named<'_>]) -> String {
+    match named {
+        [a, b] if a.hz == b.hz && a.shared_with == b.shared_with => match a.shared_with {
+            None => format!("bending frequencies, both {} Hz, lie", a.hz),
+            Some(other) => format!(
+                "bending frequencies, both {} Hz (shared with {other}), lie",
+                a.hz
+            ),
+        },
+        [a, b] => format!(
+            "bending frequencies, {} Hz ({}) and {} Hz ({}), lie",
+            a.hz,
+            a.motion(),
+            b.hz,
+            b.motion()
+        ),
+        [one] => match one.shared_with {
+            None => format!("{} bending frequency, {} Hz, lies", one.plane, one.hz),
+            Some(other) => format!(
+                "{} bending frequency, {} Hz (shared with {other}), lies",
+                one.plane, one.hz
+            ),
+        },
         _ => "bending frequency lies".to_owned(),
     }
 }
