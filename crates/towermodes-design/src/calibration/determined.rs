@@ -15,7 +15,13 @@ pub(super) const NO_EFFECT: f64 = 1e-6;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Undetermined {
     /// Nothing moves with these.
-    NoEffect(Vec<String>),
+    NoEffect {
+        names: Vec<String>,
+        /// Whether something moves with a larger change of one of them.
+        is_stationary: bool,
+    },
+    /// Nothing moves with these to first order, and no size of a larger change is known.
+    NoSize(Vec<String>),
     /// Their columns are linearly dependent.
     Dependent(Vec<String>),
 }
@@ -25,7 +31,7 @@ pub(super) enum Undetermined {
 pub(super) fn undetermined(
     point: &Point,
     variables: &[Variable],
-    is_free: &[bool],
+    (is_free, has_effect): (&[bool], &[bool]),
 ) -> Option<Undetermined> {
     let lengths = point.lengths();
     let free: Vec<usize> = (0..variables.len()).filter(|j| is_free[*j]).collect();
@@ -33,13 +39,21 @@ pub(super) fn undetermined(
         let names = unknowns.iter().map(|&j| variables[j].change.name());
         names.map(|name| format!("`{name}`")).collect()
     };
-    let has_effect = |j: usize| match variables[j].scale {
+    let is_moving = |j: usize| match variables[j].scale {
         Some(scale) => lengths[j] * scale > NO_EFFECT,
         None => lengths[j] > 0.0,
     };
-    let without: Vec<usize> = free.iter().copied().filter(|&j| !has_effect(j)).collect();
+    let without: Vec<usize> = free.iter().copied().filter(|&j| !is_moving(j)).collect();
+    let is_unknown = |j: &usize| variables[*j].scale.is_none();
+    let of_no_size: Vec<usize> = without.iter().copied().filter(is_unknown).collect();
+    if !of_no_size.is_empty() {
+        return Some(Undetermined::NoSize(names(&of_no_size)));
+    }
     if !without.is_empty() {
-        return Some(Undetermined::NoEffect(names(&without)));
+        return Some(Undetermined::NoEffect {
+            names: names(&without),
+            is_stationary: without.iter().any(|&j| has_effect[j]),
+        });
     }
     let units: Vec<f64> = lengths.iter().map(|length| 1.0 / length).collect();
     let columns = point.scaled(&units, is_free);

@@ -230,13 +230,30 @@ pub enum CalibrationError {
         /// The unknowns, in backquotes.
         names: Vec<String>,
     },
-    /// Unknowns without a prior on which no measured frequency depends.
+    /// Unknowns without a prior with which no measured frequency changes to first order.
     #[error(
-        "{} not move any measured frequency (at {values}); give {} a prior, do not fit it, or measure other modes",
+        "{} not move any measured frequency{} (at {values}); give {} a prior, do not fit it, or measure other modes",
         match &names[..] { [one] => format!("{one} does"), all => format!("{} do", all.join(" and ")) },
+        if *.is_stationary { " to first order" } else { "" },
         if .names.len() == 1 { "it" } else { "each of these" }
     )]
     NoEffect {
+        /// The unknowns, in backquotes.
+        names: Vec<String>,
+        /// Whether a larger change of one of them moves a measured frequency.
+        is_stationary: bool,
+        /// All unknowns with their values there.
+        values: String,
+    },
+    /// Unknowns that are 0, where no measured frequency changes with them to first order, and of
+    /// which nothing says how large they may be.
+    #[error(
+        "no measured frequency changes with {} to first order (at {values}), and nothing says how large {} may be; give {} bounds or a prior",
+        .names.join(" and "),
+        if .names.len() == 1 { "it" } else { "they" },
+        if .names.len() == 1 { "it" } else { "each of these" }
+    )]
+    NoSize {
         /// The unknowns, in backquotes.
         names: Vec<String>,
         /// All unknowns with their values there.
@@ -352,6 +369,7 @@ impl CalibrationError {
                 | Self::NoDerivative { .. }
                 | Self::Undetermined { .. }
                 | Self::NoEffect { .. }
+                | Self::NoSize { .. }
                 | Self::Unreachable { .. }
                 | Self::OutsideBounds { .. }
                 | Self::Exchanged { .. }

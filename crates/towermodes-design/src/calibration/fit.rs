@@ -37,8 +37,10 @@ const LONGEST_STEP: f64 = 1.5;
 /// The towers at the coordinates of the unknowns.
 pub(super) struct Towers<'a> {
     problem: &'a Problem,
-    variables: &'a [Variable],
+    pub(super) variables: &'a [Variable],
     names: &'a [ModeName],
+    /// Whether some measured frequency changes with each unknown, if not to first order.
+    pub(super) has_effect: Vec<bool>,
     pub(super) options: Options,
     workspace: &'a mut Workspace,
     description: TowerDescription,
@@ -64,6 +66,8 @@ pub(super) struct Found {
     pub(super) point: Point,
     /// Which unknowns are not at a bound.
     pub(super) is_free: Vec<bool>,
+    /// Whether some measured frequency changes with each unknown, if not to first order.
+    pub(super) has_effect: Vec<bool>,
     pub(super) iterations: usize,
 }
 
@@ -78,6 +82,7 @@ impl<'a> Towers<'a> {
         Self {
             description: problem.base.clone(),
             problem,
+            has_effect: vec![true; variables.len()],
             variables,
             names,
             options,
@@ -156,7 +161,7 @@ impl<'a> Towers<'a> {
         is_free: Vec<bool>,
         iterations: usize,
     ) -> Result<Found, CalibrationError> {
-        let undetermined = undetermined(&point, self.variables, &is_free);
+        let undetermined = undetermined(&point, self.variables, (&is_free, &self.has_effect));
         let residuals = point.residuals.iter().take(self.names.len());
         let residuals = residuals.map(|residual| residual.abs()).enumerate();
         let worst = residuals.max_by(|a, b| a.1.total_cmp(&b.1));
@@ -169,7 +174,12 @@ impl<'a> Towers<'a> {
             (None, _) => Ok(Found {
                 point,
                 is_free,
+                has_effect: self.has_effect.clone(),
                 iterations,
+            }),
+            (Some(Undetermined::NoSize(names)), _) => Err(CalibrationError::NoSize {
+                names,
+                values: values(),
             }),
             // A frequency that cannot be reached drives an unknown to where it has no effect.
             (Some(_), Some((index, _))) => Err(CalibrationError::Unreachable {
@@ -179,8 +189,15 @@ impl<'a> Towers<'a> {
                 nearest_hz: point.frequencies_hz[index],
                 values: values(),
             }),
-            (Some(Undetermined::NoEffect(names)), None) => Err(CalibrationError::NoEffect {
+            (
+                Some(Undetermined::NoEffect {
+                    names,
+                    is_stationary,
+                }),
+                None,
+            ) => Err(CalibrationError::NoEffect {
                 names,
+                is_stationary,
                 values: values(),
             }),
             (Some(Undetermined::Dependent(names)), None) => {

@@ -9,10 +9,11 @@
 //! A fit explains measurements; it does not validate the model with them.
 //!
 //! `problem` is what is asked, `variable` the unknowns as coordinates, `pairing` which mode a
-//! measurement is of, `fit` the iteration, `singular` its linear algebra, `determined` whether the
-//! unknowns are determined, `result` what comes out, `remark` what the result says, `words` in
-//! which words.
+//! measurement is of, `fit` the iteration, `beside` its start where the derivatives vanish,
+//! `singular` its linear algebra, `determined` whether the unknowns are determined, `result` what
+//! comes out, `remark` what the result says, `words` in which words.
 
+mod beside;
 mod determined;
 mod error;
 mod fit;
@@ -90,8 +91,8 @@ pub fn calibrate(
         let mut options = options.clone();
         options.modes = pairing.modes;
         let mut towers = fit::Towers::new(problem, &variables, &pairing.names, options, workspace);
-        let found = fit::fit(&mut towers, &start)?;
         let before = towers.evaluate(&start)?;
+        let found = beside::fit_beside(&mut towers, &before)?;
         let options = towers.options.clone();
         description.clone_from(&problem.base);
         variable::apply_rounded(&variables, &found.point.x, &mut description);

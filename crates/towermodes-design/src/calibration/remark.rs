@@ -73,10 +73,12 @@ pub enum Remark {
         /// Whether its own prior is among them.
         has_prior: bool,
     },
-    /// No measured frequency depends on a number at the fitted values.
+    /// No measured frequency changes with a number to first order at the fitted values.
     NoEffect {
         /// The unknown.
         name: String,
+        /// Its value, if a larger change of it moves a measured frequency.
+        stationary_at: Option<f64>,
         /// Whether it has a prior.
         has_prior: bool,
     },
@@ -206,7 +208,7 @@ impl Calibration {
         }
     }
 
-    /// Whether some measured frequency depends on an unknown within the errors of derivatives.
+    /// Whether some measured frequency changes with an unknown to first order within the errors of derivatives.
     fn has_effect(&self, j: usize) -> bool {
         let mut alone = vec![0.0; self.unknowns.len()];
         alone[j] = 1.0;
@@ -218,6 +220,7 @@ impl Calibration {
         let without = all.filter(|(j, _)| !self.has_effect(*j));
         without.map(|(_, one)| Remark::NoEffect {
             name: one.name.clone(),
+            stationary_at: one.has_effect.then_some(one.value),
             has_prior: one.prior.is_some(),
         })
     }

@@ -67,6 +67,8 @@ pub struct Fitted {
     pub prior_residual: Option<f64>,
     /// Whether it is at a bound.
     pub at_bound: Option<AtBound>,
+    /// Whether some measured frequency changes with the number, at the fitted value or beside it.
+    pub has_effect: bool,
 }
 
 /// The bound that a number has reached.
@@ -144,6 +146,7 @@ pub(super) fn result(
         Fitted {
             prior: problem.unknowns[j].prior,
             prior_residual: prior_row.map(|row| point.residuals[data + row]),
+            has_effect: found.has_effect[j],
             ..fitted(variable, point.x[j], spread.deviation(j))
         }
     });
@@ -185,6 +188,7 @@ fn fitted(variable: &Variable, x: f64, deviation: Option<f64>) -> Fitted {
         prior: None,
         prior_residual: None,
         at_bound,
+        has_effect: true,
     }
 }
 

@@ -86,13 +86,31 @@ impl fmt::Display for Remark {
                     ),
                 }
             }
-            Self::NoEffect { name, has_prior } => write!(
+            Self::NoEffect {
+                name,
+                stationary_at: None,
+                has_prior,
+            } => write!(
                 f,
                 "{name} does not move any measured frequency: {}",
                 if *has_prior {
                     "its value and deviation are those of its prior"
                 } else {
                     "its value is arbitrary; do not fit it"
+                }
+            ),
+            Self::NoEffect {
+                name,
+                stationary_at: Some(value),
+                has_prior,
+            } => write!(
+                f,
+                "at {name} = {} no measured frequency changes with it to first order, only with a larger change: {}",
+                Rounded(*value),
+                if *has_prior {
+                    "its standard deviation is that of its prior"
+                } else {
+                    "the fit gives no standard deviation for it"
                 }
             ),
             Self::Pairing {

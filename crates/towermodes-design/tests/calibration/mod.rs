@@ -4,6 +4,7 @@ mod identifiability;
 mod pairing;
 mod refusals;
 mod swift;
+mod symmetry;
 mod twins;
 
 use towermodes::{
