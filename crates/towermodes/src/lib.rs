@@ -37,6 +37,7 @@
 //!
 //! | step | module |
 //! |---|---|
+//! | the values of a tower file: keys, limits, units | [`inputs`] |
 //! | towers and blades, integrals of sections, coupled motions | [`tower`], [`blade`] |
 //! | the numbers of a tower by name | [`parameter`] |
 //! | the mesh and the elements; that of the paper is `elements/rmje.rs` | [`elements`] |
@@ -57,6 +58,7 @@ pub mod blade;
 pub mod chain;
 pub mod eigen;
 pub mod elements;
+pub mod inputs;
 mod method;
 pub mod modes;
 pub mod number;

@@ -11,6 +11,7 @@ mod file;
 mod foundation;
 mod gravity;
 mod ground;
+mod inputs;
 mod kind;
 mod masses;
 mod materials;

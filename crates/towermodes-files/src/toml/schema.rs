@@ -1,7 +1,13 @@
 //! The schema of the tower file: all tables and keys with their types, units and meanings.
 //!
 //! The reader takes the known keys from it and the writer the comments; tests check that the help
-//! of `solve` and the book name each key.
+//! of `solve` and the book name each key. Tables whose values are described beside their fields
+//! ([`towermodes::inputs`]) are made of these descriptions.
+
+use std::sync::LazyLock;
+
+use towermodes::Water;
+use towermodes::inputs::{Given, Input, Inputs, every_input};
 
 /// A table of the tower file.
 #[derive(Debug)]
@@ -25,6 +31,8 @@ pub struct KeySchema {
     pub unit: &'static str,
     /// Its meaning.
     pub meaning: &'static str,
+    /// Other names of it, in other programs and on drawings, separated by blanks.
+    pub synonyms: &'static str,
 }
 
 /// The type of a value.
@@ -49,6 +57,21 @@ pub enum ValueKind {
 }
 
 impl TableSchema {
+    /// A table of these keys and of those that are described beside their fields. It is made once
+    /// and lives as long as the program.
+    pub(super) fn described(
+        name: impl Into<String>,
+        first: &[KeySchema],
+        inputs: &dyn Inputs,
+    ) -> Self {
+        let described = every_input(inputs).into_iter().map(KeySchema::described);
+        let keys: Vec<KeySchema> = first.iter().copied().chain(described).collect();
+        Self {
+            name: name.into().leak(),
+            keys: keys.leak(),
+        }
+    }
+
     /// The names of its keys.
     pub fn key_names(&self) -> impl Iterator<Item = &'static str> {
         self.keys.iter().map(|key| key.name)
@@ -61,6 +84,22 @@ impl TableSchema {
 }
 
 impl KeySchema {
+    /// A key that is described beside its field.
+    fn described((input, given): (&'static Input, Given)) -> Self {
+        Self {
+            name: input.key,
+            kind: match given {
+                Given::Number(_) | Given::Optional(_) => ValueKind::Number,
+                Given::Flag(_) => ValueKind::Flag,
+                Given::Name(..) => ValueKind::Text,
+            },
+            is_required: input.is_required,
+            unit: input.unit(),
+            meaning: input.note,
+            synonyms: input.synonyms,
+        }
+    }
+
     /// Its comment in written files: the meaning and the unit.
     pub(super) fn comment(&self) -> String {
         match (self.meaning, self.unit) {
@@ -105,6 +144,7 @@ macro_rules! keys {
             is_required: $crate::toml::schema::keys!(@is_required $need),
             unit: $unit,
             meaning: $meaning,
+            synonyms: "",
         }),*]
     };
     (@is_required required) => { true };
@@ -136,6 +176,28 @@ macro_rules! tables {
         }
     };
 }
+
+/// All tables of the tower file.
+///
+/// # Example
+/// ```
+/// use towermodes_files::tower_file_schema;
+///
+/// let mut tables = tower_file_schema().iter();
+/// let rna = tables.find(|table| table.name == "[rna]").expect("a table");
+/// assert_eq!(rna.key("mass").expect("a key").unit, "kg");
+/// ```
+pub fn tower_file_schema() -> &'static [&'static TableSchema] {
+    static ALL: LazyLock<Vec<&TableSchema>> = LazyLock::new(|| {
+        let described: [&TableSchema; 1] = [&WATER];
+        listed().iter().copied().chain(described).collect()
+    });
+    &ALL
+}
+
+/// `[water]`.
+pub static WATER: LazyLock<TableSchema> =
+    LazyLock::new(|| TableSchema::described("[water]", &[], &Water::blank()));
 
 pub(super) use keys;
 pub(super) use tables;
@@ -178,17 +240,8 @@ const AXIAL: &[KeySchema] = keys! {
 };
 
 tables! {
-    /// All tables of the tower file.
-    ///
-    /// # Example
-    /// ```
-    /// use towermodes_files::tower_file_schema;
-    ///
-    /// let mut tables = tower_file_schema().iter();
-    /// let rna = tables.find(|table| table.name == "[rna]").expect("a table");
-    /// assert_eq!(rna.key("mass").expect("a key").unit, "kg");
-    /// ```
-    tower_file_schema =>
+    /// The tables of the tower file that are listed here.
+    listed =>
 
     /// The whole file.
     FILE = "the file":
@@ -481,14 +534,6 @@ tables! {
     ADDED_MASS = "[[added_mass]]":
         optional "name" Text "" "";
         required "rows" Rows "" "height in m, added mass in x and y in kg/m";
-
-    /// `[water]`.
-    WATER = "[water]":
-        required "level" Number "m" "";
-        optional "bed" Number "m" "";
-        optional "density" Number "kg/m3" "";
-        optional "added_mass_coefficient" Number "" "";
-        optional "flooded" Flag "" "whether there is water inside";
 
     /// `[[wires]]`.
     WIRES = "[[wires]]":

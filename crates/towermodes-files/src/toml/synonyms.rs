@@ -1,8 +1,11 @@
-//! Names of the keys of a tower file in other programs and on drawings.
+//! Names of the keys of a tower file in other programs and on drawings. Those of a key that is
+//! described beside its field are there.
+
+use super::schema::tower_file_schema;
 
 /// Names and the keys that they may mean, the likeliest first, each separated by blanks. Names are
 /// in small letters and without a unit at their end. The types of a foundation are here too.
-const SYNONYMS: [(&str, &str); 63] = [
+const SYNONYMS: [(&str, &str); 60] = [
     (
         "cg cog com cm centre centroid center_of_mass centre_of_mass center_of_gravity centre_of_gravity cg_offset position location offset",
         "center",
@@ -50,16 +53,7 @@ const SYNONYMS: [(&str, &str); 63] = [
     ("gravity grav value", "acceleration"),
     ("speed speeds rotor_speed omega rpm_range range", "rpm"),
     ("n_blades number_of_blades blade_count numbl b", "blades"),
-    (
-        "water_level sea_level msl swl surface waterline",
-        "level water",
-    ),
-    ("mudline seabed ground sea_bed depth water_depth", "bed"),
-    (
-        "ca c_a cm_coefficient added_mass_coeff",
-        "added_mass_coefficient",
-    ),
-    ("inside_water flood internal_water", "flooded"),
+    ("water_level sea_level msl swl surface waterline", "water"),
     (
         "kx ky kxx kyy k_x k_lateral horizontal translation kh",
         "lateral",
@@ -170,11 +164,12 @@ pub(super) fn meant<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
 }
 
 fn by_table<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
-    let has_name = |(names, _): &&(&str, &str)| names.split(' ').any(|other| other == name);
-    let mut keys = SYNONYMS
-        .iter()
-        .filter(has_name)
-        .flat_map(|(_, keys)| keys.split(' '));
+    let tables = tower_file_schema().iter();
+    let described = tables.flat_map(|table| table.keys);
+    let described = described.map(|key| (key.synonyms, key.name));
+    let rows = SYNONYMS.iter().copied().chain(described);
+    let of_name = rows.filter(|(names, _)| names.split(' ').any(|other| other == name));
+    let mut keys = of_name.flat_map(|(_, keys)| keys.split(' '));
     keys.find_map(|key| known.iter().copied().find(|known| *known == key))
 }
 

@@ -124,6 +124,11 @@ impl<'a> Table<'a> {
         self.entries.get(key)
     }
 
+    /// Whether it has a key, perhaps misspelled.
+    pub(super) fn has(&self, key: &str) -> bool {
+        self.get(key).is_some() || self.has_misspelled(key)
+    }
+
     /// A required value. A misspelled key is reported only as unknown.
     pub(super) fn require(
         &self,

@@ -3,8 +3,9 @@
 use thiserror::Error;
 
 use super::PARTS;
+use super::holder::Holder;
 use super::name::without_indices;
-use super::part::Part;
+use super::number::Number;
 use crate::tower::TowerDescription;
 
 /// Why a name is no number of a tower, or a list of changes contradicts itself.
@@ -179,18 +180,18 @@ impl ParameterError {
 /// The name that was probably meant; else the numbers of the part, or the parts.
 fn hint(name: &str, description: &TowerDescription) -> String {
     let (pattern, indices) = without_indices(name);
-    let is_there = |part: &&&Part| (part.count)(description) > 0;
-    let parts: Vec<&&Part> = PARTS.iter().filter(is_there).collect();
+    let is_there = |part: &Holder| part.count(description) > 0;
+    let parts: Vec<Holder> = PARTS.iter().copied().filter(is_there).collect();
     if let Some(nearest) = nearest(&pattern, &parts) {
         return format!("did you mean `{}`?", filled(&nearest, &indices));
     }
-    let of = parts.iter().find(|part| starts_with(&pattern, part.name));
+    let of = parts.iter().find(|part| starts_with(&pattern, part.name()));
     if let Some(part) = of {
-        let keys = part.keys.iter().map(|key| key.name);
+        let keys = part.numbers().into_iter().map(Number::name);
         let keys: Vec<&str> = keys.filter(|key| !key.is_empty()).collect();
-        return format!("the numbers of {} are {}", part.name, keys.join(", "));
+        return format!("the numbers of {} are {}", part.name(), keys.join(", "));
     }
-    let names: Vec<&str> = parts.iter().map(|part| part.name).collect();
+    let names: Vec<&str> = parts.iter().map(|part| part.name()).collect();
     format!("its numbers are those of {}", names.join(", "))
 }
 
@@ -201,7 +202,7 @@ fn starts_with(name: &str, part: &str) -> bool {
 }
 
 /// The pattern that is spelled most like a name, if it is near.
-fn nearest(name: &str, parts: &[&&Part]) -> Option<String> {
+fn nearest(name: &str, parts: &[Holder]) -> Option<String> {
     /// No pattern is half as long.
     const LONGEST: usize = 100;
     if name.len() > LONGEST {
@@ -209,9 +210,11 @@ fn nearest(name: &str, parts: &[&&Part]) -> Option<String> {
     }
     let name = name.to_lowercase();
     let distance = |pattern: &str| strsim::damerau_levenshtein(&name, pattern);
-    let patterns = parts
-        .iter()
-        .flat_map(|part| part.keys.iter().map(|key| part.pattern(key)));
+    let patterns = parts.iter().flat_map(|part| {
+        part.numbers()
+            .into_iter()
+            .map(|number| part.pattern(number))
+    });
     let (pattern, steps) = patterns
         .map(|pattern| {
             let steps = distance(&pattern);

@@ -5,18 +5,23 @@
 //! adds to one or several of these numbers: `scale(stations[*].wall)`. Both are found by name once;
 //! to read or change a value afterwards costs nanoseconds.
 //!
-//! `part` defines how parts and their numbers are written down; `structure`, `bodies`,
-//! `foundation`, `ground` and `surroundings` list them; `name` reads names.
+//! Tables whose fields describe themselves ([`crate::inputs`]) are a [`table`]; other parts list
+//! their numbers as `part` defines it. `structure`, `bodies`, `foundation`, `ground` and
+//! `surroundings` have both; `holder` is one of the two, `number` a number of it, and `name`
+//! reads names.
 
 mod bodies;
 mod change;
 mod error;
 mod foundation;
 mod ground;
+mod holder;
 mod name;
+mod number;
 mod part;
 mod structure;
 mod surroundings;
+mod table;
 
 pub use change::{Change, Operation};
 pub use error::ParameterError;
@@ -24,43 +29,45 @@ pub use error::ParameterError;
 use std::fmt;
 
 use crate::tower::{Place, TowerDescription};
+use holder::Holder;
 use name::Name;
-use part::{Key, Part};
+use number::Number;
+use part::Indices;
 
 /// The parts of a tower in the order of the tower file.
-static PARTS: [&Part; 32] = [
-    &structure::MATERIAL,
-    &structure::MATERIALS,
-    &structure::TOWER,
-    &structure::STATIONS,
-    &structure::PROPERTIES,
-    &bodies::RNA,
-    &bodies::ROTOR,
-    &bodies::POINT_MASSES,
-    &foundation::STIFFNESS_MATRIX,
-    &foundation::STIFFNESS_MASS,
-    &foundation::SPRINGS,
-    &foundation::HALF_SPACE,
-    &foundation::CIRCULAR_FOOTING,
-    &foundation::RECTANGULAR_FOOTING,
-    &foundation::SUCTION_CAISSON,
-    &foundation::MONOPILE,
-    &foundation::WINKLER_PILE,
-    &foundation::SOIL_SPRING,
-    &foundation::SPRING_MODULUS,
-    &foundation::SPRING_RATIO,
-    &foundation::FLOATING,
-    &foundation::FLOATING_ADDED_MASS,
-    &foundation::FLOATING_HYDROSTATIC,
-    &foundation::FLOATING_MOORING,
-    &surroundings::SOIL,
-    &ground::GROUND,
-    &ground::LAYERS,
-    &ground::ROWS,
-    &surroundings::ADDED_MASS,
-    &surroundings::WATER,
-    &surroundings::WIRES,
-    &surroundings::GRAVITY,
+static PARTS: [Holder; 32] = [
+    Holder::Part(&structure::MATERIAL),
+    Holder::Part(&structure::MATERIALS),
+    Holder::Part(&structure::TOWER),
+    Holder::Part(&structure::STATIONS),
+    Holder::Part(&structure::PROPERTIES),
+    Holder::Part(&bodies::RNA),
+    Holder::Part(&bodies::ROTOR),
+    Holder::Part(&bodies::POINT_MASSES),
+    Holder::Part(&foundation::STIFFNESS_MATRIX),
+    Holder::Part(&foundation::STIFFNESS_MASS),
+    Holder::Part(&foundation::SPRINGS),
+    Holder::Part(&foundation::HALF_SPACE),
+    Holder::Part(&foundation::CIRCULAR_FOOTING),
+    Holder::Part(&foundation::RECTANGULAR_FOOTING),
+    Holder::Part(&foundation::SUCTION_CAISSON),
+    Holder::Part(&foundation::MONOPILE),
+    Holder::Part(&foundation::WINKLER_PILE),
+    Holder::Part(&foundation::SOIL_SPRING),
+    Holder::Part(&foundation::SPRING_MODULUS),
+    Holder::Part(&foundation::SPRING_RATIO),
+    Holder::Part(&foundation::FLOATING),
+    Holder::Part(&foundation::FLOATING_ADDED_MASS),
+    Holder::Part(&foundation::FLOATING_HYDROSTATIC),
+    Holder::Part(&foundation::FLOATING_MOORING),
+    Holder::Part(&surroundings::SOIL),
+    Holder::Part(&ground::GROUND),
+    Holder::Part(&ground::LAYERS),
+    Holder::Part(&ground::ROWS),
+    Holder::Part(&surroundings::ADDED_MASS),
+    Holder::Table(&surroundings::WATER),
+    Holder::Part(&surroundings::WIRES),
+    Holder::Part(&surroundings::GRAVITY),
 ];
 
 /// The address of one number of a tower. It is displayed as its name.
@@ -87,8 +94,8 @@ static PARTS: [&Part; 32] = [
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Parameter {
     part: usize,
-    key: usize,
-    indices: [usize; 2],
+    number: Number,
+    indices: Indices,
 }
 
 impl Parameter {
@@ -98,9 +105,13 @@ impl Parameter {
         let mut all = Vec::new();
         for (part, of) in PARTS.iter().enumerate() {
             for indices in of.every(description) {
-                let keys = of.keys.iter().enumerate();
-                let listed = keys.filter(|(_, key)| (key.is_listed)(description, indices));
-                all.extend(listed.map(|(key, _)| Self { part, key, indices }));
+                let numbers = of.numbers().into_iter();
+                let listed = numbers.filter(|number| number.is_listed(description, indices));
+                all.extend(listed.map(|number| Self {
+                    part,
+                    number,
+                    indices,
+                }));
             }
         }
         all
@@ -134,33 +145,34 @@ impl Parameter {
 
     /// Its unit, as in the tower file; empty for a number without a unit.
     pub fn unit(self) -> &'static str {
-        self.key().unit
+        self.number.unit()
     }
 
     /// What it is, in a few words.
     pub fn meaning(self) -> &'static str {
-        self.key().meaning
+        self.number.meaning()
     }
 
     /// The part of the tower that it belongs to, in a few words: "stations".
     pub fn noun(self) -> &'static str {
-        self.part().noun
+        self.part().noun()
     }
 
     /// The name of that part and its own name there, with `[]` for each index: `stations[]` and
     /// `wall`; the second is empty where the part is one number.
     pub fn pattern(self) -> [&'static str; 2] {
-        [self.part().name, self.key().name]
+        [self.part().name(), self.number.name()]
     }
 
     /// Its place in the description, which errors and warnings refer to.
     pub fn place(self) -> Place {
-        (self.key().place)(self.indices)
+        self.number.place(self.indices)
     }
 
     /// Its value in a description that has it; NaN in any other.
     pub fn value(self, description: &TowerDescription) -> f64 {
-        (self.key().get)(description, self.indices).unwrap_or(f64::NAN)
+        let value = self.number.get(description, self.indices);
+        value.unwrap_or(f64::NAN)
     }
 
     /// Sets its value in a description that has it; any other stays as it is.
@@ -169,40 +181,37 @@ impl Parameter {
     /// symmetric matrix change, and the shear modulus of a material that is given by Poisson's
     /// ratio follows Young's modulus. [`Tower::new`](crate::Tower::new) checks the new value.
     pub fn set(self, description: &mut TowerDescription, value: f64) {
-        let done = (self.key().set)(description, self.indices, value);
+        let done = self.number.set(description, self.indices, value);
         debug_assert!(done.is_some(), "the description has no {self}");
     }
 
     /// Whether it is a height in the datum of the tower file: of a row, a mass, the water.
     pub fn is_height(self) -> bool {
-        let name = self.key().name;
-        let is_of_water = self.part().name == "water" && matches!(name, "level" | "bed");
-        let is_of_ground = self.is_of_ground() && matches!(name, "surface" | "top" | "bottom");
-        is_of_water || is_of_ground || name == "height"
+        self.number.is_height()
     }
 
     /// Whether it is the acceleration of gravity.
     pub(crate) fn is_gravity(self) -> bool {
-        self.part().name == "gravity"
+        self.part().name() == "gravity"
     }
 
     /// Whether it is a number of the ground, on which springs depend in many ways.
     pub(crate) fn is_of_ground(self) -> bool {
-        self.part().name.starts_with("ground")
+        self.part().name().starts_with("ground")
     }
 
     /// Whether it is a number of a row of the property table.
     pub(crate) fn is_of_rows(self) -> bool {
-        self.part().name == "properties[]"
+        self.part().name() == "properties[]"
     }
 
     /// Whether both are heights of the rows of one list, or of layers of the ground, of which one
     /// begins where the other ends.
     pub(crate) fn is_height_like(self, other: Self) -> bool {
-        let is_list = self.part().name != "point_mass[]" && self.part().name != "wires[]";
-        let is_same = (self.part, self.key) == (other.part, other.key);
+        let is_list = self.part().name() != "point_mass[]" && self.part().name() != "wires[]";
+        let is_same = (self.part, self.number) == (other.part, other.number);
         let is_of_one_list =
-            !self.part().name.contains("[].") || self.indices[0] == other.indices[0];
+            !self.part().name().contains("[].") || self.indices[0] == other.indices[0];
         if self.is_of_ground() && other.is_of_ground() {
             return self.is_height() && other.is_height();
         }
@@ -212,28 +221,20 @@ impl Parameter {
     /// The number that changes together with this one: Poisson's ratio is another form of the shear
     /// modulus.
     fn changed_with(self) -> Self {
-        let keys = self.part().keys;
-        match self.key().name {
-            "poissons_ratio" => keys
-                .iter()
-                .position(|key| key.name == "shear_modulus")
-                .map_or(self, |key| Self { key, ..self }),
-            _ => self,
-        }
+        let is_ratio = self.number.name() == "poissons_ratio";
+        let mut numbers = self.part().numbers().into_iter();
+        let modulus = numbers.find(|number| is_ratio && number.name() == "shear_modulus");
+        modulus.map_or(self, |number| Self { number, ..self })
     }
 
-    fn part(self) -> &'static Part {
+    fn part(self) -> Holder {
         PARTS[self.part]
-    }
-
-    fn key(self) -> &'static Key {
-        &self.part().keys[self.key]
     }
 }
 
 impl fmt::Display for Parameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let pattern = self.part().pattern(self.key());
+        let pattern = self.part().pattern(self.number);
         let mut pieces = pattern.split("[]");
         write!(f, "{}", pieces.next().unwrap_or_default())?;
         for (piece, index) in pieces.zip(self.indices) {

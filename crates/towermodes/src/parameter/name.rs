@@ -1,6 +1,7 @@
 //! Reads the name of a number.
 
 use super::error::ParameterError;
+use super::holder::Holder;
 use super::part::{Indices, Part};
 use super::{PARTS, Parameter};
 use crate::tower::TowerDescription;
@@ -49,24 +50,28 @@ impl<'n> Name<'n> {
         let plain = with_index_of_material(self.plain, description);
         let (mut absent, mut partial) = (None, None);
         for (part, of) in PARTS.iter().enumerate() {
-            for (key, number) in of.keys.iter().enumerate() {
+            for number in of.numbers() {
                 let Some(given) = indices(&plain, &of.pattern(number)) else {
                     continue;
                 };
-                if (of.count)(description) == 0 {
-                    absent = absent.or(Some(of.noun));
+                if of.count(description) == 0 {
+                    absent = absent.or(Some(of.noun()));
                     continue;
                 }
-                let all = self.every(of, &given, description)?;
-                let there = |i: &Indices| (number.get)(description, *i).is_some();
-                let parameter = |indices| Parameter { part, key, indices };
+                let all = self.every(*of, &given, description)?;
+                let there = |i: &Indices| number.get(description, *i).is_some();
+                let parameter = |indices| Parameter {
+                    part,
+                    number,
+                    indices,
+                };
                 let (having, lacking): (Vec<Indices>, Vec<Indices>) =
                     all.into_iter().partition(there);
                 let having = having.into_iter().map(parameter).collect();
                 let Some(lacking) = lacking.first().copied().map(parameter) else {
                     return Ok(having);
                 };
-                absent = Some(number.meaning);
+                absent = Some(number.meaning());
                 partial = partial.or_else(|| self.partial(lacking, &having));
             }
         }
@@ -93,16 +98,16 @@ impl<'n> Name<'n> {
     /// The rows that the indices in brackets select.
     fn every(
         &self,
-        part: &Part,
+        part: Holder,
         given: &[Index],
         description: &TowerDescription,
     ) -> Result<Vec<Indices>, ParameterError> {
         let one = Index::One(0);
         let (first, second) = (given.first().unwrap_or(&one), given.get(1).unwrap_or(&one));
         let mut all = Vec::new();
-        for i in self.selected(first, (part.count)(description), part.noun)? {
-            for j in self.selected(second, (part.rows)(description, i), "rows")? {
-                match part.is_symmetric && i > j {
+        for i in self.selected(first, part.count(description), part.noun())? {
+            for j in self.selected(second, part.rows(description, i), "rows")? {
+                match part.is_symmetric() && i > j {
                     // With both indices free the lower triangle is the upper one again.
                     true if first == second => {}
                     true => all.push([j, i]),
@@ -113,7 +118,7 @@ impl<'n> Name<'n> {
         match all.is_empty() {
             true => Err(ParameterError::Absent {
                 name: self.written.to_owned(),
-                noun: part.noun,
+                noun: part.noun(),
             }),
             false => Ok(all),
         }

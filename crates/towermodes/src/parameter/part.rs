@@ -39,22 +39,6 @@ pub(super) struct Key {
     pub(super) is_listed: fn(&TowerDescription, Indices) -> bool,
 }
 
-impl Part {
-    /// The indices of all its rows.
-    pub(super) fn every(&self, description: &TowerDescription) -> impl Iterator<Item = Indices> {
-        let rows = |first| (0..(self.rows)(description, first)).map(move |second| [first, second]);
-        (0..(self.count)(description)).flat_map(rows)
-    }
-
-    /// The name of a number with `[]` for each index.
-    pub(super) fn pattern(&self, key: &Key) -> String {
-        match key.name {
-            "" => self.name.to_owned(),
-            name => format!("{}.{name}", self.name),
-        }
-    }
-}
-
 /// A number that the description has where its part has it: listed if it is there.
 pub(super) fn is_there(_: &TowerDescription, _: Indices) -> bool {
     true

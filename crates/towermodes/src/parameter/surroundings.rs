@@ -1,7 +1,9 @@
 //! The numbers of soil, added mass, water, guy wires and gravity.
 
 use super::part::{Indices, Key, Part, fields, is_there};
-use crate::tower::{Place, Planes, TowerDescription};
+use super::table::Table;
+use crate::inputs::{Inputs, every_input};
+use crate::tower::{Place, Planes, TowerDescription, Water};
 
 /// `[[soil]]`.
 pub(super) static SOIL: Part = Part {
@@ -40,52 +42,22 @@ pub(super) static ADDED_MASS: Part = Part {
     },
 };
 
-/// `[water]`.
-pub(super) static WATER: Part = Part {
+/// `[water]`. Without a bed the ground is at the lowest station.
+pub(super) static WATER: Table = Table {
     name: "water",
     noun: "water",
-    count: |d| usize::from(d.water.is_some()),
-    rows: |_, _| 1,
-    is_symmetric: false,
-    keys: &WATER_KEYS,
-};
-
-/// A number of the water that is always given.
-macro_rules! water {
-    ($name:literal $unit:literal $meaning:literal, $field:ident) => {
-        Key {
-            name: $name,
-            unit: $unit,
-            meaning: $meaning,
-            place: |_| Place::Water { key: $name },
-            get: |d, _| Some(d.water?.$field),
-            set: |d, _, value| {
-                d.water.as_mut()?.$field = value;
-                Some(())
-            },
-            is_listed: is_there,
-        }
-    };
-}
-
-#[rustfmt::skip]
-static WATER_KEYS: [Key; 4] = [
-    water!("level" "m" "height of the surface", level_m),
-    Key {
-        name: "bed",
-        unit: "m",
-        meaning: "height of the ground",
-        place: |_| Place::Water { key: "bed" },
-        get: |d, _| bed_m(d),
-        set: |d, _, value| {
-            d.water.as_mut()?.bed_m = Some(value);
-            Some(())
-        },
-        is_listed: |d, _| d.water.is_some_and(|water| water.bed_m.is_some()),
+    kind: "",
+    get: |d, i, _| {
+        d.water
+            .as_ref()
+            .filter(|_| i[0] == 0)
+            .map(|of| of as &dyn Inputs)
     },
-    water!("density" "kg/m3" "density", density_kg_per_m3),
-    water!("added_mass_coefficient" "" "added mass coefficient", added_mass_coefficient),
-];
+    get_mut: |d, _, _| d.water.as_mut().map(|of| of as &mut dyn Inputs),
+    every: |_| every_input(&Water::blank()),
+    place: |_, key| Place::Water { key },
+    absent: |d| d.stations.first().map(|station| station.height_m),
+};
 
 /// `[[wires]]`.
 pub(super) static WIRES: Part = Part {
@@ -130,10 +102,4 @@ fn resists_rotation(description: &TowerDescription, indices: Indices) -> bool {
     let rows = description.soil.get(indices[0]).into_iter().flatten();
     let mut rotations = rows.map(|row| row.stiffness.rotation());
     rotations.any(|springs| springs != Planes::default())
-}
-
-/// The height of the ground: that of the lowest station where the file does not give it.
-fn bed_m(description: &TowerDescription) -> Option<f64> {
-    let stations = description.stations.first().map(|station| station.height_m);
-    description.water?.bed_m.or(stations)
 }

@@ -86,7 +86,9 @@ pub use rotor::{FASTEST_RPM, MOST_BLADES, Rotor, Rpm};
 pub use section::{Section, SectionMasses, Tube};
 pub use shear::Shear;
 pub use surroundings::{AddedMassRow, SoilRow, SoilStiffness, Water, Wires};
-pub use warning::{Ineffective, Quantity, Site, Warning};
+pub use warning::{Ineffective, Site, Warning};
+
+pub use crate::inputs::Quantity;
 
 pub(crate) use neighbour::{Neighbour, Neighbours};
 pub(crate) use numbers::{Place as NumberPlace, Places};

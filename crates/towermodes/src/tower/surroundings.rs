@@ -1,6 +1,7 @@
 //! The surroundings of a tower as given by the user: soil, water, guy wires.
 
 use super::planes::Planes;
+use crate::inputs::{Input, Inputs, Limit, Quantity};
 
 /// One row of soil springs along the tower; linear in height between rows, nothing outside them.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -115,22 +116,45 @@ pub struct AddedMassRow {
 }
 
 /// Still water around the tower, and in it if it is flooded: mass for transverse motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Inputs)]
 pub struct Water {
     /// Height of the surface in the datum of the stations, m.
+    #[input(Input::height("level", "the water level")
+        .hint("height of the surface in m, in the datum of the stations")
+        .also("water_level sea_level msl swl surface waterline"))]
     pub level_m: f64,
     /// Height of the ground, m; `None` is the lowest station, or the surface of
     /// [`TowerDescription::ground`](crate::TowerDescription::ground), with whose scour it goes
     /// down.
+    #[input(Input::height("bed", "the height of the seabed")
+        .otherwise("the lowest station")
+        .also("mudline seabed ground sea_bed depth water_depth"))]
     pub bed_m: Option<f64>,
     /// Density ρ, kg/m³.
+    #[input(Input::new("density", " kg/m3", Limit::Positive, "the density of the water")
+        .or(Water::SEA_KG_PER_M3)
+        .usual(Quantity::WaterDensity, [900.0, 1100.0]))]
     pub density_kg_per_m3: f64,
     /// Added mass coefficient C_a: the water outside moves with the mass ρ C_a π D²/4 per length,
     /// between bed and level.
+    #[input(Input::new("added_mass_coefficient", "", Limit::NotNegative, "the added mass coefficient")
+        .or(Water::CYLINDER)
+        .usual(Quantity::AddedMassCoefficient, [0.0, 2.0])
+        .also("ca c_a cm_coefficient added_mass_coeff"))]
     pub added_mass_coefficient: f64,
     /// Whether there is water inside too: ρ π (D − 2t)²/4 per length, from the lowest station to
     /// the level.
+    #[input(Input::flag("flooded", "the water inside")
+        .note("whether there is water inside")
+        .also("inside_water flood internal_water"))]
     pub flooded: bool,
+}
+
+impl Water {
+    /// Density of sea water, kg/m³.
+    pub const SEA_KG_PER_M3: f64 = 1025.0;
+    /// Added mass coefficient of a cylinder in potential flow.
+    pub const CYLINDER: f64 = 1.0;
 }
 
 /// Taut wires from one height of the tower to the ground, equally spaced around it.

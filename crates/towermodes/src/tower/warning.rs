@@ -1,11 +1,9 @@
 //! Warnings: inputs and results that are possible but probably a mistake.
 
 mod ineffective;
-mod quantity;
 mod site;
 
 pub use ineffective::Ineffective;
-pub use quantity::Quantity;
 pub use site::Site;
 
 use std::fmt;
@@ -14,6 +12,7 @@ use thiserror::Error;
 
 use super::error::Place;
 use super::missing::MissingParts;
+use crate::inputs::Quantity;
 use crate::method::Method;
 use crate::number::{Plain, Rounded, significant};
 

@@ -4,6 +4,7 @@ mod bodies;
 mod damping;
 mod foundation;
 mod ground;
+mod inputs;
 mod materials;
 mod properties;
 mod surroundings;

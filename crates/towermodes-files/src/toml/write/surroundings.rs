@@ -1,7 +1,8 @@
 //! `[[soil]]`, `[[added_mass]]`, `[water]`, `[[wires]]` and `[gravity]`.
 
-use towermodes::{AddedMassRow, SoilRow, TowerDescription, Water, Wires};
+use towermodes::{AddedMassRow, SoilRow, TowerDescription, Wires};
 
+use super::inputs::values;
 use super::writing::Writing;
 use crate::toml::schema;
 
@@ -17,7 +18,8 @@ pub(super) fn surroundings(description: &TowerDescription, writing: &mut Writing
         added_mass(table, names.added_mass.get(index), writing);
     }
     if let Some(water) = &description.water {
-        self::water(water, writing);
+        writing.section(&schema::WATER);
+        values(water, writing);
     }
     for (index, wires) in description.wires.iter().enumerate() {
         self::wires(wires, names.wires.get(index), writing);
@@ -72,17 +74,6 @@ fn added_mass(table: &[AddedMassRow], name: Option<&String>, writing: &mut Writi
     writing.open_rows("rows");
     writing.number_rows(&rows, 2);
     writing.line("]");
-}
-
-fn water(water: &Water, writing: &mut Writing) {
-    writing.section(&schema::WATER);
-    writing.number("level", water.level_m);
-    if let Some(bed_m) = water.bed_m {
-        writing.number("bed", bed_m);
-    }
-    writing.number("density", water.density_kg_per_m3);
-    writing.number("added_mass_coefficient", water.added_mass_coefficient);
-    writing.value("flooded", if water.flooded { "true" } else { "false" });
 }
 
 fn wires(wires: &Wires, name: Option<&String>, writing: &mut Writing) {

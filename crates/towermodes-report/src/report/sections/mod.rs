@@ -10,6 +10,7 @@ mod foundation;
 mod frequencies;
 mod ground;
 mod input;
+mod inputs;
 mod methods;
 mod modes;
 mod notes;

@@ -1,9 +1,10 @@
 //! Soil, water and guy wires in tables.
 
-use towermodes::{AddedMassRow, SoilRow, Tower, TowerDescription, Water, Wires};
+use towermodes::{AddedMassRow, SoilRow, Tower, TowerDescription, Wires};
 
 use super::super::document::Block;
 use super::super::table::Table;
+use super::inputs::of_inputs;
 use super::table;
 use crate::number::{given, length};
 
@@ -23,7 +24,8 @@ pub(super) fn surroundings(description: &TowerDescription, tower: &Tower) -> Vec
             .into_iter()
             .flatten(),
     );
-    tables.extend(description.water.as_ref().map(water));
+    let water = description.water.as_ref();
+    tables.extend(water.map(|water| of_inputs("Water around the tower", water, [])));
     let added = description.added_mass.iter().enumerate().take(MOST_TABLES);
     let which_table = |index| which(index, description.added_mass.len(), &names.added_mass);
     tables.extend(added.map(|(index, rows)| added_mass(&which_table(index), rows)));
@@ -77,26 +79,6 @@ fn soil_layer(which: &str, rows: &[SoilRow]) -> Table {
         ]);
     }
     table.without_empty_columns().shortened()
-}
-
-fn water(water: &Water) -> Table {
-    let bed = water.bed_m.map_or("the lowest station".to_owned(), length);
-    Table::of_facts(
-        "Water around the tower",
-        [
-            ("water level z (m)", length(water.level_m)),
-            ("seabed z (m)", bed),
-            ("density (kg/m³)", given(water.density_kg_per_m3)),
-            (
-                "added mass coefficient (−)",
-                given(water.added_mass_coefficient),
-            ),
-            (
-                "flooded (water inside)",
-                if water.flooded { "yes" } else { "no" }.to_owned(),
-            ),
-        ],
-    )
 }
 
 fn added_mass(which: &str, rows: &[AddedMassRow]) -> Table {

@@ -1,7 +1,8 @@
 //! A quantity with the usual range of towers.
 
+use crate::inputs::{Inputs, given_inputs};
 use crate::tower::Warning;
-use crate::tower::{Quantity, Site};
+use crate::tower::{Place, Quantity, Site};
 
 /// A quantity with the usual range of towers; an infinite limit means no limit.
 #[derive(Debug, Clone, Copy)]
@@ -60,6 +61,21 @@ impl Usual {
             value,
             least,
             most,
+        }
+    }
+}
+
+/// Warns of each number of a table that is outside its usual range; infinity has none.
+pub(super) fn check_inputs(
+    inputs: &dyn Inputs,
+    at: impl Fn(&'static str) -> Place,
+    warnings: &mut Vec<Warning>,
+) {
+    for (input, given) in given_inputs(inputs) {
+        let finite = given.number().filter(|value| value.is_finite());
+        if let (Some((quantity, [least, most])), Some(value)) = (input.usual, finite) {
+            let usual = Usual::new(quantity, least, most);
+            usual.check(value, Site::at(at(input.key)), warnings);
         }
     }
 }

@@ -1,13 +1,10 @@
 //! Water around the tower, and masses that move with it as water does.
 
 use super::Given;
-use super::usual::Usual;
+use super::usual::check_inputs;
 use crate::tower::Warning;
-use crate::tower::{Ineffective, Quantity, Site};
+use crate::tower::{Ineffective, Site};
 use crate::tower::{Place, Tower, Water};
-
-const DENSITY: Usual = Usual::new(Quantity::WaterDensity, 900.0, 1100.0);
-const COEFFICIENT: Usual = Usual::new(Quantity::AddedMassCoefficient, 0.0, 2.0);
 
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
     if let Some(water) = given.water {
@@ -25,10 +22,8 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
 }
 
 fn still_water(tower: &Tower, water: &Water, warnings: &mut Vec<Warning>) {
+    check_inputs(water, |key| Place::Water { key }, warnings);
     let at = |key| Site::at(Place::Water { key });
-    DENSITY.check(water.density_kg_per_m3, at("density"), warnings);
-    let (key, coefficient) = ("added_mass_coefficient", water.added_mass_coefficient);
-    COEFFICIENT.check(coefficient, at(key), warnings);
     let (level_m, top_m) = (water.level_m, tower.top_m());
     if level_m > top_m {
         let site = at("level");
@@ -38,8 +33,8 @@ fn still_water(tower: &Tower, water: &Water, warnings: &mut Vec<Warning>) {
             top_m,
         });
     }
-    if coefficient == 0.0 && !water.flooded {
-        let (site, what) = (at(key), Ineffective::WaterOfZeros);
+    if water.added_mass_coefficient == 0.0 && !water.flooded {
+        let (site, what) = (at("added_mass_coefficient"), Ineffective::WaterOfZeros);
         warnings.push(Warning::NoEffect { site, what });
     }
 }

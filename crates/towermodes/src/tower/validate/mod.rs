@@ -7,6 +7,7 @@ mod footings;
 mod foundation;
 mod ground;
 mod inertia;
+mod inputs;
 mod rotor;
 mod scale;
 mod surroundings;

@@ -1,6 +1,7 @@
 //! The checks of soil, added mass, water, wires and gravity.
 
-use super::scale::{coordinate, error, finite, not_negative, positive, stiffness};
+use super::inputs::check_inputs;
+use super::scale::{coordinate, error, finite, not_negative, stiffness};
 use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
 use crate::tower::immersion;
@@ -129,22 +130,8 @@ fn check_rows(
 
 fn check_water(water: &Water, base_m: f64, top_m: f64) -> Result<(), TowerError> {
     let at = |key| Place::Water { key };
-    coordinate(at("level"), "the water level", water.level_m)?;
-    positive(
-        at("density"),
-        "the water's density",
-        water.density_kg_per_m3,
-        " kg/m3",
-    )?;
-    let coefficient = water.added_mass_coefficient;
-    not_negative(
-        at("added_mass_coefficient"),
-        "the added mass coefficient",
-        coefficient,
-        "",
-    )?;
+    check_inputs(water, at)?;
     let bed_m = water.bed_m.unwrap_or(base_m);
-    coordinate(at("bed"), "the bed's height", bed_m)?;
     let level_m = water.level_m;
     if water.bed_m.is_some() && bed_m >= level_m {
         return error(at("bed"), Problem::BedAboveWater { bed_m, level_m });

@@ -1,0 +1,51 @@
+//! The values of a table of the tower file, as rows of a report.
+
+use towermodes::inputs::{Given, Input, Inputs, given_inputs};
+
+use super::super::table::Table;
+use crate::number::{given, length};
+
+/// The values of a table with their units, without those that are infinite by default; then other
+/// facts.
+pub(super) fn of_inputs(
+    caption: &str,
+    inputs: &dyn Inputs,
+    others: impl IntoIterator<Item = (String, String)>,
+) -> Table {
+    let mut table = Table::new(caption, ["quantity", "#value"]);
+    for (input, value) in given_inputs(inputs) {
+        if let Some(shown) = shown(input, value) {
+            table.push([labelled(input, value), shown]);
+        }
+    }
+    for (name, value) in others {
+        table.push([name, value]);
+    }
+    table
+}
+
+/// "density of the water (kg/m³)".
+fn labelled(input: &Input, value: Given) -> String {
+    let meaning = input.meaning();
+    match (value.is_number(), input.unit()) {
+        (false, _) => meaning.to_owned(),
+        (true, "") => format!("{meaning} (−)"),
+        (true, unit) => {
+            let raised = unit.replace("m2", "m²").replace("m3", "m³");
+            format!("{meaning} ({raised})")
+        }
+    }
+}
+
+fn shown(input: &Input, value: Given) -> Option<String> {
+    match value {
+        Given::Number(value) if value.is_infinite() && value == input.default => None,
+        Given::Number(value) | Given::Optional(Some(value)) if input.unit() == "m" => {
+            Some(length(value))
+        }
+        Given::Number(value) | Given::Optional(Some(value)) => Some(given(value)),
+        Given::Optional(None) => Some(input.otherwise.to_owned()).filter(|text| !text.is_empty()),
+        Given::Flag(flag) => Some(if flag { "yes" } else { "no" }.to_owned()),
+        Given::Name(place, names) => Some(names[place?].to_owned()),
+    }
+}

@@ -1,0 +1,180 @@
+//! The facts about one value.
+
+use super::{Limit, Quantity};
+
+/// The facts about one value of the tower file, made by constant functions beside the field that
+/// holds it.
+#[derive(Debug)]
+pub struct Input {
+    /// Its key in the tower file.
+    pub key: &'static str,
+    /// What it is, in a few words for messages: "the diameter of the caisson".
+    pub name: &'static str,
+    /// Its unit after a space; empty for none.
+    pub spaced_unit: &'static str,
+    /// More about it in the comment of a written file and in the schema; may be empty.
+    pub note: &'static str,
+    /// What a file without it is told; empty for its name and unit.
+    pub hint: &'static str,
+    /// Other names of the key, in other programs and on drawings, separated by blanks.
+    pub synonyms: &'static str,
+    /// What stands for it where it is absent: "the lowest station"; may be empty.
+    pub otherwise: &'static str,
+    /// Which values it can have at all.
+    pub limit: Limit,
+    /// The number that a file without it has; NaN if it must be given.
+    pub default: f64,
+    /// Whether the key must be given.
+    pub is_required: bool,
+    /// Whether it is left out of written files where it has its default.
+    pub is_quiet: bool,
+    /// Whether infinity may be given, for what is rigid or endless.
+    pub may_be_infinite: bool,
+    /// Whether softer soil has a smaller one, in proportion.
+    pub is_of_soil: bool,
+    /// The usual range of towers.
+    pub usual: Option<(Quantity, [f64; 2])>,
+    /// A key without which it has no effect, and what to do then.
+    pub needs: Option<(&'static str, &'static str)>,
+}
+
+impl Input {
+    /// A value of any type; its unit is written after a space.
+    pub const fn new(
+        key: &'static str,
+        spaced_unit: &'static str,
+        limit: Limit,
+        name: &'static str,
+    ) -> Self {
+        Self {
+            key,
+            name,
+            spaced_unit,
+            note: "",
+            hint: "",
+            synonyms: "",
+            otherwise: "",
+            limit,
+            default: f64::NAN,
+            is_required: true,
+            is_quiet: false,
+            may_be_infinite: false,
+            is_of_soil: false,
+            usual: None,
+            needs: None,
+        }
+    }
+
+    /// A length in m.
+    pub const fn length(key: &'static str, name: &'static str) -> Self {
+        Self::new(key, " m", Limit::Length, name)
+    }
+
+    /// A height in the datum of the stations, m.
+    pub const fn height(key: &'static str, name: &'static str) -> Self {
+        Self::new(key, " m", Limit::Coordinate, name)
+    }
+
+    /// One of several names.
+    pub const fn choice(key: &'static str, name: &'static str) -> Self {
+        Self::new(key, "", Limit::Elsewhere, name)
+    }
+
+    /// Yes or no; no if it is left out.
+    pub const fn flag(key: &'static str, name: &'static str) -> Self {
+        Self::new(key, "", Limit::Elsewhere, name).optional()
+    }
+
+    /// The number where the key is left out; infinity may be given if it is infinite.
+    #[must_use]
+    pub const fn or(mut self, default: f64) -> Self {
+        self.default = default;
+        self.may_be_infinite |= default == f64::INFINITY;
+        self.optional()
+    }
+
+    /// It may be left out.
+    #[must_use]
+    pub const fn optional(mut self) -> Self {
+        self.is_required = false;
+        self
+    }
+
+    /// It is left out of written files where it has its default.
+    #[must_use]
+    pub const fn quiet(mut self) -> Self {
+        self.is_quiet = true;
+        self
+    }
+
+    /// Infinity may be given.
+    #[must_use]
+    pub const fn or_infinite(mut self) -> Self {
+        self.may_be_infinite = true;
+        self
+    }
+
+    /// Softer soil has a smaller one, in proportion.
+    #[must_use]
+    pub const fn of_soil(mut self) -> Self {
+        self.is_of_soil = true;
+        self
+    }
+
+    /// More about it in the comment of a written file and in the schema.
+    #[must_use]
+    pub const fn note(mut self, note: &'static str) -> Self {
+        self.note = note;
+        self
+    }
+
+    /// What a file without it is told.
+    #[must_use]
+    pub const fn hint(mut self, hint: &'static str) -> Self {
+        self.hint = hint;
+        self
+    }
+
+    /// Other names of the key, separated by blanks.
+    #[must_use]
+    pub const fn also(mut self, synonyms: &'static str) -> Self {
+        self.synonyms = synonyms;
+        self
+    }
+
+    /// What stands for it where it is absent.
+    #[must_use]
+    pub const fn otherwise(mut self, otherwise: &'static str) -> Self {
+        self.otherwise = otherwise;
+        self.optional()
+    }
+
+    /// The usual range of towers.
+    #[must_use]
+    pub const fn usual(mut self, quantity: Quantity, range: [f64; 2]) -> Self {
+        self.usual = Some((quantity, range));
+        self
+    }
+
+    /// It has no effect without another key; `remedy` is what to do then.
+    #[must_use]
+    pub const fn needs(mut self, key: &'static str, remedy: &'static str) -> Self {
+        self.needs = Some((key, remedy));
+        self
+    }
+
+    /// Its unit.
+    pub fn unit(&self) -> &'static str {
+        self.spaced_unit.trim_start()
+    }
+
+    /// What it is, without an article.
+    pub fn meaning(&self) -> &'static str {
+        self.name.strip_prefix("the ").unwrap_or(self.name)
+    }
+
+    /// Whether it is a height in the datum of the tower file.
+    pub fn is_height(&self) -> bool {
+        self.limit == Limit::Coordinate
+    }
+}

@@ -1,0 +1,22 @@
+//! Which values a quantity can have at all.
+
+/// Which values a quantity can have at all, beside the infinity that may stand for "rigid".
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Limit {
+    /// Any finite number.
+    Finite,
+    /// A height or another coordinate, m: of either sign or zero.
+    Coordinate,
+    /// A length, m: positive.
+    Length,
+    /// Positive.
+    Positive,
+    /// Positive or zero.
+    NotNegative,
+    /// Positive or zero, and of any size: springs are scaled to themselves.
+    Stiffness,
+    /// From the first number to the second.
+    Within([f64; 2]),
+    /// None; the check of its struct limits it.
+    Elsewhere,
+}

@@ -1,0 +1,52 @@
+//! The values of a tower file: what each one is, beside the field that holds it.
+//!
+//! A struct that is a table of the tower file derives [`Inputs`]; the attribute of a field is an
+//! [`Input`], the facts about its value. The checks of the tower, the names of its numbers, the
+//! reader, the writer and the schema of the tower file, and the report visit the values and have
+//! no lists of their own. Facts about two values are in the checks of the struct that has both.
+
+mod input;
+mod limit;
+mod quantity;
+mod value;
+
+pub use input::Input;
+pub use limit::Limit;
+pub use quantity::Quantity;
+pub(crate) use towermodes_derive::Inputs;
+pub(crate) use value::names;
+pub use value::{Given, Named, Value};
+
+/// A table of the tower file, or a part of one.
+///
+/// A part whose values depend on one of them, the choice of a formula, implements it by hand: each
+/// value that it has is visited, and [`idle`](Self::idle) lists the others.
+pub trait Inputs {
+    /// With the value of each optional key that is left out, and NaN for each required number.
+    fn blank() -> Self
+    where
+        Self: Sized;
+
+    /// Visits each value in the order of the tower file.
+    fn visit(&self, each: &mut dyn FnMut(&'static Input, Given));
+
+    /// Replaces each value, in the same order, by one of the same type.
+    fn update(&mut self, each: &mut dyn FnMut(&'static Input, Given) -> Given);
+
+    /// Visits the values that others like it have and this one has not.
+    fn idle(&self, each: &mut dyn FnMut(&'static Input, Given));
+}
+
+/// Its values and those that it has not, each with a description: all keys of the table.
+pub fn every_input(inputs: &dyn Inputs) -> Vec<(&'static Input, Given)> {
+    let mut all = given_inputs(inputs);
+    inputs.idle(&mut |input, given| all.push((input, given)));
+    all
+}
+
+/// Its values, in the order of the tower file.
+pub fn given_inputs(inputs: &dyn Inputs) -> Vec<(&'static Input, Given)> {
+    let mut all = Vec::new();
+    inputs.visit(&mut |input, given| all.push((input, given)));
+    all
+}

@@ -1,0 +1,86 @@
+//! What has numbers: a part that lists them, or a table that describes them.
+
+use super::number::Number;
+use super::part::{Indices, Part};
+use super::table::Table;
+use crate::tower::TowerDescription;
+
+/// What has numbers.
+#[derive(Clone, Copy)]
+pub(super) enum Holder {
+    /// A part that lists its numbers.
+    Part(&'static Part),
+    /// A table of the tower file whose fields describe them.
+    Table(&'static Table),
+}
+
+impl Holder {
+    /// Its name in the tower file with `[]` for each index.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Part(part) => part.name,
+            Self::Table(table) => table.name,
+        }
+    }
+
+    /// What it is in messages.
+    pub(super) fn noun(self) -> &'static str {
+        match self {
+            Self::Part(part) => part.noun,
+            Self::Table(table) => table.noun,
+        }
+    }
+
+    /// How many there are.
+    pub(super) fn count(self, description: &TowerDescription) -> usize {
+        match self {
+            Self::Part(part) => (part.count)(description),
+            Self::Table(table) => table.count(description),
+        }
+    }
+
+    /// How many rows one of them has; 1 without rows.
+    pub(super) fn rows(self, description: &TowerDescription, index: usize) -> usize {
+        match self {
+            Self::Part(part) => (part.rows)(description, index),
+            Self::Table(_) => 1,
+        }
+    }
+
+    /// Whether its two indices may be exchanged: the entries of a symmetric matrix.
+    pub(super) fn is_symmetric(self) -> bool {
+        match self {
+            Self::Part(part) => part.is_symmetric,
+            Self::Table(_) => false,
+        }
+    }
+
+    /// The numbers that it can have.
+    pub(super) fn numbers(self) -> Vec<Number> {
+        match self {
+            Self::Part(part) => part.keys.iter().map(Number::Listed).collect(),
+            Self::Table(table) => {
+                let every = (table.every)(table.kind).into_iter();
+                let numbers = every.filter(|(_, given)| given.is_number());
+                numbers
+                    .map(|(input, _)| Number::Described(table, input))
+                    .collect()
+            }
+        }
+    }
+
+    /// The indices of all its rows.
+    pub(super) fn every(self, description: &TowerDescription) -> impl Iterator<Item = Indices> {
+        let rows =
+            move |first| (0..self.rows(description, first)).map(move |second| [first, second]);
+        (0..self.count(description)).flat_map(rows)
+    }
+
+    /// The name of a number with `[]` for each index.
+    pub(super) fn pattern(self, number: Number) -> String {
+        match number.name() {
+            "" => self.name().to_owned(),
+            name => format!("{}.{name}", self.name()),
+        }
+    }
+}

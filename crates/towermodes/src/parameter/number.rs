@@ -1,0 +1,116 @@
+//! A number of a part of a tower.
+
+use std::hash::{Hash, Hasher};
+
+use super::part::{Indices, Key};
+use super::table::Table;
+use crate::inputs::Input;
+use crate::tower::{Place, TowerDescription};
+
+/// A number of a part of a tower.
+#[derive(Clone, Copy)]
+pub(super) enum Number {
+    /// Of a part that lists its numbers.
+    Listed(&'static Key),
+    /// Of a part that is a table, which describes them.
+    Described(&'static Table, &'static Input),
+}
+
+impl Number {
+    /// Its name in the part; empty if the part is the number.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Listed(key) => key.name,
+            Self::Described(_, input) => input.key,
+        }
+    }
+
+    /// Its unit.
+    pub(super) fn unit(self) -> &'static str {
+        match self {
+            Self::Listed(key) => key.unit,
+            Self::Described(_, input) => input.unit(),
+        }
+    }
+
+    /// What it is.
+    pub(super) fn meaning(self) -> &'static str {
+        match self {
+            Self::Listed(key) => key.meaning,
+            Self::Described(_, input) => input.meaning(),
+        }
+    }
+
+    /// Its place for errors.
+    pub(super) fn place(self, indices: Indices) -> Place {
+        match self {
+            Self::Listed(key) => (key.place)(indices),
+            Self::Described(table, input) => (table.place)(indices, input.key),
+        }
+    }
+
+    /// Its value, if the description has it.
+    pub(super) fn get(self, description: &TowerDescription, indices: Indices) -> Option<f64> {
+        match self {
+            Self::Listed(key) => (key.get)(description, indices),
+            Self::Described(table, input) => table.value(input, description, indices),
+        }
+    }
+
+    /// Sets its value, if the description has it.
+    pub(super) fn set(
+        self,
+        description: &mut TowerDescription,
+        indices: Indices,
+        value: f64,
+    ) -> Option<()> {
+        match self {
+            Self::Listed(key) => (key.set)(description, indices, value),
+            Self::Described(table, input) => table.set(input, description, indices, value),
+        }
+    }
+
+    /// Whether it is in the list of all numbers; others have a name only.
+    pub(super) fn is_listed(self, description: &TowerDescription, indices: Indices) -> bool {
+        match self {
+            Self::Listed(key) => (key.is_listed)(description, indices),
+            Self::Described(table, input) => table.given(input, description, indices).is_some(),
+        }
+    }
+
+    /// Whether it is a height in the datum of the tower file.
+    pub(super) fn is_height(self) -> bool {
+        match self {
+            Self::Listed(key) => matches!(key.name, "height" | "surface" | "top" | "bottom"),
+            Self::Described(_, input) => input.is_height(),
+        }
+    }
+
+    /// The address of its description; no two numbers have the same.
+    fn address(self) -> *const () {
+        match self {
+            Self::Listed(key) => std::ptr::from_ref(key).cast(),
+            Self::Described(_, input) => std::ptr::from_ref(input).cast(),
+        }
+    }
+}
+
+impl std::fmt::Debug for Number {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl PartialEq for Number {
+    fn eq(&self, other: &Self) -> bool {
+        self.address() == other.address()
+    }
+}
+
+impl Eq for Number {}
+
+impl Hash for Number {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.address().hash(state);
+    }
+}

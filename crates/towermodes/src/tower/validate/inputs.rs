@@ -1,0 +1,52 @@
+//! The limits of single values.
+
+use super::scale::{coordinate, error, finite, length, not_negative, positive, stiffness};
+use crate::inputs::{Input, Inputs, Limit, given_inputs};
+use crate::tower::error::{Place, Problem, TowerError};
+
+/// Checks each number of a table against its limit; `at` gives the place of a key.
+pub(super) fn check_inputs(
+    inputs: &dyn Inputs,
+    at: impl Fn(&'static str) -> Place,
+) -> Result<(), TowerError> {
+    let numbers = given_inputs(inputs).into_iter();
+    let mut numbers = numbers.filter_map(|(input, given)| Some((input, given.number()?)));
+    numbers.try_for_each(|(input, value)| check_input(input, value, at(input.key)))
+}
+
+fn check_input(input: &Input, value: f64, place: Place) -> Result<(), TowerError> {
+    if input.may_be_infinite && value == f64::INFINITY {
+        return Ok(());
+    }
+    let (name, unit) = (input.name, input.spaced_unit);
+    match input.limit {
+        Limit::Finite => finite(place, name, value, unit),
+        Limit::Coordinate => coordinate(place, name, value),
+        Limit::Length => length(place, name, value),
+        Limit::Positive => positive(place, name, value, unit),
+        Limit::NotNegative => not_negative(place, name, value, unit),
+        Limit::Stiffness => stiffness(place, name, value, unit),
+        Limit::Within(range) => within(place, input, value, range),
+        Limit::Elsewhere => Ok(()),
+    }
+}
+
+fn within(
+    place: Place,
+    input: &Input,
+    value: f64,
+    [least, most]: [f64; 2],
+) -> Result<(), TowerError> {
+    finite(place, input.name, value, input.spaced_unit)?;
+    if (least..=most).contains(&value) {
+        return Ok(());
+    }
+    let problem = Problem::OutOfRange {
+        quantity: input.name,
+        value,
+        unit: input.spaced_unit,
+        least,
+        most,
+    };
+    error(place, problem)
+}
