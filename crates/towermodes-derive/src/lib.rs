@@ -85,7 +85,7 @@ fn value(field: &Field) -> syn::Result<Value<'_>> {
 impl Value<'_> {
     /// The name of the static that describes it.
     fn of(&self) -> Ident {
-        format_ident!("{}", self.field.to_string().to_uppercase())
+        format_ident!("INPUT_{}", self.field.to_string().to_uppercase())
     }
 
     fn definition(&self) -> Option<TokenStream> {

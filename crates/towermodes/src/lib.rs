@@ -94,13 +94,14 @@ pub use solve::{
     solve_certain, solve_frequencies, solve_until, solve_with,
 };
 pub use tower::{
-    AddedMassRow, ApiEdition, AxialModel, BeamFormula, CircularFooting, Clay, Damping, Drivetrain,
-    FloatingPlatform, FootingFormula, Foundation, FoundationSprings, Ground, GroundLayer,
-    HalfSpace, HeadStiffness, Ineffective, Inertia, LayerSoil, LossFactors, Material, MissingPart,
-    MissingParts, Monopile, PartNames, PileBehaviour, PileFormula, PileTube, Place, Plane, Planes,
-    PointMass, Problem, Properties, PropertyStation, PyRow, Quantity, RectangularFooting,
-    ReferredMatrix, RigidBody, Rna, Rock, Rotor, RotorAerodynamics, Sand, Scour, Shear,
-    ShearModulus, Site, Slenderness, SoilModel, SoilProfile, SoilRow, SoilSpring, SoilStiffness,
-    SpringsAt, Station, StiffnessFoundation, SuctionCaisson, Tower, TowerDescription, TowerError,
-    Warning, Water, WinklerPile, Wires, is_printable, printable,
+    AddedMassRow, ApiEdition, AxialModel, BeamFormula, Buried, CircularFooting, Clay, ClosedForm,
+    Damping, Drivetrain, FloatingPlatform, FootingFormula, FormKind, Foundation, FoundationSprings,
+    Ground, GroundLayer, HalfSpace, HeadStiffness, Ineffective, Inertia, LayerSoil, LossFactors,
+    Material, MissingPart, MissingParts, Monopile, PartNames, PileBehaviour, PileFormula, PileTube,
+    Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation, PyRow, Quantity,
+    RectangularFooting, ReferredMatrix, RigidBody, Rna, Rock, Rotor, RotorAerodynamics, Sand,
+    Scour, Shear, ShearModulus, Site, Slenderness, SoilBelow, SoilModel, SoilProfile, SoilRow,
+    SoilSpring, SoilStiffness, SpringsAt, Station, StiffnessFoundation, SuctionCaisson, Support,
+    Tower, TowerDescription, TowerError, Warning, Water, WinklerPile, Wires, is_printable,
+    printable,
 };

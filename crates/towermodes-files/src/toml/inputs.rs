@@ -27,15 +27,22 @@ pub(super) fn read_into(
     at: &dyn Fn(&'static str) -> Place,
     reading: &mut Reading,
 ) -> Option<()> {
-    let mut is_complete = true;
+    let (mut is_complete, mut is_chosen) = (true, true);
     inputs.update(&mut |input, given| {
         let read = value(input, given, table, at(input.key), reading);
         is_complete &= read.is_some();
-        read.unwrap_or(given)
+        match (read, given) {
+            // Any choice, so that a wrong name is the only mistake.
+            (None, Given::Name(_, names)) => {
+                is_chosen = false;
+                Given::Name(Some(0), names)
+            }
+            (read, given) => read.unwrap_or(given),
+        }
     });
     let mut idle = Vec::new();
     inputs.idle(&mut |input, _| idle.push(input));
-    for input in idle {
+    for input in idle.into_iter().filter(|_| is_chosen) {
         is_complete &= refuse_idle(input, table, reading).is_some();
     }
     is_complete.then_some(())
@@ -49,7 +56,9 @@ fn value(
     place: Place,
     reading: &mut Reading,
 ) -> Option<Given> {
-    let value = match input.is_required {
+    // Without a default it must be given, also where another key decides whether it is there.
+    let is_required = input.is_required || matches!(blank, Given::Number(n) if n.is_nan());
+    let value = match is_required {
         true => table.require(input.key, &hint(input, blank), reading)?,
         false => match table.get(input.key) {
             Some(value) => value,
@@ -86,19 +95,19 @@ fn value(
 
 /// Refuses a value that has no effect beside the others.
 fn refuse_idle(input: &Input, table: &Table<'_>, reading: &mut Reading) -> Option<()> {
-    let Some((needed, remedy)) = input.needs else {
-        return table.refuse_unused(input.key, "here", "remove it", reading);
+    let (because, remedy) = match (input.yields_to, input.needs) {
+        (Some(other), _) => (format!("beside `{other}`"), "keep one of the two"),
+        (None, None) => ("here".to_owned(), "remove it"),
+        (None, Some((needed, remedy))) => match table.get(needed) {
+            Some(value) => {
+                let choice = value.get_ref().as_str().unwrap_or_default();
+                (format!("with {needed} = \"{choice}\""), "remove it")
+            }
+            None if table.has_misspelled(needed) => return Some(()),
+            None => (format!("without `{needed}`"), remedy),
+        },
     };
-    match table.has(needed) {
-        true => {
-            let because = format!("with this `{needed}`");
-            table.refuse_unused(input.key, because, "remove it", reading)
-        }
-        false => {
-            let because = format!("without `{needed}`");
-            table.refuse_unused(input.key, because, remedy, reading)
-        }
-    }
+    table.refuse_unused(input.key, because, remedy, reading)
 }
 
 /// What a file is told that lacks a required value.

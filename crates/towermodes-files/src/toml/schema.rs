@@ -6,8 +6,8 @@
 
 use std::sync::LazyLock;
 
-use towermodes::Water;
 use towermodes::inputs::{Given, Input, Inputs, every_input};
+use towermodes::{Foundation, Water};
 
 /// A table of the tower file.
 #[derive(Debug)]
@@ -189,10 +189,35 @@ macro_rules! tables {
 /// ```
 pub fn tower_file_schema() -> &'static [&'static TableSchema] {
     static ALL: LazyLock<Vec<&TableSchema>> = LazyLock::new(|| {
-        let described: [&TableSchema; 1] = [&WATER];
-        listed().iter().copied().chain(described).collect()
+        let water: &TableSchema = &WATER;
+        listed()
+            .iter()
+            .copied()
+            .chain(CLOSED_FORMS.iter())
+            .chain([water])
+            .collect()
     });
     &ALL
+}
+
+/// `[foundation]` of each type that is a closed form.
+pub static CLOSED_FORMS: LazyLock<Vec<TableSchema>> = LazyLock::new(|| {
+    let kind: &[KeySchema] = keys! {
+        required "type" Text "" "type of the foundation";
+    };
+    let blanks = Foundation::blank_forms();
+    let forms = blanks.iter().filter_map(Foundation::form);
+    let name = |kind: &str| format!("[foundation] of type \"{kind}\"");
+    forms
+        .map(|form| TableSchema::described(name(form.kind().name), kind, form))
+        .collect()
+});
+
+/// `[foundation]` of a type that is a closed form.
+pub(super) fn closed_form(kind: &str) -> &'static TableSchema {
+    let blanks = Foundation::blank_forms();
+    let is_it = |blank: &Foundation| blank.form().is_some_and(|form| form.kind().name == kind);
+    &CLOSED_FORMS[blanks.iter().position(is_it).unwrap_or(0)]
 }
 
 /// `[water]`.
@@ -386,77 +411,6 @@ tables! {
         required "vertical" Number "N/m" "";
         required "torsion" Number "N m" "";
         optional "coupling" Number "N" "between x and rotation about y";
-
-    /// `[foundation]` of type `half-space`.
-    HALF_SPACE = "[foundation] of type \"half-space\"":
-        required "type" Text "" "type of the foundation";
-        required "radius" Number "m" "";
-        optional "embedment" Number "m" "";
-        required "soil_shear_modulus" Number "Pa" "";
-        required "soil_poissons_ratio" Number "" "";
-
-    /// `[foundation]` of type `circular-footing`.
-    CIRCULAR_FOOTING = "[foundation] of type \"circular-footing\"":
-        required "type" Text "" "type of the foundation";
-        required "radius" Number "m" "";
-        optional "embedment" Number "m" "";
-        required "soil_shear_modulus" Number "Pa" "of the stratum";
-        required "soil_poissons_ratio" Number "" "";
-        optional "soil_thickness" Number "m" "of the stratum below the surface; without it a half-space";
-        optional "lower_shear_modulus" Number "Pa" "below the stratum; without it rock";
-        optional "coupled" Flag "" "whether the embedment couples sliding and rocking";
-
-    /// `[foundation]` of type `rectangular-footing`.
-    RECTANGULAR_FOOTING = "[foundation] of type \"rectangular-footing\"":
-        required "type" Text "" "type of the foundation";
-        required "formula" Text "" "gazetas or pais-kausel";
-        required "length_x" Number "m" "side along x";
-        required "length_y" Number "m" "side along y";
-        optional "embedment" Number "m" "";
-        required "soil_shear_modulus" Number "Pa" "";
-        required "soil_poissons_ratio" Number "" "";
-        optional "coupled" Flag "" "whether the embedment couples sliding and rocking";
-
-    /// `[foundation]` of type `suction-caisson`.
-    SUCTION_CAISSON = "[foundation] of type \"suction-caisson\"":
-        required "type" Text "" "type of the foundation";
-        required "diameter" Number "m" "";
-        required "skirt_length" Number "m" "";
-        required "soil_profile" Text "" "homogeneous, parabolic or linear";
-        required "soil_youngs_modulus" Number "Pa" "at the depth of one diameter";
-        required "soil_poissons_ratio" Number "" "";
-        optional "vertical" Number "N/m" "inf is rigid";
-        optional "torsion" Number "N m" "";
-
-    /// `[foundation]` of type `monopile`.
-    MONOPILE = "[foundation] of type \"monopile\"":
-        required "type" Text "" "type of the foundation";
-        required "formula" Text "" "shadlou-bhattacharya, randolph, en-1998-5 or carter-kulhawy";
-        required "diameter" Number "m" "of the pile";
-        required "wall_thickness" Number "m" "";
-        required "embedded_length" Number "m" "";
-        required "youngs_modulus" Number "Pa" "of the pile";
-        required "soil_profile" Text "" "homogeneous, parabolic or linear";
-        required "soil_youngs_modulus" Number "Pa" "at the depth of one diameter";
-        required "soil_poissons_ratio" Number "" "";
-        optional "vertical" Number "N/m" "inf is rigid";
-        optional "torsion" Number "N m" "";
-
-    /// `[foundation]` of type `winkler-pile`.
-    WINKLER_PILE = "[foundation] of type \"winkler-pile\"":
-        required "type" Text "" "type of the foundation";
-        required "diameter" Number "m" "of the pile";
-        required "wall_thickness" Number "m" "";
-        required "embedded_length" Number "m" "";
-        required "youngs_modulus" Number "Pa" "of the pile";
-        optional "formula" Text "" "exact or poulos-davis";
-        optional "soil_spring" Number "N/m2" "per metre of pile, at the depth of one diameter";
-        optional "spring_formula" Text "" "in place of soil_spring: gazetas or vesic";
-        optional "soil_youngs_modulus" Number "Pa" "at the depth of one diameter";
-        optional "soil_poissons_ratio" Number "" "for vesic";
-        required "exponent" Number "" "of the depth in the spring or the modulus: 0 constant, 1 linear";
-        optional "vertical" Number "N/m" "inf is rigid";
-        optional "torsion" Number "N m" "";
 
     /// `[foundation]` of type `floating`.
     FLOATING = "[foundation] of type \"floating\"":

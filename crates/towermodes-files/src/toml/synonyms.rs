@@ -1,11 +1,13 @@
 //! Names of the keys of a tower file in other programs and on drawings. Those of a key that is
 //! described beside its field are there.
 
+use towermodes::Foundation;
+
 use super::schema::tower_file_schema;
 
 /// Names and the keys that they may mean, the likeliest first, each separated by blanks. Names are
 /// in small letters and without a unit at their end. The types of a foundation are here too.
-const SYNONYMS: [(&str, &str); 60] = [
+const SYNONYMS: [(&str, &str); 48] = [
     (
         "cg cog com cm centre centroid center_of_mass centre_of_mass center_of_gravity centre_of_gravity cg_offset position location offset",
         "center",
@@ -65,8 +67,6 @@ const SYNONYMS: [(&str, &str); 60] = [
     ("kz kzz k_z k_vertical axial kv", "vertical"),
     ("ktors krz kt torsional yaw", "torsion"),
     ("kxr klr cross cross_coupling k_coupling", "coupling"),
-    ("r footing_radius", "radius"),
-    ("embed embedment_depth", "embedment"),
     ("hydro_m hydrodynamic a_inf", "added_mass"),
     ("hydro_k hydro buoyancy hydrostatics", "hydrostatic"),
     ("mooring_k moorings lines", "mooring"),
@@ -110,28 +110,6 @@ const SYNONYMS: [(&str, &str); 60] = [
         "floater spar semi_submersible platform floating_platform",
         "floating",
     ),
-    ("footing half_space halfspace gravity_base", "half-space"),
-    (
-        "circular round_footing stratum layered_half_space",
-        "circular-footing",
-    ),
-    (
-        "rectangle rectangular rectangular_foundation raft",
-        "rectangular-footing",
-    ),
-    (
-        "caisson bucket suction_bucket suction_caisson skirt",
-        "suction-caisson",
-    ),
-    ("length_fore_aft lx side_x", "length_x"),
-    ("length_side_side width breadth ly side_y", "length_y"),
-    ("skirt_depth skirt_height", "skirt_length"),
-    (
-        "stratum_thickness layer_thickness depth_to_rock",
-        "soil_thickness",
-    ),
-    ("pile mono_pile", "monopile"),
-    ("winkler winkler_pile", "winkler-pile"),
 ];
 
 /// Units at the end of a key.
@@ -167,7 +145,10 @@ fn by_table<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
     let tables = tower_file_schema().iter();
     let described = tables.flat_map(|table| table.keys);
     let described = described.map(|key| (key.synonyms, key.name));
-    let rows = SYNONYMS.iter().copied().chain(described);
+    let blanks = Foundation::blank_forms();
+    let kinds = blanks.iter().filter_map(|blank| Some(blank.form()?.kind()));
+    let kinds = kinds.map(|kind| (kind.synonyms, kind.name));
+    let rows = SYNONYMS.iter().copied().chain(kinds).chain(described);
     let of_name = rows.filter(|(names, _)| names.split(' ').any(|other| other == name));
     let mut keys = of_name.flat_map(|(_, keys)| keys.split(' '));
     keys.find_map(|key| known.iter().copied().find(|known| *known == key))

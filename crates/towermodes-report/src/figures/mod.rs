@@ -1,7 +1,6 @@
 //! The figures, one per file or folder, each computed from results of the library.
 
 mod animation;
-mod buried;
 mod campbell;
 mod convergence;
 mod design;

@@ -2,7 +2,8 @@
 
 use towermodes::space::SpatialMatrix;
 use towermodes::{
-    FloatingPlatform, Foundation, Inertia, ReferredMatrix, StiffnessFoundation, TowerDescription,
+    FloatingPlatform, Foundation, FoundationSprings, Inertia, ReferredMatrix, StiffnessFoundation,
+    Support, TowerDescription,
 };
 
 /// A 3×3 matrix.
@@ -23,27 +24,25 @@ pub fn rotated(description: &TowerDescription, azimuth_rad: f64) -> TowerDescrip
     for mass in &mut turned.point_masses {
         mass.inertia_kg_m2 = turn.inertia(&mass.inertia_kg_m2);
     }
-    match &mut turned.foundation {
-        Foundation::Stiffness(foundation) => {
-            foundation.stiffness = turn.matrix(&foundation.stiffness);
-            foundation.inertia = turn.matrix(&foundation.inertia);
+    let turned_base = match description.foundation.support() {
+        Support::Stiffness(foundation) => {
+            Some(Foundation::Stiffness(Box::new(StiffnessFoundation {
+                stiffness: turn.matrix(&foundation.stiffness),
+                inertia: turn.matrix(&foundation.inertia),
+            })))
         }
-        Foundation::RectangularFooting(footing) => {
-            let stiffness = turn.matrix(&footing.stiffness());
-            turned.foundation = Foundation::Stiffness(Box::new(StiffnessFoundation {
-                stiffness,
-                ..StiffnessFoundation::default()
-            }));
+        Support::Floating(platform) => {
+            Some(Foundation::Floating(Box::new(turn.platform(platform))))
         }
-        Foundation::Floating(platform) => **platform = turn.platform(platform),
+        Support::Form(form) if FoundationSprings::of_matrix(&form.stiffness()).is_none() => {
+            let stiffness = turn.matrix(&form.stiffness());
+            Some(Foundation::Stiffness(Box::new(stiffness.into())))
+        }
         // The same in both planes.
-        Foundation::Clamped
-        | Foundation::Springs(_)
-        | Foundation::HalfSpace(_)
-        | Foundation::CircularFooting(_)
-        | Foundation::SuctionCaisson(_)
-        | Foundation::Monopile(_)
-        | Foundation::WinklerPile(_) => {}
+        Support::Clamped | Support::Springs(_) | Support::Form(_) => None,
+    };
+    if let Some(foundation) = turned_base {
+        turned.foundation = foundation;
     }
     turned
 }

@@ -34,6 +34,8 @@ pub struct Input {
     pub is_of_soil: bool,
     /// The usual range of towers.
     pub usual: Option<(Quantity, [f64; 2])>,
+    /// A key beside which it has no effect.
+    pub yields_to: Option<&'static str>,
     /// A key without which it has no effect, and what to do then.
     pub needs: Option<(&'static str, &'static str)>,
 }
@@ -61,6 +63,7 @@ impl Input {
             may_be_infinite: false,
             is_of_soil: false,
             usual: None,
+            yields_to: None,
             needs: None,
         }
     }
@@ -160,6 +163,13 @@ impl Input {
     #[must_use]
     pub const fn needs(mut self, key: &'static str, remedy: &'static str) -> Self {
         self.needs = Some((key, remedy));
+        self
+    }
+
+    /// It has no effect beside another key.
+    #[must_use]
+    pub const fn yields_to(mut self, key: &'static str) -> Self {
+        self.yields_to = Some(key);
         self
     }
 

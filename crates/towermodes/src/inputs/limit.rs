@@ -17,6 +17,8 @@ pub enum Limit {
     Stiffness,
     /// From the first number to the second.
     Within([f64; 2]),
+    /// Poisson's ratio of soil: from 0 to 0.5.
+    PoissonsRatioOfSoil,
     /// None; the check of its struct limits it.
     Elsewhere,
 }

@@ -50,3 +50,11 @@ pub fn given_inputs(inputs: &dyn Inputs) -> Vec<(&'static Input, Given)> {
     inputs.visit(&mut |input, given| all.push((input, given)));
     all
 }
+
+/// Multiplies the values that softer soil has smaller.
+pub fn multiply_soil(inputs: &mut dyn Inputs, factor: f64) {
+    inputs.update(&mut |input, given| match given.number() {
+        Some(value) if input.is_of_soil => given.with_number(factor * value),
+        _ => given,
+    });
+}

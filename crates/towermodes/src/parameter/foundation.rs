@@ -1,11 +1,12 @@
 //! The numbers of the foundation.
 
-use super::part::{Indices, Key, Part, fields, is_there};
+use super::part::{Indices, Key, Part, fields};
+use super::table::Table;
+use crate::inputs::every_input;
 use crate::space::SpatialMatrix;
 use crate::tower::{
-    CircularFooting, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Monopile, Place,
-    RectangularFooting, SoilSpring, StiffnessFoundation, SuctionCaisson, TowerDescription,
-    WinklerPile,
+    FloatingPlatform, FormKind, Foundation, FoundationSprings, Place, StiffnessFoundation,
+    TowerDescription,
 };
 
 /// The foundation of one type, for reading and for writing.
@@ -28,17 +29,6 @@ macro_rules! foundation_of {
 }
 
 foundation_of!(springs, springs_mut, Springs, FoundationSprings);
-foundation_of!(half_space, half_space_mut, HalfSpace, HalfSpace);
-foundation_of!(circular, circular_mut, CircularFooting, CircularFooting);
-foundation_of!(
-    rectangular,
-    rectangular_mut,
-    RectangularFooting,
-    RectangularFooting
-);
-foundation_of!(caisson, caisson_mut, SuctionCaisson, SuctionCaisson);
-foundation_of!(monopile, monopile_mut, Monopile, Monopile);
-foundation_of!(winkler_pile, winkler_pile_mut, WinklerPile, WinklerPile);
 foundation_of!(stiffness, stiffness_mut, Stiffness, StiffnessFoundation);
 foundation_of!(floating, floating_mut, Floating, FloatingPlatform);
 
@@ -72,136 +62,35 @@ foundation! {
         "torsion" "N m" "stiffness against rotation about z", "torsion" torsion_n_m;
 }
 
-foundation! {
-    /// `[foundation]` of type `half-space`.
-    HALF_SPACE = "foundation of type \"half-space\"", half_space half_space_mut:
-        "radius" "m" "radius", "radius" radius_m;
-        "embedment" "m" "depth of embedment", "embedment" embedment_m;
-        "soil_shear_modulus" "Pa" "shear modulus of the soil", "soil_shear_modulus" shear_modulus_pa;
-        "soil_poissons_ratio" "" "Poisson's ratio of the soil", "soil_poissons_ratio" poissons_ratio;
-}
-
-foundation! {
-    /// `[foundation]` of type `circular-footing`.
-    CIRCULAR_FOOTING = "foundation of type \"circular-footing\"", circular circular_mut:
-        "radius" "m" "radius", "radius" radius_m;
-        "embedment" "m" "depth of embedment", "embedment" embedment_m;
-        "soil_shear_modulus" "Pa" "shear modulus of the stratum", "soil_shear_modulus" shear_modulus_pa;
-        "soil_poissons_ratio" "" "Poisson's ratio of the stratum", "soil_poissons_ratio" poissons_ratio;
-        "soil_thickness" "m" "thickness of the stratum", "soil_thickness" stratum_thickness_m;
-        "lower_shear_modulus" "Pa" "shear modulus below the stratum", "lower_shear_modulus" lower_shear_modulus_pa;
-}
-
-foundation! {
-    /// `[foundation]` of type `rectangular-footing`.
-    RECTANGULAR_FOOTING = "foundation of type \"rectangular-footing\"", rectangular rectangular_mut:
-        "length_x" "m" "side along x", "length_x" length_x_m;
-        "length_y" "m" "side along y", "length_y" length_y_m;
-        "embedment" "m" "depth of embedment", "embedment" embedment_m;
-        "soil_shear_modulus" "Pa" "shear modulus of the soil", "soil_shear_modulus" shear_modulus_pa;
-        "soil_poissons_ratio" "" "Poisson's ratio of the soil", "soil_poissons_ratio" poissons_ratio;
-}
-
-foundation! {
-    /// `[foundation]` of type `suction-caisson`.
-    SUCTION_CAISSON = "foundation of type \"suction-caisson\"", caisson caisson_mut:
-        "diameter" "m" "diameter of the caisson", "diameter" diameter_m;
-        "skirt_length" "m" "length of the skirt", "skirt_length" skirt_length_m;
-        "soil_youngs_modulus" "Pa" "Young's modulus of the soil at the depth of one diameter", "soil_youngs_modulus" soil_youngs_modulus_pa;
-        "soil_poissons_ratio" "" "Poisson's ratio of the soil", "soil_poissons_ratio" soil_poissons_ratio;
-        "vertical" "N/m" "stiffness against z", "vertical" vertical_n_per_m;
-        "torsion" "N m" "stiffness against rotation about z", "torsion" torsion_n_m;
-}
-
-foundation! {
-    /// `[foundation]` of type `monopile`.
-    MONOPILE = "foundation of type \"monopile\"", monopile monopile_mut:
-        "diameter" "m" "outer diameter of the pile", "diameter" tube.diameter_m;
-        "wall_thickness" "m" "wall thickness of the pile", "wall_thickness" tube.wall_thickness_m;
-        "embedded_length" "m" "embedded length of the pile", "embedded_length" tube.embedded_length_m;
-        "youngs_modulus" "Pa" "Young's modulus of the pile", "youngs_modulus" tube.youngs_modulus_pa;
-        "soil_youngs_modulus" "Pa" "Young's modulus of the soil at the depth of one diameter", "soil_youngs_modulus" soil_youngs_modulus_pa;
-        "soil_poissons_ratio" "" "Poisson's ratio of the soil", "soil_poissons_ratio" soil_poissons_ratio;
-        "vertical" "N/m" "stiffness against z", "vertical" vertical_n_per_m;
-        "torsion" "N m" "stiffness against rotation about z", "torsion" torsion_n_m;
-}
-
-foundation! {
-    /// `[foundation]` of type `winkler-pile`.
-    WINKLER_PILE = "foundation of type \"winkler-pile\"", winkler_pile winkler_pile_mut:
-        "diameter" "m" "outer diameter of the pile", "diameter" tube.diameter_m;
-        "wall_thickness" "m" "wall thickness of the pile", "wall_thickness" tube.wall_thickness_m;
-        "embedded_length" "m" "embedded length of the pile", "embedded_length" tube.embedded_length_m;
-        "youngs_modulus" "Pa" "Young's modulus of the pile", "youngs_modulus" tube.youngs_modulus_pa;
-        "exponent" "" "exponent of the depth in the soil spring, or in the modulus of the soil", "exponent" exponent;
-        "vertical" "N/m" "stiffness against z", "vertical" vertical_n_per_m;
-        "torsion" "N m" "stiffness against rotation about z", "torsion" torsion_n_m;
-}
-
-/// A number of the springs along a pile, which has it or not.
-macro_rules! of_springs {
-    ($($(#[$doc:meta])+ $id:ident = $key:literal $unit:literal $meaning:literal, $get:ident;)+) => {
-        $($(#[$doc])+ pub(super) static $id: Part = Part {
-            name: "foundation",
-            noun: "foundation of type \"winkler-pile\"",
-            count: |d| usize::from(of_springs(d, $get).is_some()),
-            rows: |_, _| 1,
-            is_symmetric: false,
-            keys: &[Key {
-                name: $key,
-                unit: $unit,
-                meaning: $meaning,
-                place: |_| Place::Foundation { key: $key },
-                get: |d, _| of_springs(d, $get),
-                set: |d, _, value| {
-                    *$get(&mut winkler_pile_mut(d)?.soil_spring)? = value;
-                    Some(())
-                },
-                is_listed: is_there,
-            }],
-        };)+
+/// The foundations by closed form, each of which is a table.
+pub(super) fn closed_forms() -> Vec<Table> {
+    let blanks = Foundation::blank_forms();
+    let kinds = blanks.iter().filter_map(|blank| Some(blank.form()?.kind()));
+    let table = |kind: &'static FormKind| Table {
+        name: "foundation",
+        noun: format!("foundation of type \"{}\"", kind.name).leak(),
+        kind: kind.name,
+        get: |d, i, kind| {
+            let form = d
+                .foundation
+                .form()
+                .filter(|form| form.kind().name == kind)?;
+            (i[0] == 0).then_some(form)
+        },
+        get_mut: |d, _, kind| {
+            let form = d.foundation.form_mut()?;
+            (form.kind().name == kind).then_some(form)
+        },
+        every: |kind| {
+            let blanks = Foundation::blank_forms();
+            let mut forms = blanks.iter().filter_map(Foundation::form);
+            let form = forms.find(|form| form.kind().name == kind);
+            form.map_or_else(Vec::new, |form| every_input(form))
+        },
+        place: |_, key| Place::Foundation { key },
+        absent: |_| None,
     };
-}
-
-of_springs! {
-    /// `soil_spring` of a pile.
-    SOIL_SPRING = "soil_spring" "N/m2" "soil spring at the depth of one diameter", given_spring;
-    /// `soil_youngs_modulus` of a pile whose springs follow from it.
-    SPRING_MODULUS = "soil_youngs_modulus" "Pa" "Young's modulus of the soil at the depth of one diameter", spring_modulus;
-    /// `soil_poissons_ratio` of a pile whose springs follow from it.
-    SPRING_RATIO = "soil_poissons_ratio" "" "Poisson's ratio of the soil", spring_ratio;
-}
-
-fn of_springs(
-    description: &TowerDescription,
-    number: fn(&mut SoilSpring) -> Option<&mut f64>,
-) -> Option<f64> {
-    let mut spring = winkler_pile(description)?.soil_spring;
-    number(&mut spring).copied()
-}
-
-fn given_spring(spring: &mut SoilSpring) -> Option<&mut f64> {
-    match spring {
-        SoilSpring::Given { spring_n_per_m2 } => Some(spring_n_per_m2),
-        SoilSpring::Gazetas { .. } | SoilSpring::Vesic { .. } => None,
-    }
-}
-
-fn spring_modulus(spring: &mut SoilSpring) -> Option<&mut f64> {
-    match spring {
-        SoilSpring::Given { .. } => None,
-        SoilSpring::Gazetas { youngs_modulus_pa }
-        | SoilSpring::Vesic {
-            youngs_modulus_pa, ..
-        } => Some(youngs_modulus_pa),
-    }
-}
-
-fn spring_ratio(spring: &mut SoilSpring) -> Option<&mut f64> {
-    match spring {
-        SoilSpring::Given { .. } | SoilSpring::Gazetas { .. } => None,
-        SoilSpring::Vesic { poissons_ratio, .. } => Some(poissons_ratio),
-    }
+    kinds.map(table).collect()
 }
 
 foundation! {

@@ -27,48 +27,49 @@ pub use change::{Change, Operation};
 pub use error::ParameterError;
 
 use std::fmt;
+use std::sync::LazyLock;
 
 use crate::tower::{Place, TowerDescription};
 use holder::Holder;
 use name::Name;
 use number::Number;
 use part::Indices;
+use table::Table;
 
 /// The parts of a tower in the order of the tower file.
-static PARTS: [Holder; 32] = [
-    Holder::Part(&structure::MATERIAL),
-    Holder::Part(&structure::MATERIALS),
-    Holder::Part(&structure::TOWER),
-    Holder::Part(&structure::STATIONS),
-    Holder::Part(&structure::PROPERTIES),
-    Holder::Part(&bodies::RNA),
-    Holder::Part(&bodies::ROTOR),
-    Holder::Part(&bodies::POINT_MASSES),
-    Holder::Part(&foundation::STIFFNESS_MATRIX),
-    Holder::Part(&foundation::STIFFNESS_MASS),
-    Holder::Part(&foundation::SPRINGS),
-    Holder::Part(&foundation::HALF_SPACE),
-    Holder::Part(&foundation::CIRCULAR_FOOTING),
-    Holder::Part(&foundation::RECTANGULAR_FOOTING),
-    Holder::Part(&foundation::SUCTION_CAISSON),
-    Holder::Part(&foundation::MONOPILE),
-    Holder::Part(&foundation::WINKLER_PILE),
-    Holder::Part(&foundation::SOIL_SPRING),
-    Holder::Part(&foundation::SPRING_MODULUS),
-    Holder::Part(&foundation::SPRING_RATIO),
-    Holder::Part(&foundation::FLOATING),
-    Holder::Part(&foundation::FLOATING_ADDED_MASS),
-    Holder::Part(&foundation::FLOATING_HYDROSTATIC),
-    Holder::Part(&foundation::FLOATING_MOORING),
-    Holder::Part(&surroundings::SOIL),
-    Holder::Part(&ground::GROUND),
-    Holder::Part(&ground::LAYERS),
-    Holder::Part(&ground::ROWS),
-    Holder::Part(&surroundings::ADDED_MASS),
-    Holder::Table(&surroundings::WATER),
-    Holder::Part(&surroundings::WIRES),
-    Holder::Part(&surroundings::GRAVITY),
-];
+static PARTS: LazyLock<Vec<Holder>> = LazyLock::new(|| {
+    let first = [
+        Holder::Part(&structure::MATERIAL),
+        Holder::Part(&structure::MATERIALS),
+        Holder::Part(&structure::TOWER),
+        Holder::Part(&structure::STATIONS),
+        Holder::Part(&structure::PROPERTIES),
+        Holder::Part(&bodies::RNA),
+        Holder::Part(&bodies::ROTOR),
+        Holder::Part(&bodies::POINT_MASSES),
+        Holder::Part(&foundation::STIFFNESS_MATRIX),
+        Holder::Part(&foundation::STIFFNESS_MASS),
+        Holder::Part(&foundation::SPRINGS),
+    ];
+    // Made once, for as long as the program runs.
+    let forms: &'static [Table] = foundation::closed_forms().leak();
+    let last = [
+        Holder::Part(&foundation::FLOATING),
+        Holder::Part(&foundation::FLOATING_ADDED_MASS),
+        Holder::Part(&foundation::FLOATING_HYDROSTATIC),
+        Holder::Part(&foundation::FLOATING_MOORING),
+        Holder::Part(&surroundings::SOIL),
+        Holder::Part(&ground::GROUND),
+        Holder::Part(&ground::LAYERS),
+        Holder::Part(&ground::ROWS),
+        Holder::Part(&surroundings::ADDED_MASS),
+        Holder::Table(&surroundings::WATER),
+        Holder::Part(&surroundings::WIRES),
+        Holder::Part(&surroundings::GRAVITY),
+    ];
+    let forms = forms.iter().map(Holder::Table);
+    first.into_iter().chain(forms).chain(last).collect()
+});
 
 /// The address of one number of a tower. It is displayed as its name.
 ///

@@ -1,7 +1,9 @@
 //! The lowest section of a tower: its free motions, its support, the inertia that moves with it.
 
 use super::attachment::spatial_inertia;
-use super::foundation::{FloatingPlatform, Foundation, FoundationSprings, ReferredMatrix};
+use super::foundation::{
+    FloatingPlatform, Foundation, ReferredMatrix, StiffnessFoundation, Support,
+};
 use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
 
 /// The base of a tower, for its motion (x, y, z, rotation about x, y, z).
@@ -27,29 +29,12 @@ impl Base {
     /// Of a foundation under a tower with its base at `base_m` that carries `mass_kg`, with all
     /// that is on it.
     pub(super) fn new(foundation: &Foundation, base_m: f64, mass_kg: f64) -> Self {
-        match foundation {
-            Foundation::Clamped => Self::default(),
-            Foundation::Stiffness(foundation) => {
-                let (moves, stiffness) = foundation.moving();
-                Self {
-                    moves,
-                    stiffness: symmetrized(&stiffness),
-                    inertia: symmetrized(&foundation.inertia),
-                    ..Self::default()
-                }
-            }
-            Foundation::Springs(springs) => Self::on_springs(springs),
-            Foundation::HalfSpace(footing) => Self::on_springs(&footing.springs()),
-            Foundation::CircularFooting(footing) => Self::on_springs(&footing.springs()),
-            Foundation::RectangularFooting(footing) => Self {
-                moves: [true; 6],
-                stiffness: footing.stiffness(),
-                ..Self::default()
-            },
-            Foundation::SuctionCaisson(caisson) => Self::on_springs(&caisson.springs()),
-            Foundation::Monopile(pile) => Self::on_springs(&pile.springs()),
-            Foundation::WinklerPile(pile) => Self::on_springs(&pile.springs()),
-            Foundation::Floating(platform) => Self::afloat(platform, base_m, mass_kg),
+        match foundation.support() {
+            Support::Clamped => Self::default(),
+            Support::Stiffness(foundation) => Self::on(foundation),
+            Support::Springs(springs) => Self::on(&springs.matrix().into()),
+            Support::Form(form) => Self::on(&form.stiffness().into()),
+            Support::Floating(platform) => Self::afloat(platform, base_m, mass_kg),
         }
     }
 
@@ -58,23 +43,12 @@ impl Base {
         self.moves == [false; 6]
     }
 
-    fn on_springs(springs: &FoundationSprings) -> Self {
-        let diagonal = springs.diagonal();
-        let moves = diagonal.map(f64::is_finite);
-        let mut stiffness = [[0.0; 6]; 6];
-        for i in (0..6).filter(|&i| moves[i]) {
-            stiffness[i][i] = diagonal[i];
-        }
-        // A lateral spring that is rigid has no coupling: validation saw to that.
-        for (translation, rotation, sign) in [(0, 4, 1.0), (1, 3, -1.0)] {
-            if moves[translation] && moves[rotation] {
-                stiffness[translation][rotation] = sign * springs.coupling_n;
-                stiffness[rotation][translation] = sign * springs.coupling_n;
-            }
-        }
+    fn on(foundation: &StiffnessFoundation) -> Self {
+        let (moves, stiffness) = foundation.moving();
         Self {
             moves,
-            stiffness,
+            stiffness: symmetrized(&stiffness),
+            inertia: symmetrized(&foundation.inertia),
             ..Self::default()
         }
     }

@@ -1,9 +1,14 @@
 //! The foundation of a tower as its user describes it.
 
+use std::borrow::{Borrow, BorrowMut};
+
 use super::closed_form::{
-    CircularFooting, Monopile, RectangularFooting, SuctionCaisson, WinklerPile,
+    CircularFooting, ClosedForm, HalfSpace, Monopile, RectangularFooting, SuctionCaisson,
+    WinklerPile,
 };
+use super::foundation_springs::FoundationSprings;
 use super::inertia::Inertia;
+use crate::inputs::Inputs;
 use crate::space::SpatialMatrix;
 
 /// The support of the lowest station.
@@ -53,27 +58,80 @@ pub enum Foundation {
     Floating(Box<FloatingPlatform>),
 }
 
+/// The foundations by closed form, whose variants have the names of their types. Nothing else in
+/// the program names all of them.
+macro_rules! closed_forms {
+    ($($kind:ident),+) => {
+        impl Foundation {
+            /// It, with all closed forms as one.
+            pub fn support(&self) -> Support<'_> {
+                match self {
+                    Self::Clamped => Support::Clamped,
+                    Self::Stiffness(matrices) => Support::Stiffness(matrices),
+                    Self::Springs(springs) => Support::Springs(springs),
+                    Self::Floating(platform) => Support::Floating(platform),
+                    $(Self::$kind(form) => Support::Form(Borrow::<$kind>::borrow(form)),)+
+                }
+            }
+
+            /// The foundation by closed form, if it is one, to change it.
+            pub fn form_mut(&mut self) -> Option<&mut dyn ClosedForm> {
+                match self {
+                    $(Self::$kind(form) => Some(BorrowMut::<$kind>::borrow_mut(form)),)+
+                    Self::Clamped | Self::Stiffness(_) | Self::Springs(_) | Self::Floating(_) => {
+                        None
+                    }
+                }
+            }
+
+            /// One of each closed form, in the order of the documentation, with blank values.
+            pub fn blank_forms() -> Vec<Self> {
+                vec![$(Self::$kind(<$kind as Inputs>::blank().into())),+]
+            }
+        }
+    };
+}
+
+closed_forms!(
+    HalfSpace,
+    CircularFooting,
+    RectangularFooting,
+    SuctionCaisson,
+    Monopile,
+    WinklerPile
+);
+
+/// A [`Foundation`] in which all closed forms are one.
+#[derive(Debug, Clone, Copy)]
+pub enum Support<'f> {
+    /// It does not move.
+    Clamped,
+    /// A stiffness for all six motions, and possibly an inertia.
+    Stiffness(&'f StiffnessFoundation),
+    /// Springs, any of which may be infinite.
+    Springs(&'f FoundationSprings),
+    /// A rigid floating platform.
+    Floating(&'f FloatingPlatform),
+    /// A closed form.
+    Form(&'f dyn ClosedForm),
+}
+
 impl Foundation {
-    /// The stiffness that follows from the dimensions and the soil of a foundation that is given by
-    /// these, as in [`StiffnessFoundation`]; none for the others.
-    pub fn derived_stiffness(&self) -> Option<SpatialMatrix> {
-        match self {
-            Self::HalfSpace(footing) => Some(footing.springs().matrix()),
-            Self::CircularFooting(footing) => Some(footing.springs().matrix()),
-            Self::RectangularFooting(footing) => Some(footing.stiffness()),
-            Self::SuctionCaisson(caisson) => Some(caisson.springs().matrix()),
-            Self::Monopile(pile) => Some(pile.springs().matrix()),
-            Self::WinklerPile(pile) => Some(pile.springs().matrix()),
-            Self::Clamped | Self::Stiffness(_) | Self::Springs(_) | Self::Floating(_) => None,
+    /// The foundation by closed form, if it is one.
+    pub fn form(&self) -> Option<&dyn ClosedForm> {
+        match self.support() {
+            Support::Form(form) => Some(form),
+            Support::Clamped
+            | Support::Stiffness(_)
+            | Support::Springs(_)
+            | Support::Floating(_) => None,
         }
     }
 
-    /// Whether it is a pile or a caisson by closed form, which contains the soil around it.
-    pub(super) fn contains_soil(&self) -> bool {
-        matches!(
-            self,
-            Self::Monopile(_) | Self::WinklerPile(_) | Self::SuctionCaisson(_)
-        )
+    /// The stiffness that follows from the dimensions and the soil of a foundation that is given by
+    /// these, as in [`StiffnessFoundation`]; none for the others.
+    pub fn derived_stiffness(&self) -> Option<SpatialMatrix> {
+        self.form().map(ClosedForm::stiffness)
     }
 }
 
@@ -88,20 +146,14 @@ pub struct StiffnessFoundation {
     pub inertia: SpatialMatrix,
 }
 
-/// Springs under the base, the same in both planes; infinity is a rigid one, zero none.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FoundationSprings {
-    /// Against translation x and y, N/m.
-    pub lateral_n_per_m: f64,
-    /// Against rotation about x and y, N m.
-    pub rocking_n_m: f64,
-    /// Between x and rotation about y, and with the opposite sign between y and rotation about x,
-    /// N.
-    pub coupling_n: f64,
-    /// Against translation z, N/m.
-    pub vertical_n_per_m: f64,
-    /// Against rotation about z, N m.
-    pub torsion_n_m: f64,
+impl From<SpatialMatrix> for StiffnessFoundation {
+    /// A stiffness without inertia.
+    fn from(stiffness: SpatialMatrix) -> Self {
+        Self {
+            stiffness,
+            ..Self::default()
+        }
+    }
 }
 
 impl StiffnessFoundation {
@@ -117,85 +169,6 @@ impl StiffnessFoundation {
         };
         let stiffness = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
         (moves, stiffness)
-    }
-}
-
-impl FoundationSprings {
-    /// Rigid in every direction.
-    pub const RIGID: Self = Self {
-        lateral_n_per_m: f64::INFINITY,
-        rocking_n_m: f64::INFINITY,
-        coupling_n: 0.0,
-        vertical_n_per_m: f64::INFINITY,
-        torsion_n_m: f64::INFINITY,
-    };
-
-    /// The stiffness for the motion (x, y, z, rotation about x, y, z) of the base; a rigid spring
-    /// is infinite on its diagonal.
-    pub(super) fn matrix(&self) -> SpatialMatrix {
-        let mut matrix = SpatialMatrix::default();
-        for (i, value) in self.diagonal().into_iter().enumerate() {
-            matrix[i][i] = value;
-        }
-        for (translation, rotation, sign) in [(0, 4, 1.0), (1, 3, -1.0)] {
-            matrix[translation][rotation] = sign * self.coupling_n;
-            matrix[rotation][translation] = sign * self.coupling_n;
-        }
-        matrix
-    }
-
-    /// Along the diagonal of the stiffness: x, y, z, rotation about x, y, z.
-    pub(super) fn diagonal(&self) -> [f64; 6] {
-        let (lateral, rocking) = (self.lateral_n_per_m, self.rocking_n_m);
-        [
-            lateral,
-            lateral,
-            self.vertical_n_per_m,
-            rocking,
-            rocking,
-            self.torsion_n_m,
-        ]
-    }
-}
-
-/// A rigid circular footing in an elastic half-space.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct HalfSpace {
-    /// Radius R, m.
-    pub radius_m: f64,
-    /// Depth of embedment e, m.
-    pub embedment_m: f64,
-    /// Shear modulus G of the soil, Pa.
-    pub shear_modulus_pa: f64,
-    /// Poisson's ratio ν of the soil.
-    pub poissons_ratio: f64,
-}
-
-impl HalfSpace {
-    /// The springs of the footing, static and uncoupled:
-    ///
-    /// | | surface footing | times, for embedment e |
-    /// |---|---|---|
-    /// | vertical | 4GR/(1−ν) | 1 + 0.6 (1−ν) e/R |
-    /// | lateral | 32(1−ν)GR/(7−8ν) | 1 + 0.55 (2−ν) e/R |
-    /// | rocking | 8GR³/(3(1−ν)) | 1 + 1.2 (1−ν) e/R + 0.2 (2−ν) (e/R)³ |
-    /// | torsion | 16GR³/3 | 1 |
-    ///
-    /// Source: Arya, O'Neill & Pincus, *Design of Structures and Foundations for Vibrating
-    /// Machines* (1979), ch. 4, after Richart, Hall & Woods (1970) and Whitman (1972).
-    pub fn springs(&self) -> FoundationSprings {
-        let (g, r, nu) = (self.shear_modulus_pa, self.radius_m, self.poissons_ratio);
-        let e = self.embedment_m / r;
-        let vertical = 1.0 + 0.6 * (1.0 - nu) * e;
-        let lateral = 1.0 + 0.55 * (2.0 - nu) * e;
-        let rocking = 1.0 + 1.2 * (1.0 - nu) * e + 0.2 * (2.0 - nu) * e.powi(3);
-        FoundationSprings {
-            lateral_n_per_m: 32.0 * (1.0 - nu) * g * r / (7.0 - 8.0 * nu) * lateral,
-            rocking_n_m: 8.0 * g * r.powi(3) / (3.0 * (1.0 - nu)) * rocking,
-            coupling_n: 0.0,
-            vertical_n_per_m: 4.0 * g * r / (1.0 - nu) * vertical,
-            torsion_n_m: 16.0 * g * r.powi(3) / 3.0,
-        }
     }
 }
 

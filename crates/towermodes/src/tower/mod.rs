@@ -11,6 +11,7 @@ mod drivetrain;
 mod environment;
 mod error;
 mod foundation;
+mod foundation_springs;
 mod fronts;
 mod ground;
 mod immersion;
@@ -49,18 +50,17 @@ pub(crate) use attachment::spatial_inertia;
 pub use axisymmetric::Axisymmetric;
 pub use base::Base;
 pub use closed_form::{
-    BeamFormula, CircularFooting, FootingFormula, HeadStiffness, Monopile, PileBehaviour,
-    PileFormula, PileTube, RectangularFooting, Slenderness, SoilProfile, SoilSpring,
-    SuctionCaisson, WinklerPile,
+    BeamFormula, Buried, CircularFooting, ClosedForm, FootingFormula, FormKind, HalfSpace,
+    HeadStiffness, Monopile, PileBehaviour, PileFormula, PileTube, RectangularFooting, Slenderness,
+    SoilBelow, SoilProfile, SoilSpring, SuctionCaisson, WinklerPile,
 };
 pub use damping::{Damping, LossFactors, RotorAerodynamics};
 pub use description::{PointMass, PropertyStation, Rna, Station, TowerDescription};
 pub use drivetrain::Drivetrain;
 pub use environment::Environment;
 pub use error::{FreeMotions, Place, Problem, TowerError};
-pub use foundation::{
-    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, ReferredMatrix, StiffnessFoundation,
-};
+pub use foundation::{FloatingPlatform, Foundation, ReferredMatrix, StiffnessFoundation, Support};
+pub use foundation_springs::FoundationSprings;
 pub use ground::{
     ApiEdition, AxialModel, Clay, Ground, GroundLayer, LayerSoil, PyRow, Rock, Sand, Scour,
     ShearModulus, SoilModel,

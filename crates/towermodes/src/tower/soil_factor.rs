@@ -1,8 +1,10 @@
 //! The same tower in softer or stiffer soil.
 
 use super::description::TowerDescription;
-use super::foundation::{Foundation, FoundationSprings, StiffnessFoundation};
+use super::foundation::{Foundation, Support};
+use super::foundation_springs::FoundationSprings;
 use super::surroundings::SoilStiffness;
+use crate::inputs::multiply_soil;
 
 impl TowerDescription {
     /// Whether its frequencies depend on soil: it has soil springs or layers of soil, or its base
@@ -55,44 +57,28 @@ impl TowerDescription {
 /// Whether the base can move against springs.
 fn is_elastic(foundation: &Foundation) -> bool {
     let is_spring = |spring: f64| spring.is_finite() && spring != 0.0;
-    match foundation {
-        Foundation::Clamped | Foundation::Floating(_) => false,
-        Foundation::Springs(springs) => springs.diagonal().into_iter().any(is_spring),
-        Foundation::Stiffness(base) => {
-            (0..6).any(|motion| is_spring(base.stiffness[motion][motion]))
-        }
-        Foundation::HalfSpace(_)
-        | Foundation::CircularFooting(_)
-        | Foundation::RectangularFooting(_)
-        | Foundation::SuctionCaisson(_)
-        | Foundation::Monopile(_)
-        | Foundation::WinklerPile(_) => true,
+    match foundation.support() {
+        Support::Clamped | Support::Floating(_) => false,
+        Support::Springs(springs) => springs.diagonal().into_iter().any(is_spring),
+        Support::Stiffness(base) => (0..6).any(|motion| is_spring(base.stiffness[motion][motion])),
+        Support::Form(_) => true,
     }
 }
 
-/// The foundation on soil that is `factor` times as stiff.
+/// The foundation on soil that is `factor` times as stiff; what is rigid stays rigid.
 fn on_soil(foundation: &Foundation, factor: f64) -> Foundation {
     let mut changed = foundation.clone();
     match &mut changed {
-        Foundation::Clamped | Foundation::Floating(_) => {}
         Foundation::Springs(springs) => *springs = times(springs, factor),
         Foundation::Stiffness(base) => {
-            let StiffnessFoundation { stiffness, .. } = &mut **base;
-            stiffness
-                .iter_mut()
-                .flatten()
-                .for_each(|entry| *entry *= factor);
+            let entries = base.stiffness.iter_mut().flatten();
+            entries.for_each(|entry| *entry *= factor);
         }
-        Foundation::HalfSpace(footing) => footing.shear_modulus_pa *= factor,
-        Foundation::Monopile(pile) => pile.soil_youngs_modulus_pa *= factor,
-        Foundation::CircularFooting(footing) => {
-            footing.shear_modulus_pa *= factor;
-            // Infinite for rock, which stays rigid.
-            footing.lower_shear_modulus_pa *= factor;
+        other => {
+            if let Some(form) = other.form_mut() {
+                multiply_soil(form, factor);
+            }
         }
-        Foundation::RectangularFooting(footing) => footing.shear_modulus_pa *= factor,
-        Foundation::SuctionCaisson(caisson) => caisson.soil_youngs_modulus_pa *= factor,
-        Foundation::WinklerPile(pile) => pile.soil_spring = pile.soil_spring.times(factor),
     }
     changed
 }

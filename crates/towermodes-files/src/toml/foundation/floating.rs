@@ -2,7 +2,7 @@
 
 use towermodes::{FloatingPlatform, Foundation, ReferredMatrix};
 
-use super::{Kind, at};
+use super::{Kind, Read, at};
 use crate::toml::body::{center, inertia};
 use crate::toml::matrix::matrix;
 use crate::toml::reading::Reading;
@@ -14,7 +14,7 @@ pub(super) const KIND: Kind = Kind {
     name: "floating",
     schema: &schema::FLOATING,
     nature: "the stiffness of a floating platform is given by its matrices hydrostatic and mooring",
-    read,
+    read: Read::By(read),
 };
 
 /// Where the centre of mass is measured from.

@@ -1,19 +1,16 @@
-//! `[foundation]`: its type, and which keys belong to which.
+//! `[foundation]`: its type, and which keys belong to which. The values of a foundation by closed
+//! form are described beside its fields.
 
-mod choice;
 mod floating;
-mod footings;
-mod half_space;
-mod pile;
 mod springs;
 mod stiffness;
 
-pub(super) use footings::FOOTING_FORMULAS;
-pub(super) use pile::{BEAM_FORMULAS, FORMULAS, PROFILES, SPRING_FORMULAS, SpringFormula};
+use std::sync::LazyLock;
 
 use towermodes::{Foundation, Place};
 
 use super::choice::ChoiceWords;
+use super::inputs::read_into;
 use super::kind::{TableKind, kind_of, owners};
 use super::reading::Reading;
 use super::schema::{self, TableSchema};
@@ -26,7 +23,15 @@ struct Kind {
     schema: &'static TableSchema,
     /// How it holds the tower, for hints on keys of other types.
     nature: &'static str,
-    read: fn(&Table<'_>, &mut Reading) -> Option<Foundation>,
+    read: Read,
+}
+
+/// How a foundation is read.
+enum Read {
+    /// By a function.
+    By(fn(&Table<'_>, &mut Reading) -> Option<Foundation>),
+    /// By the descriptions of the values of a blank one.
+    Into(Foundation),
 }
 
 impl TableKind for Kind {
@@ -46,24 +51,36 @@ impl TableKind for Kind {
     }
 }
 
-static KINDS: [Kind; 10] = [
-    CLAMPED,
-    stiffness::KIND,
-    springs::KIND,
-    half_space::KIND,
-    footings::CIRCULAR,
-    footings::RECTANGULAR,
-    footings::CAISSON,
-    pile::MONOPILE,
-    pile::WINKLER_PILE,
-    floating::KIND,
-];
+static KINDS: LazyLock<Vec<Kind>> = LazyLock::new(|| {
+    let first = [CLAMPED, stiffness::KIND, springs::KIND];
+    first
+        .into_iter()
+        .chain(closed_forms())
+        .chain([floating::KIND])
+        .collect()
+});
+
+/// The foundations by closed form.
+fn closed_forms() -> impl Iterator<Item = Kind> {
+    let blanks = Foundation::blank_forms().into_iter();
+    blanks
+        .zip(schema::CLOSED_FORMS.iter())
+        .filter_map(|(blank, schema)| {
+            let kind = blank.form()?.kind();
+            Some(Kind {
+                name: kind.name,
+                schema,
+                nature: kind.nature,
+                read: Read::Into(blank),
+            })
+        })
+}
 
 const CLAMPED: Kind = Kind {
     name: "clamped",
     schema: &schema::CLAMPED,
     nature: "a clamped base does not move",
-    read: |_, _| Some(Foundation::Clamped),
+    read: Read::By(|_, _| Some(Foundation::Clamped)),
 };
 
 fn at(key: &'static str) -> Place {
@@ -80,5 +97,12 @@ pub(super) fn foundation(root: &Table<'_>, reading: &mut Reading) -> Option<Foun
     let name = kind.schema.name;
     let elsewhere = |key: &str| Some(format!("{}; {}", owners(key, &KINDS)?, kind.nature));
     let table = Table::with_elsewhere(value, name, kind.schema, elsewhere, reading)?;
-    (kind.read)(&table, reading)
+    match &kind.read {
+        Read::By(read) => read(&table, reading),
+        Read::Into(blank) => {
+            let mut foundation = blank.clone();
+            read_into(foundation.form_mut()?, &table, &at, reading)?;
+            Some(foundation)
+        }
+    }
 }

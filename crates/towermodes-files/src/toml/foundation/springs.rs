@@ -2,7 +2,7 @@
 
 use towermodes::{Foundation, FoundationSprings};
 
-use super::{Kind, at};
+use super::{Kind, Read, at};
 use crate::toml::reading::Reading;
 use crate::toml::schema;
 use crate::toml::table::Table;
@@ -12,7 +12,7 @@ pub(super) const KIND: Kind = Kind {
     name: "springs",
     schema: &schema::SPRINGS,
     nature: "each motion has its own spring",
-    read,
+    read: Read::By(read),
 };
 
 fn read(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {

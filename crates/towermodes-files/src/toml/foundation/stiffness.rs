@@ -2,7 +2,7 @@
 
 use towermodes::{Foundation, StiffnessFoundation};
 
-use super::{Kind, at};
+use super::{Kind, Read, at};
 use crate::toml::matrix::matrix;
 use crate::toml::reading::Reading;
 use crate::toml::schema;
@@ -13,7 +13,7 @@ pub(super) const KIND: Kind = Kind {
     name: "stiffness",
     schema: &schema::STIFFNESS,
     nature: "the matrix contains the whole stiffness",
-    read,
+    read: Read::By(read),
 };
 
 fn read(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {

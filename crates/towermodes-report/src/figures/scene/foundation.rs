@@ -1,11 +1,10 @@
 //! The foundation in space: springs, a footing or a pile, a platform with its moorings.
 
 use towermodes::space::SpatialMatrix;
-use towermodes::{FloatingPlatform, Foundation, FoundationSprings, Tower, TowerDescription};
+use towermodes::{Buried, FloatingPlatform, FoundationSprings, Support, Tower, TowerDescription};
 
 use super::solids::{ball, block, circle, link, ring, solid};
 use super::{Body, FAR, Form, HALF_SIDE, MASS, Substance};
-use crate::figures::buried::{Buried, buried};
 use crate::figures::outline::outer_diameter_m;
 use crate::figures::tower::{keel_m, on_diagonal};
 
@@ -21,12 +20,12 @@ const ANCHORS: f64 = 0.45;
 
 /// The bodies of a foundation; none for a clamped base.
 pub(super) fn foundation(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
-    match &description.foundation {
-        Foundation::Clamped => Vec::new(),
-        Foundation::Springs(given) => springs(tower, given),
-        Foundation::Stiffness(matrices) => springs(tower, &on_diagonal(matrices)),
-        Foundation::Floating(platform) => floating(tower, platform),
-        by_dimensions => buried(by_dimensions).map_or_else(Vec::new, |of| in_soil(tower, of)),
+    match description.foundation.support() {
+        Support::Clamped => Vec::new(),
+        Support::Springs(given) => springs(tower, given),
+        Support::Stiffness(matrices) => springs(tower, &on_diagonal(matrices)),
+        Support::Floating(platform) => floating(tower, platform),
+        Support::Form(form) => in_soil(tower, form.buried()),
     }
 }
 

@@ -1,10 +1,11 @@
 //! The foundation: hatching, springs, a footing or a pile.
 
-use towermodes::{Foundation, FoundationSprings, StiffnessFoundation, Tower};
+use towermodes::{
+    Buried, ClosedForm, Foundation, FoundationSprings, StiffnessFoundation, Support, Tower,
+};
 
 use super::callouts::{Callout, Subject};
 use super::view::View;
-use crate::figures::buried::{Buried, buried};
 use crate::figures::outline::outer_diameter_m;
 use crate::figures::symbols::{held_below, held_left, rigid_link, spiral, spring, turn};
 use crate::number::{length, mass, stiffness};
@@ -12,10 +13,10 @@ use crate::svg::{Colour, Drawing, Stroke};
 
 /// Room that a foundation needs below the base.
 pub(super) fn below(foundation: &Foundation) -> f64 {
-    match foundation {
-        Foundation::Clamped => 26.0,
-        Foundation::Floating(_) => 16.0,
-        _ => 58.0,
+    match foundation.support() {
+        Support::Clamped => 26.0,
+        Support::Floating(_) => 16.0,
+        Support::Stiffness(_) | Support::Springs(_) | Support::Form(_) => 58.0,
     }
 }
 
@@ -26,17 +27,15 @@ pub(super) fn draw_foundation(
     tower: &Tower,
     foundation: &Foundation,
 ) {
-    match foundation {
-        Foundation::Clamped => draw_clamp(drawing, view, tower),
-        Foundation::Stiffness(matrices) => {
+    match foundation.support() {
+        Support::Clamped => draw_clamp(drawing, view, tower),
+        Support::Stiffness(matrices) => {
             draw_springs(drawing, view, tower, &on_diagonal(matrices));
         }
-        Foundation::Springs(springs) => draw_springs(drawing, view, tower, springs),
-        Foundation::Floating(_) => {}
-        by_dimensions => {
-            if let Some(of) = buried(by_dimensions) {
-                draw_in_soil(drawing, view, &InSoil::new(view, tower, of));
-            }
+        Support::Springs(springs) => draw_springs(drawing, view, tower, springs),
+        Support::Floating(_) => {}
+        Support::Form(form) => {
+            draw_in_soil(drawing, view, &InSoil::new(view, tower, form.buried()))
         }
     }
 }
@@ -161,19 +160,19 @@ fn draw_in_soil(drawing: &mut Drawing, view: &View, body: &InSoil) {
 pub(super) fn callout(view: &View, tower: &Tower, foundation: &Foundation) -> Option<Callout> {
     let (x, y) = (view.axis_x, view.y(tower.base_m()));
     let half = base_radius(view, tower);
-    let (at, lines) = match foundation {
-        Foundation::Clamped => ((x + half + 14.0, y + 5.0), vec!["clamped".to_owned()]),
-        Foundation::Springs(springs) if is_rigid(springs) => (
+    let (at, lines) = match foundation.support() {
+        Support::Clamped => ((x + half + 14.0, y + 5.0), vec!["clamped".to_owned()]),
+        Support::Springs(springs) if is_rigid(springs) => (
             (x + half + 14.0, y + 5.0),
             vec!["springs, all rigid: clamped".to_owned()],
         ),
-        Foundation::Springs(springs) => ((x + half + 27.0, y + 6.0), spring_lines(springs)),
-        Foundation::Stiffness(matrices) => ((x + half + 27.0, y + 6.0), matrix_lines(matrices)),
-        Foundation::Floating(_) => return None,
-        by_dimensions => {
-            let body = InSoil::new(view, tower, buried(by_dimensions)?);
+        Support::Springs(springs) => ((x + half + 27.0, y + 6.0), spring_lines(springs)),
+        Support::Stiffness(matrices) => ((x + half + 27.0, y + 6.0), matrix_lines(matrices)),
+        Support::Floating(_) => return None,
+        Support::Form(form) => {
+            let body = InSoil::new(view, tower, form.buried());
             let at = (x + body.half_width, body.top + 0.6 * body.depth);
-            (at, dimension_lines(by_dimensions, body.is_to_scale))
+            (at, dimension_lines(form, body.is_to_scale))
         }
     };
     Some(Callout {
@@ -224,72 +223,35 @@ fn matrix_lines(foundation: &StiffnessFoundation) -> Vec<String> {
 }
 
 /// What a foundation is, with its dimensions, and the soil or the springs that follow.
-fn dimension_lines(foundation: &Foundation, is_to_scale: bool) -> Vec<String> {
+fn dimension_lines(form: &dyn ClosedForm, is_to_scale: bool) -> Vec<String> {
+    let of = form.buried();
+    let ([x, y], depth) = (
+        of.half_m.map(|half_m| length(2.0 * half_m)),
+        length(of.depth_m),
+    );
+    let size = match (of.is_deep, of.is_round) {
+        (true, _) => format!("diameter {x} m, {depth} m deep"),
+        (false, true) => format!("radius {} m, embedded {depth} m", length(of.half_m[0])),
+        (false, false) => format!("{x} m × {y} m, embedded {depth} m"),
+    };
     let scale = if is_to_scale { "" } else { ", not to scale" };
-    let soil = |what: &str, modulus_pa: f64, ratio: f64| {
-        let modulus = stiffness(modulus_pa, "Pa");
-        format!("{what}: G {modulus}, ν {}", length(ratio))
-    };
-    let round = |radius_m: f64, depth_m: f64| {
-        let (radius, depth) = (length(radius_m), length(depth_m));
-        format!("footing: radius {radius} m, embedded {depth} m{scale}")
-    };
-    let deep = |what: &str, diameter_m: f64, depth_m: f64, springs: &FoundationSprings| {
-        let (diameter, depth) = (length(diameter_m), length(depth_m));
-        let mut lines = vec![format!(
-            "{what}: diameter {diameter} m, {depth} m deep{scale}"
-        )];
-        lines.extend(spring_lines(springs));
-        lines
-    };
-    match foundation {
-        Foundation::HalfSpace(of) => vec![
-            round(of.radius_m, of.embedment_m),
-            soil("half-space", of.shear_modulus_pa, of.poissons_ratio),
-        ],
-        Foundation::CircularFooting(of) => {
-            let what = match of.stratum_thickness_m.is_finite() {
-                true => format!("stratum of {} m", length(of.stratum_thickness_m)),
+    let mut lines = vec![format!("{}: {size}{scale}", of.noun)];
+    match of.soil {
+        Some(soil) => {
+            let what = match soil.thickness_m.is_finite() {
+                true => format!("stratum of {} m", length(soil.thickness_m)),
                 false => "half-space".to_owned(),
             };
-            vec![
-                round(of.radius_m, of.embedment_m),
-                soil(&what, of.shear_modulus_pa, of.poissons_ratio),
-            ]
+            let modulus = stiffness(soil.shear_modulus_pa, "Pa");
+            lines.push(format!(
+                "{what}: G {modulus}, ν {}",
+                length(soil.poissons_ratio)
+            ));
         }
-        Foundation::RectangularFooting(of) => vec![
-            format!(
-                "footing: {} m × {} m, embedded {} m{scale}",
-                length(of.length_x_m),
-                length(of.length_y_m),
-                length(of.embedment_m)
-            ),
-            soil("half-space", of.shear_modulus_pa, of.poissons_ratio),
-        ],
-        Foundation::SuctionCaisson(of) => {
-            deep("caisson", of.diameter_m, of.skirt_length_m, &of.springs())
+        None => {
+            let springs = FoundationSprings::of_matrix(&form.stiffness());
+            lines.extend(springs.iter().flat_map(spring_lines));
         }
-        Foundation::Monopile(of) => {
-            let tube = &of.tube;
-            deep(
-                "pile",
-                tube.diameter_m,
-                tube.embedded_length_m,
-                &of.springs(),
-            )
-        }
-        Foundation::WinklerPile(of) => {
-            let tube = &of.tube;
-            deep(
-                "pile",
-                tube.diameter_m,
-                tube.embedded_length_m,
-                &of.springs(),
-            )
-        }
-        Foundation::Clamped
-        | Foundation::Stiffness(_)
-        | Foundation::Springs(_)
-        | Foundation::Floating(_) => Vec::new(),
     }
+    lines
 }

@@ -1,6 +1,6 @@
 //! The picture of a tower in words and as a table.
 
-use towermodes::{Foundation, Tower, TowerDescription};
+use towermodes::{Foundation, Support, Tower, TowerDescription};
 
 use crate::number::{length, mass, short, stiffness};
 use crate::svg::DataTable;
@@ -79,18 +79,13 @@ fn soil(description: &TowerDescription) -> Option<String> {
 }
 
 fn foundation(foundation: &Foundation, tower: &Tower) -> &'static str {
-    match foundation {
+    match foundation.support() {
         _ if tower.base().is_clamped() => "clamped at the base",
-        Foundation::Clamped => "clamped at the base",
-        Foundation::Stiffness(_) => "foundation with a stiffness matrix",
-        Foundation::Springs(_) => "springs at the base",
-        Foundation::HalfSpace(_) => "circular footing on an elastic half-space",
-        Foundation::CircularFooting(_) => "circular footing in a stratum of soil",
-        Foundation::RectangularFooting(_) => "rectangular footing on an elastic half-space",
-        Foundation::SuctionCaisson(_) => "suction caisson in elastic soil",
-        Foundation::Monopile(_) => "monopile in elastic soil, by a formula",
-        Foundation::WinklerPile(_) => "pile on springs along its length",
-        Foundation::Floating(_) => "floating platform",
+        Support::Clamped => "clamped at the base",
+        Support::Stiffness(_) => "foundation with a stiffness matrix",
+        Support::Springs(_) => "springs at the base",
+        Support::Floating(_) => "floating platform",
+        Support::Form(form) => form.kind().in_words,
     }
 }
 

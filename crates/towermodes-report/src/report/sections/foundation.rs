@@ -1,15 +1,14 @@
 //! The foundation in tables.
 
 use towermodes::{
-    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, ReferredMatrix,
-    StiffnessFoundation, TowerDescription,
+    ClosedForm, FloatingPlatform, FoundationSprings, ReferredMatrix, StiffnessFoundation, Support,
+    TowerDescription,
 };
 
 use super::super::document::Block;
 use super::super::table::Table;
 use super::bodies::inertia;
-use super::closed_form;
-use super::footings;
+use super::inputs::of_inputs;
 use super::{paragraph, table};
 use crate::number::{digits, given, length};
 
@@ -17,24 +16,31 @@ use crate::number::{digits, given, length};
 const MOTIONS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
 
 pub(super) fn foundation(description: &TowerDescription) -> Vec<Block> {
-    match &description.foundation {
-        Foundation::Clamped => vec![paragraph("The base is clamped.")],
-        Foundation::Stiffness(foundation) => of_stiffness(foundation),
-        Foundation::Springs(springs) => {
-            vec![table(of_springs(
-                "Foundation springs at the base",
-                springs,
-                given,
-            ))]
+    match description.foundation.support() {
+        Support::Clamped => vec![paragraph("The base is clamped.")],
+        Support::Stiffness(foundation) => of_stiffness(foundation),
+        Support::Springs(springs) => {
+            let caption = "Foundation springs at the base";
+            vec![table(of_springs(caption, springs, given))]
         }
-        Foundation::HalfSpace(footing) => of_half_space(footing),
-        Foundation::CircularFooting(footing) => footings::of_circular(footing),
-        Foundation::RectangularFooting(footing) => footings::of_rectangular(footing),
-        Foundation::SuctionCaisson(caisson) => closed_form::of_caisson(caisson),
-        Foundation::Monopile(pile) => closed_form::of_monopile(pile),
-        Foundation::WinklerPile(pile) => closed_form::of_winkler_pile(pile),
-        Foundation::Floating(platform) => floating(platform, description.gravity_m_per_s2),
+        Support::Floating(platform) => floating(platform, description.gravity_m_per_s2),
+        Support::Form(form) => of_form(form),
     }
+}
+
+/// The values of a foundation by closed form, what follows from them, and its stiffness: as springs
+/// if it is the same in both planes.
+fn of_form(form: &dyn ClosedForm) -> Vec<Block> {
+    let derived = form.derived().into_iter();
+    let derived = derived.map(|(name, value, places)| (name.to_owned(), digits(value, places)));
+    let values = of_inputs(&form.caption(), form, derived);
+    let stiffness = form.stiffness();
+    let number = |value| digits(value, 5);
+    let result = match FoundationSprings::of_matrix(&stiffness) {
+        Some(springs) => of_springs("Springs at the base", &springs, number),
+        None => matrix("Stiffness about the base (N/m, N, N m)", &stiffness, number),
+    };
+    vec![table(values), table(result)]
 }
 
 fn of_stiffness(foundation: &StiffnessFoundation) -> Vec<Block> {
@@ -47,11 +53,7 @@ fn of_stiffness(foundation: &StiffnessFoundation) -> Vec<Block> {
     blocks
 }
 
-pub(super) fn of_springs(
-    caption: &str,
-    springs: &FoundationSprings,
-    number: impl Fn(f64) -> String,
-) -> Table {
+fn of_springs(caption: &str, springs: &FoundationSprings, number: impl Fn(f64) -> String) -> Table {
     Table::of_facts(
         caption,
         [
@@ -65,28 +67,6 @@ pub(super) fn of_springs(
             ("torsion (N m)", number(springs.torsion_n_m)),
         ],
     )
-}
-
-fn of_half_space(footing: &HalfSpace) -> Vec<Block> {
-    let given_values = Table::of_facts(
-        "Rigid circular footing on an elastic half-space",
-        [
-            ("radius (m)", length(footing.radius_m)),
-            ("embedment depth (m)", length(footing.embedment_m)),
-            (
-                "shear modulus of the soil (Pa)",
-                given(footing.shear_modulus_pa),
-            ),
-            (
-                "Poisson's ratio of the soil (−)",
-                given(footing.poissons_ratio),
-            ),
-        ],
-    );
-    let springs = of_springs("Springs of the footing", &footing.springs(), |value| {
-        digits(value, 5)
-    });
-    vec![table(given_values), table(springs)]
 }
 
 fn floating(platform: &FloatingPlatform, gravity_m_per_s2: f64) -> Vec<Block> {
@@ -127,11 +107,7 @@ fn referred_matrix(name: &str, referred: &ReferredMatrix) -> Option<Block> {
     Some(table(matrix(&caption, &referred.matrix, given)))
 }
 
-pub(super) fn matrix(
-    caption: &str,
-    matrix: &[[f64; 6]; 6],
-    number: impl Fn(f64) -> String,
-) -> Table {
+fn matrix(caption: &str, matrix: &[[f64; 6]; 6], number: impl Fn(f64) -> String) -> Table {
     let names = MOTIONS.map(|motion| format!("#{motion}"));
     let header = ["motion"].into_iter();
     let mut table = Table::new(caption, header.chain(names.iter().map(String::as_str)));

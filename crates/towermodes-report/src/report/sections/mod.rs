@@ -2,10 +2,8 @@
 
 mod assumptions;
 mod bodies;
-mod closed_form;
 mod elastodyn;
 mod files;
-mod footings;
 mod foundation;
 mod frequencies;
 mod ground;

@@ -1,6 +1,6 @@
 //! Carter & Kulhawy (1992): rigid piles and sockets in homogeneous soil or rock.
 
-use super::HeadStiffness;
+use super::head::HeadStiffness;
 use super::pile_tube::PileTube;
 
 pub(super) fn carter_kulhawy(tube: &PileTube, g_star_pa: f64) -> HeadStiffness {

@@ -1,7 +1,8 @@
 //! Formulas for flexible piles: Randolph (1981) and EN 1998-5, Annex C.
 
+use super::common::SoilProfile;
+use super::head::HeadStiffness;
 use super::pile_tube::PileTube;
-use super::{HeadStiffness, SoilProfile};
 
 /// Randolph (1981), with G* at the depth of one diameter.
 pub(super) fn randolph(tube: &PileTube, g_star_pa: f64, profile: SoilProfile) -> HeadStiffness {

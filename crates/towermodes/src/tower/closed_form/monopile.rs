@@ -1,11 +1,20 @@
 //! A monopile in an elastic continuum.
 
 use super::carter_kulhawy::carter_kulhawy;
+use super::common::{
+    SOIL_POISSONS_RATIO, SOIL_PROFILE, SOIL_YOUNGS_MODULUS, SoilProfile, TORSION, VERTICAL, at,
+    deep, error, outside,
+};
 use super::flexible_pile::{en_1998_5, randolph};
+use super::form::{Buried, ClosedForm, FormKind};
+use super::head::HeadStiffness;
 use super::pile_tube::PileTube;
 use super::shadlou;
-use super::{HeadStiffness, SoilProfile};
-use crate::tower::foundation::FoundationSprings;
+use crate::inputs::{Input, Inputs, names};
+use crate::space::SpatialMatrix;
+use crate::tower::error::{Problem, TowerError};
+use crate::tower::foundation_springs::FoundationSprings;
+use crate::tower::warning::Warning;
 
 /// A monopile below the base of the tower, which stands at the surface of the soil. Its head
 /// stiffness follows from the pile and an elastic soil by a formula.
@@ -34,21 +43,29 @@ use crate::tower::foundation::FoundationSprings;
 /// assert!((head.lateral_n_per_m / 1.31e9 - 1.0).abs() < 1e-3);
 /// assert!((head.coupling_n / -18.7e9 - 1.0).abs() < 2e-3);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Inputs)]
 pub struct Monopile {
-    /// The pile.
-    pub tube: PileTube,
     /// The formula for its head stiffness.
+    #[input(Input::choice("formula", "the formula")
+        .note("shadlou-bhattacharya, randolph, en-1998-5 or carter-kulhawy"))]
     pub formula: PileFormula,
+    /// The pile.
+    #[inputs]
+    pub tube: PileTube,
     /// How Young's modulus of the soil grows with depth.
+    #[input(SOIL_PROFILE)]
     pub soil_profile: SoilProfile,
     /// Young's modulus E_SO of the soil at the depth of one diameter, Pa.
+    #[input(SOIL_YOUNGS_MODULUS)]
     pub soil_youngs_modulus_pa: f64,
     /// Poisson's ratio ν of the soil.
+    #[input(SOIL_POISSONS_RATIO)]
     pub soil_poissons_ratio: f64,
     /// Stiffness against z, N/m, which the formulas do not give; infinite: rigid.
+    #[input(VERTICAL)]
     pub vertical_n_per_m: f64,
     /// Stiffness against rotation about z, N m, which the formulas do not give; infinite: rigid.
+    #[input(TORSION)]
     pub torsion_n_m: f64,
 }
 
@@ -103,6 +120,14 @@ impl Slenderness {
         }
     }
 }
+
+names!(
+    PileFormula:
+    ShadlouBhattacharya = "shadlou-bhattacharya",
+    Randolph = "randolph",
+    En1998 = "en-1998-5",
+    CarterKulhawy = "carter-kulhawy",
+);
 
 impl PileFormula {
     /// Authors and year.
@@ -204,5 +229,97 @@ impl Monopile {
     /// The springs at the base of the tower.
     pub fn springs(&self) -> FoundationSprings {
         self.head().with(self.vertical_n_per_m, self.torsion_n_m)
+    }
+}
+
+impl ClosedForm for Monopile {
+    fn kind(&self) -> &'static FormKind {
+        &FormKind {
+            name: "monopile",
+            synonyms: "pile mono_pile",
+            nature: "the stiffness of a monopile follows from the pile and the elastic soil",
+            in_words: "monopile in elastic soil, by a formula",
+            contains_soil: true,
+            decisive_key: "formula",
+        }
+    }
+
+    fn stiffness(&self) -> SpatialMatrix {
+        self.springs().matrix()
+    }
+
+    fn check(&self) -> Result<(), TowerError> {
+        self.tube.check()?;
+        if self.formula.has(self.soil_profile) {
+            return Ok(());
+        }
+        let formula = self.formula.name();
+        error("soil_profile", Problem::ProfileWithoutFormula { formula })
+    }
+
+    fn doubt(&self, base_diameter_m: Option<f64>, warnings: &mut Vec<Warning>) {
+        self.tube.doubt(base_diameter_m, warnings);
+        warnings.extend(self.outside_formula());
+    }
+
+    fn caption(&self) -> String {
+        format!("Monopile in elastic soil, by {}", self.formula.name())
+    }
+
+    fn assumption(&self) -> String {
+        format!(
+            "The base is the head of a monopile in elastic soil; its static stiffness follows from {}, without damping and inertia of pile and soil.",
+            self.formula.name()
+        )
+    }
+
+    fn derived(&self) -> Vec<(&'static str, f64, usize)> {
+        let slenderness = self.slenderness();
+        vec![
+            ("length/diameter (−)", slenderness.ratio, 4),
+            ("rigid up to (−)", slenderness.rigid_at_most, 4),
+            ("flexible from (−)", slenderness.flexible_at_least, 4),
+        ]
+    }
+
+    fn buried(&self) -> Buried {
+        deep("pile", self.tube.diameter_m, self.tube.embedded_length_m)
+    }
+}
+
+impl Monopile {
+    /// A warning of a pile for which its formula was not derived.
+    fn outside_formula(&self) -> Option<Warning> {
+        let Slenderness {
+            ratio,
+            rigid_at_most,
+            flexible_at_least,
+        } = self.slenderness();
+        let (key, formula) = ("embedded_length", self.formula.name());
+        let quantity = "the embedded length of the pile, divided by its diameter,";
+        let softer =
+            "a shorter pile is softer: use type = \"winkler-pile\" or [[soil]] along the pile";
+        let bends = "a longer pile bends: use type = \"winkler-pile\" or [[soil]] along the pile";
+        match self.formula {
+            PileFormula::ShadlouBhattacharya => {
+                let is_between = self.slenderness().behaviour() == PileBehaviour::Between;
+                is_between.then_some(Warning::BetweenRigidAndFlexible {
+                    site: at(key),
+                    formula,
+                    measure: "its embedded length divided by its diameter",
+                    length: ratio,
+                    rigid_at_most,
+                    flexible_at_least,
+                })
+            }
+            PileFormula::Randolph | PileFormula::En1998 => {
+                let range = [flexible_at_least, f64::INFINITY];
+                outside(key, formula, quantity, ratio, range, softer)
+            }
+            PileFormula::CarterKulhawy => {
+                let range = [f64::NEG_INFINITY, rigid_at_most];
+                outside(key, formula, quantity, ratio, range, bends)
+            }
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! Poulos & Davis (1980): rigid and flexible piles on springs.
 
-use super::{HeadStiffness, PileBehaviour};
+use super::head::HeadStiffness;
+use super::monopile::PileBehaviour;
 
 /// The largest reduced length of a rigid pile and the least of a flexible one, for springs that are
 /// constant and for springs that grow with depth.

@@ -1,26 +1,47 @@
 //! A rigid rectangular footing on or in an elastic half-space.
 
-use super::circular_footing::coupling_n;
+use super::common::{
+    COUPLED, EMBEDMENT, SOIL_POISSONS_RATIO, SOIL_SHEAR_MODULUS, against_tower, coupling_n,
+    footing, outside,
+};
+use super::form::{Buried, ClosedForm, FormKind, SoilBelow};
+use crate::inputs::{Input, Inputs, Quantity, names};
 use crate::space::SpatialMatrix;
+use crate::tower::error::TowerError;
+use crate::tower::warning::Warning;
+
+/// A footing deeper than this, as a fraction of half its shorter side, is no footing.
+const MOST_EMBEDMENT: f64 = 2.0;
 
 /// A rigid rectangular footing on or in an elastic half-space. The tower's base is at the underside
 /// of the footing, at its centre.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Inputs)]
 pub struct RectangularFooting {
     /// The formula.
+    #[input(Input::choice("formula", "the formula").note("gazetas or pais-kausel"))]
     pub formula: FootingFormula,
     /// Length of the side along x, m.
+    #[input(Input::length("length_x", "the side along x")
+        .note("side along x")
+        .also("length_fore_aft lx side_x"))]
     pub length_x_m: f64,
     /// Length of the side along y, m.
+    #[input(Input::length("length_y", "the side along y")
+        .note("side along y")
+        .also("length_side_side width breadth ly side_y"))]
     pub length_y_m: f64,
     /// Depth of embedment e, m: of the underside below the surface of the soil, which touches the
     /// sides over this depth.
+    #[input(EMBEDMENT)]
     pub embedment_m: f64,
     /// Shear modulus G of the soil, Pa.
+    #[input(SOIL_SHEAR_MODULUS)]
     pub shear_modulus_pa: f64,
     /// Poisson's ratio ν of the soil.
+    #[input(SOIL_POISSONS_RATIO)]
     pub poissons_ratio: f64,
     /// Whether the embedment couples sliding and rocking.
+    #[input(COUPLED)]
     pub is_coupled: bool,
 }
 
@@ -32,6 +53,8 @@ pub enum FootingFormula {
     /// Pais & Kausel (1988). Torsion and coupling are not checked against the original.
     PaisKausel,
 }
+
+names!(FootingFormula: Gazetas = "gazetas", PaisKausel = "pais-kausel");
 
 impl FootingFormula {
     /// Authors and year.
@@ -139,6 +162,80 @@ impl RectangularFooting {
             matrix[rotation][translation] = coupling;
         }
         matrix
+    }
+}
+
+impl ClosedForm for RectangularFooting {
+    fn kind(&self) -> &'static FormKind {
+        &FormKind {
+            name: "rectangular-footing",
+            synonyms: "rectangle rectangular rectangular_foundation raft",
+            nature: "the stiffness of a rectangular footing follows from its sides and the soil",
+            in_words: "rectangular footing on an elastic half-space",
+            contains_soil: false,
+            decisive_key: "embedment",
+        }
+    }
+
+    fn stiffness(&self) -> SpatialMatrix {
+        Self::stiffness(self)
+    }
+
+    fn check(&self) -> Result<(), TowerError> {
+        Ok(())
+    }
+
+    fn doubt(&self, base_diameter_m: Option<f64>, warnings: &mut Vec<Warning>) {
+        let half_m = self.half_short_side_m();
+        let key = match self.length_x_m <= self.length_y_m {
+            true => "length_x",
+            false => "length_y",
+        };
+        warnings.extend(against_tower(
+            Quantity::FootingSide,
+            key,
+            half_m,
+            base_diameter_m,
+        ));
+        warnings.extend(outside(
+            "embedment",
+            self.formula.name(),
+            "the embedment of the footing, divided by half of its shorter side,",
+            self.embedment_m / half_m,
+            [f64::NEG_INFINITY, MOST_EMBEDMENT],
+            "check the unit (m), or use a type for caissons or piles",
+        ));
+    }
+
+    fn caption(&self) -> String {
+        format!("Rigid rectangular footing, by {}", self.formula.name())
+    }
+
+    fn assumption(&self) -> String {
+        let coupled = if self.is_coupled {
+            "coupled"
+        } else {
+            "uncoupled"
+        };
+        format!(
+            "The base is a rigid rectangular footing on an elastic half-space, modelled by static, {coupled} springs ({}) without damping and soil mass.",
+            self.formula.name()
+        )
+    }
+
+    fn buried(&self) -> Buried {
+        Buried {
+            is_round: false,
+            soil: Some(SoilBelow {
+                thickness_m: f64::INFINITY,
+                shear_modulus_pa: self.shear_modulus_pa,
+                poissons_ratio: self.poissons_ratio,
+            }),
+            ..footing(
+                [0.5 * self.length_x_m, 0.5 * self.length_y_m],
+                self.embedment_m,
+            )
+        }
     }
 }
 

@@ -1,7 +1,8 @@
 //! Shadlou & Bhattacharya (2016): power laws for rigid and for flexible piles.
 
+use super::common::SoilProfile;
+use super::head::HeadStiffness;
 use super::pile_tube::PileTube;
-use super::{HeadStiffness, SoilProfile};
 
 /// The soil around the pile.
 pub(super) struct Soil {

@@ -1,6 +1,8 @@
 //! The springs along a pile: given, or from the modulus of the soil.
 
+use super::common::{SOIL_POISSONS_RATIO, SOIL_YOUNGS_MODULUS};
 use super::pile_tube::PileTube;
+use crate::inputs::{Given, Input, Inputs, Limit, Quantity, Value, names};
 
 /// The spring k_D of the soil at the depth of one diameter, per metre of pile.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,24 +54,118 @@ impl SoilSpring {
         }
     }
 
-    /// In soil that is `factor` times as stiff.
-    pub(in crate::tower) fn times(mut self, factor: f64) -> Self {
-        match &mut self {
-            Self::Given { spring_n_per_m2 } => *spring_n_per_m2 *= factor,
-            Self::Gazetas { youngs_modulus_pa }
-            | Self::Vesic {
-                youngs_modulus_pa, ..
-            } => *youngs_modulus_pa *= factor,
-        }
-        self
-    }
-
     /// Authors of the formula, if the spring is not given.
     pub fn formula_name(&self) -> Option<&'static str> {
         match self {
             Self::Given { .. } => None,
             Self::Gazetas { .. } => Some("Gazetas"),
             Self::Vesic { .. } => Some("Vesić (1961)"),
+        }
+    }
+}
+
+/// The formulas that a tower file names.
+#[derive(Clone, Copy, PartialEq)]
+enum Formula {
+    Gazetas,
+    Vesic,
+}
+
+names!(Formula: Gazetas = "gazetas", Vesic = "vesic");
+
+static FORMULA: Input = Input::choice("spring_formula", "the formula for the springs")
+    .optional()
+    .note("in place of soil_spring: gazetas or vesic");
+static SPRING: Input = Input::new(
+    "soil_spring",
+    " N/m2",
+    Limit::Positive,
+    "the soil spring at the depth of one diameter",
+)
+.optional()
+.yields_to("spring_formula")
+.note("per metre of pile, at the depth of one diameter")
+.hint("N/m2 per metre of pile at the depth of one diameter; or spring_formula with the modulus of the soil")
+.usual(Quantity::SoilSpring, [5e4, 1e12])
+.of_soil();
+static MODULUS: Input = SOIL_YOUNGS_MODULUS
+    .optional()
+    .needs("spring_formula", ALONE);
+static RATIO: Input = SOIL_POISSONS_RATIO
+    .optional()
+    .note("for vesic")
+    .needs("spring_formula", ALONE);
+const ALONE: &str = "add spring_formula = \"gazetas\" or \"vesic\", or give soil_spring alone";
+
+impl SoilSpring {
+    fn formula(&self) -> Option<Formula> {
+        match self {
+            Self::Given { .. } => None,
+            Self::Gazetas { .. } => Some(Formula::Gazetas),
+            Self::Vesic { .. } => Some(Formula::Vesic),
+        }
+    }
+
+    /// The same by another formula, with blank values; as it is by its own.
+    fn with(self, formula: Option<Formula>) -> Self {
+        if self.formula() == formula {
+            return self;
+        }
+        match formula {
+            None => Self::blank(),
+            Some(Formula::Gazetas) => Self::Gazetas {
+                youngs_modulus_pa: f64::NAN,
+            },
+            Some(Formula::Vesic) => Self::Vesic {
+                youngs_modulus_pa: f64::NAN,
+                poissons_ratio: f64::NAN,
+            },
+        }
+    }
+
+    /// Its numbers with their descriptions.
+    fn numbers(&mut self) -> Vec<(&'static Input, &mut f64)> {
+        match self {
+            Self::Given { spring_n_per_m2 } => vec![(&SPRING, spring_n_per_m2)],
+            Self::Gazetas { youngs_modulus_pa } => vec![(&MODULUS, youngs_modulus_pa)],
+            Self::Vesic {
+                youngs_modulus_pa,
+                poissons_ratio,
+            } => vec![(&MODULUS, youngs_modulus_pa), (&RATIO, poissons_ratio)],
+        }
+    }
+}
+
+impl Inputs for SoilSpring {
+    fn blank() -> Self {
+        let spring_n_per_m2 = f64::NAN;
+        Self::Given { spring_n_per_m2 }
+    }
+
+    fn visit(&self, each: &mut dyn FnMut(&'static Input, Given)) {
+        each(&FORMULA, self.formula().given());
+        let mut own = *self;
+        for (input, number) in own.numbers() {
+            each(input, number.given());
+        }
+    }
+
+    fn update(&mut self, each: &mut dyn FnMut(&'static Input, Given) -> Given) {
+        let mut formula = self.formula();
+        formula.set(each(&FORMULA, formula.given()));
+        *self = self.with(formula);
+        for (input, number) in self.numbers() {
+            number.set(each(input, number.given()));
+        }
+    }
+
+    fn idle(&self, each: &mut dyn FnMut(&'static Input, Given)) {
+        let mut own = *self;
+        let own: Vec<&Input> = own.numbers().into_iter().map(|(input, _)| input).collect();
+        for input in [&SPRING, &MODULUS, &RATIO] {
+            if !own.iter().any(|other| std::ptr::eq(*other, input)) {
+                each(input, Given::Number(f64::NAN));
+            }
         }
     }
 }

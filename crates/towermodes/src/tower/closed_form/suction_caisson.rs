@@ -1,7 +1,16 @@
 //! A rigid suction caisson.
 
-use super::{HeadStiffness, SoilProfile};
-use crate::tower::foundation::FoundationSprings;
+use super::common::{
+    SOIL_POISSONS_RATIO, SOIL_PROFILE, SOIL_YOUNGS_MODULUS, SoilProfile, TORSION, VERTICAL,
+    against_diameter, deep, outside,
+};
+use super::form::{Buried, ClosedForm, FormKind};
+use super::head::HeadStiffness;
+use crate::inputs::{Input, Inputs};
+use crate::space::SpatialMatrix;
+use crate::tower::error::TowerError;
+use crate::tower::foundation_springs::FoundationSprings;
+use crate::tower::warning::Warning;
 
 /// A rigid suction caisson below the base of the tower: a circular lid at the surface of the soil
 /// with a skirt.
@@ -23,21 +32,30 @@ use crate::tower::foundation::FoundationSprings;
 /// let lateral = caisson.head().lateral_n_per_m;
 /// assert!((lateral / (1.06 * 2.91 * 12.0 * 4e7) - 1.0).abs() < 1e-12);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Inputs)]
 pub struct SuctionCaisson {
     /// Diameter D, m.
+    #[input(Input::length("diameter", "the diameter of the caisson"))]
     pub diameter_m: f64,
     /// Length L of the skirt, m.
+    #[input(Input::length("skirt_length", "the length of the skirt")
+        .hint("from the surface of the soil to the tip of the skirt, in m")
+        .also("skirt_depth skirt_height"))]
     pub skirt_length_m: f64,
     /// How Young's modulus of the soil grows with depth.
+    #[input(SOIL_PROFILE)]
     pub soil_profile: SoilProfile,
     /// Young's modulus E_SO of the soil at the depth of one diameter, Pa.
+    #[input(SOIL_YOUNGS_MODULUS)]
     pub soil_youngs_modulus_pa: f64,
     /// Poisson's ratio ν of the soil.
+    #[input(SOIL_POISSONS_RATIO)]
     pub soil_poissons_ratio: f64,
     /// Stiffness against z, N/m, which the formula does not give; infinite: rigid.
+    #[input(VERTICAL)]
     pub vertical_n_per_m: f64,
     /// Stiffness against rotation about z, N m, which the formula does not give; infinite: rigid.
+    #[input(TORSION)]
     pub torsion_n_m: f64,
 }
 
@@ -87,5 +105,58 @@ impl SuctionCaisson {
     /// The springs at the base of the tower.
     pub fn springs(&self) -> FoundationSprings {
         self.head().with(self.vertical_n_per_m, self.torsion_n_m)
+    }
+}
+
+impl ClosedForm for SuctionCaisson {
+    fn kind(&self) -> &'static FormKind {
+        &FormKind {
+            name: "suction-caisson",
+            synonyms: "caisson bucket suction_bucket suction_caisson skirt",
+            nature: "the stiffness of a caisson follows from its dimensions and the elastic soil",
+            in_words: "suction caisson in elastic soil",
+            contains_soil: true,
+            decisive_key: "skirt_length",
+        }
+    }
+
+    fn stiffness(&self) -> SpatialMatrix {
+        self.springs().matrix()
+    }
+
+    fn check(&self) -> Result<(), TowerError> {
+        Ok(())
+    }
+
+    fn doubt(&self, base_diameter_m: Option<f64>, warnings: &mut Vec<Warning>) {
+        warnings.extend(against_diameter(self.diameter_m, base_diameter_m));
+        warnings.extend(outside(
+            "skirt_length",
+            Self::FORMULA,
+            "the length of the skirt, divided by the diameter,",
+            self.slenderness(),
+            Self::SLENDERNESS,
+            "a longer one is a pile, a shorter one a footing; the unit of both is m",
+        ));
+    }
+
+    fn caption(&self) -> String {
+        format!("Suction caisson in elastic soil, by {}", Self::FORMULA)
+    }
+
+    fn assumption(&self) -> String {
+        format!(
+            "The base is the lid of a rigid suction caisson in elastic soil; its static stiffness follows from {}, without damping and inertia of \
+             caisson and soil.",
+            Self::FORMULA
+        )
+    }
+
+    fn derived(&self) -> Vec<(&'static str, f64, usize)> {
+        vec![("length/diameter (−)", self.slenderness(), 4)]
+    }
+
+    fn buried(&self) -> Buried {
+        deep("caisson", self.diameter_m, self.skirt_length_m)
     }
 }

@@ -1,10 +1,16 @@
 //! A pile on springs k(z) that grow with a power of the depth, exactly.
 
-use super::HeadStiffness;
+use super::common::{TORSION, VERTICAL, at, deep, error};
+use super::form::{Buried, ClosedForm, FormKind};
+use super::head::HeadStiffness;
 use super::pile_tube::PileTube;
 use super::poulos_davis::Pile;
 use super::soil_spring::SoilSpring;
-use crate::tower::foundation::FoundationSprings;
+use crate::inputs::{Input, Inputs, Limit, names};
+use crate::space::SpatialMatrix;
+use crate::tower::error::{Problem, TowerError};
+use crate::tower::foundation_springs::FoundationSprings;
+use crate::tower::warning::Warning;
 
 /// Over a depth of this reduced length ∫ (k/EI)^(1/4) dz the motion dies out to below the rounding
 /// of doubles: exp(−√2 × 26) is 1e-16. Longer piles have the stiffness of this one.
@@ -17,21 +23,34 @@ const MOST_TERMS: usize = 200;
 ///
 /// [`head`](Self::head) is the stiffness of the elastic beam on these springs, exact for any length
 /// or by Poulos & Davis; the inertia of the pile and its shear deformation are neglected.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Inputs)]
 pub struct WinklerPile {
     /// The pile.
+    #[inputs]
     pub tube: PileTube,
     /// The formula for its head stiffness.
+    #[input(Input::choice("formula", "the formula").optional().quiet().note("exact or poulos-davis"))]
     pub formula: BeamFormula,
     /// Spring k_D at the depth of one diameter, per metre of pile, or the modulus of the soil that
     /// it follows from.
+    #[inputs]
     pub soil_spring: SoilSpring,
     /// Exponent of the depth in the spring, or in the modulus that the spring follows from: 0 for
     /// constant, 1 for linear growth.
+    #[input(Input::new(
+        "exponent",
+        "",
+        Limit::Within([0.0, 4.0]),
+        "the exponent of the depth in the soil spring, or in the modulus of the soil",
+    )
+    .note("of the depth in the spring or the modulus: 0 constant, 1 linear")
+    .hint("of the depth: 0 for constant springs or modulus, 1 for linear growth"))]
     pub exponent: f64,
     /// Stiffness against z, N/m; infinite: rigid.
+    #[input(VERTICAL)]
     pub vertical_n_per_m: f64,
     /// Stiffness against rotation about z, N m; infinite: rigid.
+    #[input(TORSION)]
     pub torsion_n_m: f64,
 }
 
@@ -44,6 +63,8 @@ pub enum BeamFormula {
     /// linearly. Its constants are not checked against the original.
     PoulosDavis,
 }
+
+names!(BeamFormula: Exact = "exact", PoulosDavis = "poulos-davis");
 
 impl BeamFormula {
     /// Authors and year, or how it is computed.
@@ -126,6 +147,88 @@ impl WinklerPile {
     /// The springs at the base of the tower.
     pub fn springs(&self) -> FoundationSprings {
         self.head().with(self.vertical_n_per_m, self.torsion_n_m)
+    }
+}
+
+impl ClosedForm for WinklerPile {
+    fn kind(&self) -> &'static FormKind {
+        &FormKind {
+            name: "winkler-pile",
+            synonyms: "winkler winkler_pile",
+            nature: "the stiffness of the pile follows from its springs soil_spring (z/D)^exponent",
+            in_words: "pile on springs along its length",
+            contains_soil: true,
+            decisive_key: "type",
+        }
+    }
+
+    fn stiffness(&self) -> SpatialMatrix {
+        self.springs().matrix()
+    }
+
+    fn check(&self) -> Result<(), TowerError> {
+        self.tube.check()?;
+        let exponent = self.spring_exponent();
+        if self.formula == BeamFormula::Exact || exponent == 0.0 || exponent == 1.0 {
+            return Ok(());
+        }
+        let formula = self.formula.name();
+        let problem = Problem::ExponentWithoutFormula { formula, exponent };
+        error("exponent", problem)
+    }
+
+    fn doubt(&self, base_diameter_m: Option<f64>, warnings: &mut Vec<Warning>) {
+        self.tube.doubt(base_diameter_m, warnings);
+        let [rigid_at_most, flexible_at_least] = self.limits_of_poulos_davis();
+        let length = self.reduced_length();
+        let is_between = rigid_at_most < length && length < flexible_at_least;
+        if self.formula == BeamFormula::PoulosDavis && is_between {
+            warnings.push(Warning::BetweenRigidAndFlexible {
+                site: at("embedded_length"),
+                formula: self.formula.name(),
+                measure: "its reduced length (n/EI)^(1/(4+m)) L on springs n z^m",
+                length,
+                rigid_at_most,
+                flexible_at_least,
+            });
+        }
+    }
+
+    fn caption(&self) -> String {
+        let formula = self.formula.name();
+        format!("Pile on springs along its length, by {formula}")
+    }
+
+    fn assumption(&self) -> String {
+        let stiffness = match self.formula {
+            BeamFormula::Exact => "exact for the static beam without shear deformation".to_owned(),
+            BeamFormula::PoulosDavis => format!("by {}", self.formula.name()),
+        };
+        let springs = self.soil_spring.formula_name();
+        let springs = springs.map_or_else(String::new, |name| {
+            format!("; the springs follow from Young's modulus of the soil by {name}")
+        });
+        format!(
+            "The base is the head of an elastic pile on springs along its length, {stiffness}{springs}; damping and inertia of pile and soil are neglected."
+        )
+    }
+
+    fn derived(&self) -> Vec<(&'static str, f64, usize)> {
+        let spring = "soil spring at the depth of one diameter (N/m²)";
+        let exponent = "exponent of the depth in the springs (−)";
+        let mut derived = Vec::new();
+        if self.soil_spring.formula_name().is_some() {
+            derived.push((spring, self.spring_n_per_m2(), 5));
+        }
+        if self.spring_exponent() != self.exponent {
+            derived.push((exponent, self.spring_exponent(), 5));
+        }
+        derived.push(("reduced length ηL (−)", self.reduced_length(), 4));
+        derived
+    }
+
+    fn buried(&self) -> Buried {
+        deep("pile", self.tube.diameter_m, self.tube.embedded_length_m)
     }
 }
 

@@ -1,11 +1,10 @@
 //! The foundation: springs against the tower's own stiffness and mass, footings, couplings.
 
-use super::closed_form;
 use super::couplings::{self, Named};
-use super::usual::Usual;
-use super::{Given, floating, footings, frequency_hz};
+use super::usual::{Usual, check_inputs};
+use super::{Given, floating, frequency_hz};
 use crate::tower::Warning;
-use crate::tower::foundation::Foundation;
+use crate::tower::foundation::Support;
 use crate::tower::{Place, Tower};
 use crate::tower::{Quantity, Site};
 
@@ -27,27 +26,24 @@ const SOUND_M_PER_S: f64 = 5000.0;
 const ABOVE: f64 = 0.005;
 
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
-    if given.foundation.contains_soil() && has_soil(given) {
-        warnings.push(Warning::SoilTwice { site: at("type") });
-    }
-    match given.foundation {
-        Foundation::Clamped => {}
-        Foundation::HalfSpace(footing) => footings::half_space(tower, footing, warnings),
-        Foundation::CircularFooting(footing) => footings::circular(tower, footing, warnings),
-        Foundation::RectangularFooting(footing) => {
-            footings::rectangular(tower, footing, warnings);
+    match given.foundation.support() {
+        Support::Clamped => {}
+        Support::Form(form) => {
+            if form.kind().contains_soil && has_soil(given) {
+                warnings.push(Warning::SoilTwice { site: at("type") });
+            }
+            check_inputs(form, |key| Place::Foundation { key }, warnings);
+            let base = tower.stations().first();
+            form.doubt(base.map(|station| station.outer_diameter_m), warnings);
         }
-        Foundation::SuctionCaisson(caisson) => closed_form::caisson(tower, caisson, warnings),
-        Foundation::Monopile(pile) => closed_form::monopile(tower, pile, warnings),
-        Foundation::WinklerPile(pile) => closed_form::winkler_pile(tower, pile, warnings),
-        Foundation::Floating(platform) => floating::check(tower, platform, warnings),
-        Foundation::Springs(_) => {
+        Support::Floating(platform) => floating::check(tower, platform, warnings),
+        Support::Springs(_) => {
             let keys = ["lateral", "rocking", "vertical", "torsion"];
             springs(tower, given, keys, warnings);
             coupling(tower, "springs", "coupling", warnings);
             no_coupling(tower, given, "coupling", warnings);
         }
-        Foundation::Stiffness(foundation) => {
+        Support::Stiffness(foundation) => {
             springs(tower, given, ["matrix"; 4], warnings);
             coupling(tower, "foundation's stiffness", "matrix", warnings);
             no_coupling(tower, given, "matrix", warnings);

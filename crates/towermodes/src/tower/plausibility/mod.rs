@@ -6,10 +6,8 @@
 //! rows have a quantity, the row that is furthest off is named.
 
 mod bodies;
-mod closed_form;
 mod couplings;
 mod floating;
-mod footings;
 mod foundation;
 mod geometry;
 mod ground;

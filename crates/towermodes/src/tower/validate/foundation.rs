@@ -1,17 +1,16 @@
 //! The checks of the foundation.
 
-use super::closed_form;
-use super::footings;
 use super::inertia::check_inertia;
-use super::scale::{coordinate, error, finite, length, positive, stiffness};
+use super::inputs::check_inputs;
+use super::scale::{coordinate, error, finite, positive, stiffness};
 use crate::space::SpatialMatrix;
 use crate::symmetric::eigenpairs;
 use crate::tower::base::Base;
+use crate::tower::closed_form::ClosedForm;
 use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
-use crate::tower::foundation::{
-    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, StiffnessFoundation,
-};
+use crate::tower::foundation::{FloatingPlatform, Foundation, StiffnessFoundation, Support};
+use crate::tower::foundation_springs::FoundationSprings;
 
 /// Entries of a stiffness that should be equal may differ by this fraction of their diagonal
 /// entries: they are often printed rounded.
@@ -25,17 +24,12 @@ const NOISE: f64 = 1e-3;
 const NEGATIVE: f64 = 1e-9;
 
 pub(super) fn check_foundation(foundation: &Foundation) -> Result<(), TowerError> {
-    match foundation {
-        Foundation::Clamped => Ok(()),
-        Foundation::Stiffness(foundation) => check_stiffness(foundation),
-        Foundation::Springs(springs) => check_springs(springs),
-        Foundation::HalfSpace(footing) => check_half_space(footing),
-        Foundation::CircularFooting(footing) => footings::check_circular(footing),
-        Foundation::RectangularFooting(footing) => footings::check_rectangular(footing),
-        Foundation::SuctionCaisson(caisson) => closed_form::check_caisson(caisson),
-        Foundation::Monopile(pile) => closed_form::check_monopile(pile),
-        Foundation::WinklerPile(pile) => closed_form::check_winkler_pile(pile),
-        Foundation::Floating(platform) => check_platform(platform),
+    match foundation.support() {
+        Support::Clamped => Ok(()),
+        Support::Stiffness(foundation) => check_stiffness(foundation),
+        Support::Springs(springs) => check_springs(springs),
+        Support::Floating(platform) => check_platform(platform),
+        Support::Form(form) => check_form(form),
     }
 }
 
@@ -102,19 +96,22 @@ fn check_springs(springs: &FoundationSprings) -> Result<(), TowerError> {
     error(at("coupling"), problem)
 }
 
-fn check_half_space(footing: &HalfSpace) -> Result<(), TowerError> {
-    length(at("radius"), "the footing's radius", footing.radius_m)?;
-    footings::check_embedment(footing.embedment_m)?;
-    footings::check_soil(footing.shear_modulus_pa, footing.poissons_ratio)
-}
-
-pub(super) fn check_poissons_ratio_of_soil(value: f64) -> Result<(), TowerError> {
-    let place = at("soil_poissons_ratio");
-    finite(place, "the soil's Poisson's ratio", value, "")?;
-    match (0.0..=0.5).contains(&value) {
-        true => Ok(()),
-        false => error(place, Problem::SoilPoissonsRatio { value }),
+/// A formula far outside its range can give a stiffness that no soil has.
+fn check_form(form: &dyn ClosedForm) -> Result<(), TowerError> {
+    check_inputs(form, at)?;
+    form.check()?;
+    let (key, what) = (
+        form.kind().decisive_key,
+        "stiffness of the foundation by its formula",
+    );
+    let mut stiffness = form.stiffness();
+    for rigid in [2, 5] {
+        if stiffness[rigid][rigid] == f64::INFINITY {
+            stiffness[rigid][rigid] = 0.0;
+        }
     }
+    check_finite(key, what, &stiffness)?;
+    check_not_indefinite(key, what, &stiffness)
 }
 
 fn check_platform(platform: &FloatingPlatform) -> Result<(), TowerError> {
@@ -163,7 +160,7 @@ pub(super) fn check_buoyancy(description: &TowerDescription) -> Result<(), Tower
     error(at("type"), Problem::WeightsWithoutBuoyancy)
 }
 
-pub(super) fn check_finite(
+fn check_finite(
     key: &'static str,
     what: &'static str,
     matrix: &SpatialMatrix,
@@ -219,7 +216,7 @@ pub(in crate::tower) fn largest_asymmetry(matrix: &SpatialMatrix) -> f64 {
 
 /// Refuses a matrix with a negative eigenvalue; whether it is negative is judged where its diagonal
 /// is scaled to one.
-pub(super) fn check_not_indefinite(
+fn check_not_indefinite(
     key: &'static str,
     what: &'static str,
     matrix: &SpatialMatrix,

@@ -27,6 +27,13 @@ fn check_input(input: &Input, value: f64, place: Place) -> Result<(), TowerError
         Limit::NotNegative => not_negative(place, name, value, unit),
         Limit::Stiffness => stiffness(place, name, value, unit),
         Limit::Within(range) => within(place, input, value, range),
+        Limit::PoissonsRatioOfSoil => {
+            finite(place, name, value, unit)?;
+            match (0.0..=0.5).contains(&value) {
+                true => Ok(()),
+                false => error(place, Problem::SoilPoissonsRatio { value }),
+            }
+        }
         Limit::Elsewhere => Ok(()),
     }
 }

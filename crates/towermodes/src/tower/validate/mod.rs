@@ -1,9 +1,7 @@
 //! The checks that turn a description into a tower.
 
-mod closed_form;
 mod damping;
 mod drivetrain;
-mod footings;
 mod foundation;
 mod ground;
 mod inertia;
