@@ -197,6 +197,46 @@ fn no_rooms_import_each_other_in_a_circle() {
     }
 }
 
+/// The list of closed forms in `tower/foundation.rs`.
+fn closed_forms() -> Vec<String> {
+    let home = root().join("crates/towermodes/src/tower/foundation.rs");
+    let text = fs::read_to_string(home).expect("the list");
+    let (_, list) = text.split_once("\nclosed_forms!(").expect("the list");
+    let (list, _) = list.split_once(')').expect("its end");
+    list.split(',').map(|name| name.trim().to_owned()).collect()
+}
+
+/// What a kind of foundation needs is asked of its trait. Only its own file, the list of all kinds
+/// and the re-exports name it; the towers of the verification manual are made of such foundations.
+#[test]
+fn nothing_but_its_file_names_a_foundation_by_closed_form() {
+    let homes = [
+        "tower/closed_form/",
+        "tower/foundation.rs",
+        "tower/mod.rs",
+        "src/lib.rs",
+    ];
+    let mut files = Vec::new();
+    rust_files(&root().join("crates"), &mut files);
+    let kinds = closed_forms();
+    assert!(
+        kinds.iter().any(|kind| kind == "SuctionCaisson"),
+        "{kinds:?}"
+    );
+    for file in files {
+        let path = file.to_string_lossy().replace('\\', "/");
+        let is_home = homes.iter().any(|home| path.contains(home));
+        if is_home || !path.contains("/src/") || path.contains("towermodes-verify") {
+            continue;
+        }
+        let code = code(&file);
+        let named = kinds
+            .iter()
+            .find(|kind| code.contains(&format!("Foundation::{kind}")));
+        assert_eq!(named, None, "{path}");
+    }
+}
+
 #[test]
 fn circles_and_lists_are_found() {
     let code = "use crate::{a::{B, C}, D};\nlet x = crate::e::f(); $crate::g; other_crate::h";
