@@ -276,7 +276,7 @@ fn footings_that_cannot_be() {
         HALF_SPACE,
         r#"
         radius = 8.0\n |  | 7:1 | of type "half-space" has no `radius` | radius of the footing in m
-        8.0 | 0 | 9:10 | radius is 0 m
+        8.0 | 0 | 9:10 | the radius of the footing is 0 m
         "#,
     );
     all_refused(
@@ -284,8 +284,8 @@ fn footings_that_cannot_be() {
         r#"
         shadlou-bhattacharya | gazetas | 9:11 | there is no formula `gazetas` | names: shadlou-bhattacharya, randolph, en-1998-5, carter-kulhawy
         "homogeneous" | 3 | 14:16 | soil profile
-        0.08 | 80 | 11:18 | wall thickness is 80 m; it must be from 0 to 3.5 m | check value and unit
-        3e7 | 0 | 15:23 | the soil's Young's modulus is 0 Pa
+        0.08 | 80 | 11:18 | the wall thickness of the pile is 80 m; it must be from 0 to 3.5 m | check value and unit
+        3e7 | 0 | 15:23 | Young's modulus of the soil at the depth of one diameter is 0 Pa
         soil_youngs_modulus = 3e7\n | soil_shear_modulus = 3e7\n | 15:1 | `soil_shear_modulus` is not a key | belongs to type = "half-space"
         "#,
     );
@@ -293,7 +293,7 @@ fn footings_that_cannot_be() {
         HALF_SPACE,
         r#"
         0.35 | 0.6 | 11:23 | Poisson's ratio of the soil is 0.6; it must be from 0 to 0.5 | clay 0.5
-        = 2.0 | = -2.0 | 12:13 | the embedment is -2 m
+        = 2.0 | = -2.0 | 12:13 | the depth of embedment is -2 m
         5e7 | inf | 10:22 | soil_shear_modulus is inf
         "#,
     );
@@ -334,7 +334,7 @@ fn strata_caissons_and_springs_that_cannot_be() {
     all_refused(
         RECTANGULAR_FOOTING,
         r#"
-        18.0 | -18.0 | 10:12 | the footing's side along x is -18 m
+        18.0 | -18.0 | 10:12 | the side along x is -18 m
         length_y | width | 11:1 | `width` is not a key | `length_y`
         gazetas | arya | 9:11 | there is no formula `arya` | names: gazetas, pais-kausel
         "#,
@@ -344,7 +344,7 @@ fn strata_caissons_and_springs_that_cannot_be() {
         "skirt_length = 9.0",
         "skirt_length = 0",
         "10:16",
-        "the length of the caisson's skirt is 0 m",
+        "the length of the skirt is 0 m",
         "",
     );
     all_refused(
@@ -413,7 +413,7 @@ fn water_that_cannot_be() {
         r#"
         -15.0 | 12.0 | 9:7 | the seabed at 12 m is not below the water level at 10 m | lowest station
         level = 10.0\n |  | 7:1 | [water] has no `level` | height of the surface
-        1000.0 | 0 | 10:11 | the water's density is 0 kg/m3
+        1000.0 | 0 | 10:11 | the density of the water is 0 kg/m3
         0.9 | -1 | 11:26 | the added mass coefficient is -1
         = true | = 1 | 12:11 | flooded must be true or false, found a number
         density | desnity | 10:1 | `desnity` is not a key of [water] | did you mean `density`?

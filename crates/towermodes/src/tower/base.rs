@@ -32,8 +32,8 @@ impl Base {
         match foundation.support() {
             Support::Clamped => Self::default(),
             Support::Stiffness(foundation) => Self::on(foundation),
-            Support::Springs(springs) => Self::on(&springs.matrix().into()),
-            Support::Form(form) => Self::on(&form.stiffness().into()),
+            Support::Springs(springs) => Self::on(&on_springs(springs.matrix())),
+            Support::Form(form) => Self::on(&on_springs(form.stiffness())),
             Support::Floating(platform) => Self::afloat(platform, base_m, mass_kg),
         }
     }
@@ -76,6 +76,17 @@ impl Base {
         base.overturning_kg_m = platform.mass_kg * (z - pivot_m) + mass_kg * (base_m - pivot_m);
         base
     }
+}
+
+/// A stiffness that is rigid wherever it is not finite, as a rigid spring is after a step towards
+/// its neighbour.
+fn on_springs(mut stiffness: SpatialMatrix) -> StiffnessFoundation {
+    for motion in 0..6 {
+        if !stiffness[motion][motion].is_finite() {
+            stiffness[motion][motion] = f64::INFINITY;
+        }
+    }
+    stiffness.into()
 }
 
 /// (A + Aᵀ)/2.
