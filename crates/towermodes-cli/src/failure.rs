@@ -202,6 +202,20 @@ fn joined(reasons: &[NotChecked]) -> String {
     reasons.join("; ")
 }
 
+/// What is needed for verdicts, for each reason why there are none.
+fn hint_for_unchecked(reasons: &[NotChecked], format: FileFormat) -> String {
+    const WHOLE: &str = "a file with the whole structure gives verdicts; --to toml of convert writes what was read as a tower file, to which the missing parts can be added";
+    let speeds = match format {
+        FileFormat::Toml => NO_ROTOR,
+        _ => "give --rpm LOWEST,HIGHEST",
+    };
+    match reasons {
+        [NotChecked::PartsMissing(_)] => WHOLE.to_owned(),
+        [NotChecked::SpeedsUnknown] => speeds.to_owned(),
+        _ => format!("{WHOLE}; the operating speeds are needed too: {speeds}"),
+    }
+}
+
 impl Failure {
     /// Prints the error on standard error and returns the exit code.
     pub(crate) fn report(&self) -> u8 {
@@ -271,14 +285,9 @@ impl Failure {
                 "give --chord-moment, or chord_moment in [damping] of the tower file"
             }
             Self::NoRotorSpeeds => ROTOR,
-            Self::NotChecked { reasons, .. } if !reasons.contains(&NotChecked::SpeedsUnknown) => {
-                "a file with the whole structure gives verdicts; --to toml of convert writes what was read as a tower file, to which the missing parts can be added"
+            Self::NotChecked { reasons, format } => {
+                return Some(Cow::Owned(hint_for_unchecked(reasons, *format)));
             }
-            Self::NotChecked {
-                format: FileFormat::Toml,
-                ..
-            } => NO_ROTOR,
-            Self::NotChecked { .. } => "give --rpm LOWEST,HIGHEST",
             Self::Resonant { .. } => {
                 "see the lines with FAIL above; change the operating speeds ([rotor] rpm or --rpm), the stiffness of the tower or the RNA mass"
             }

@@ -183,6 +183,42 @@ fn the_speed_of_the_start_is_no_range_of_operation() {
     }
 }
 
+/// Each reason without verdicts has its help at once.
+#[test]
+fn what_verdicts_need_is_named_at_once() {
+    let folder = Folder::new("needs");
+    let path = folder.path("tower.toml");
+    let text = fs::read_to_string(root().join("examples/nrel-5mw.toml")).expect("the example");
+    let start = text.find("[rotor]").expect("a rotor");
+    let after = text[start + 1..]
+        .find("\n[")
+        .map_or(text.len(), |at| start + 1 + at);
+    let text = format!("{}{}", &text[..start], &text[after..]);
+    for (parts, needs_structure) in [
+        ("missing_parts = [\"nacelle\", \"hub\"]\n", true),
+        ("", false),
+    ] {
+        fs::write(&path, format!("{parts}{text}")).expect("a file");
+        for (rpm, needs_speeds) in [(None, true), (Some("--rpm=6.9,12.1"), false)] {
+            let command: Vec<&str> = ["campbell", &path].into_iter().chain(rpm).collect();
+            let output = run(&command);
+            let [out, err] = texts(&output);
+            assert_eq!(
+                err.contains("a file with the whole structure"),
+                needs_structure,
+                "{err}"
+            );
+            assert_eq!(
+                err.contains("give --rpm LOWEST,HIGHEST"),
+                needs_speeds,
+                "{err}"
+            );
+            let mark = "the mass of the nacelle and the hub is not in this model";
+            assert_eq!(out.contains(mark), needs_structure, "{out}");
+        }
+    }
+}
+
 /// The CSV of a turbine has a line for each point of the JSON, with energies that sum to 1.
 #[test]
 fn the_curves_of_a_turbine_are_the_same_in_csv_and_json() {

@@ -588,7 +588,7 @@ fn blades_that_are_there_are_not_missing() {
     let blades = with("\"soil\", \"blades\"");
     assert!(blades.contains("t.toml:1:26"), "{blades}");
     assert!(
-        blades.contains("listed as missing, but [turbine.blade] describes them"),
+        blades.contains("`blades` is listed as missing, but [turbine] describes it"),
         "{blades}"
     );
     let twice = with("\"soil\", \"water\", \"soil\"");

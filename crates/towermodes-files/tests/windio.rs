@@ -4,12 +4,12 @@
 use crate::windio_files;
 
 use towermodes::{
-    Inertia, Material, Options, PointMass, Properties, PropertyStation, Rna, Rotor, Station, Tower,
-    TowerDescription, solve,
+    Inertia, Material, MissingPart, Options, PointMass, Properties, PropertyStation, Rna, Rotor,
+    Station, Tower, TowerDescription, solve,
 };
 use towermodes_files::{
-    Diagnostic, DiagnosticKind, ReadError, ReadOptions, Source, TowerInput, TowerPart, read_windio,
-    write_windio,
+    Diagnostic, DiagnosticKind, InMemory, Input, ReadError, ReadOptions, Source, TowerInput,
+    TowerPart, read_source, read_windio, write_toml, write_windio,
 };
 use windio_files::{LAYERED, TABLE, VERSION_1, VERSION_2};
 
@@ -291,6 +291,37 @@ fn what_the_assembly_lacks_is_said() {
     let bare = format!("{}{}", &VERSION_2[..start], &VERSION_2[end..]);
     assert!(has_note(&read(&bare), "NO ROTOR-NACELLE ASSEMBLY"));
     assert!(missing_parts(&read(&bare)).contains("NO ROTOR-NACELLE ASSEMBLY"));
+    // The mark keeps resonance from being judged, in this file and in the tower file of it.
+    let marked = |text: &str| read(text).description.missing_parts;
+    let lacks = vec![MissingPart::Hub, MissingPart::Blades];
+    assert_eq!(marked(VERSION_2), lacks);
+    let (tower_file, _) = write_toml(&input.description);
+    let source = Source {
+        name: "t.toml".to_owned(),
+        text: tower_file,
+    };
+    let again = read_source(source, &InMemory::default(), &ReadOptions::default());
+    let Input::Tower(again) = again.expect("a tower") else {
+        panic!("a blade");
+    };
+    assert_eq!(again.description.missing_parts, lacks);
+    // A hub without mass shows a machine; a tower alone has none, and nobody asked for one.
+    let hub = bare.replacen("components:\n", "components:\n    hub: {diameter: 4}\n", 1);
+    assert_ne!(hub, bare);
+    let all = vec![MissingPart::Nacelle, MissingPart::Hub, MissingPart::Blades];
+    assert_eq!(marked(&hub), all);
+    assert_eq!(marked(&bare), []);
+    let options = ReadOptions {
+        without_rna: true,
+        ..ReadOptions::default()
+    };
+    let source = Source {
+        name: "t.yaml".to_owned(),
+        text: VERSION_2.to_owned(),
+    };
+    let alone = read_windio(source, &options).expect("a tower");
+    assert_eq!(alone.description.missing_parts, []);
+    assert_eq!(marked(VERSION_1), []);
     // An inertia that no body has.
     let text = VERSION_2.replace("[1.0e5, 2e5, 3e5, 0, 0, 0]", "[0, 0, 0, 0, 0, 7e5]");
     let input = read(&text);

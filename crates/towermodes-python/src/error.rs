@@ -265,7 +265,7 @@ fn hint(error: &SolveError) -> Option<&'static str> {
         SolveError::Unstable {
             motion: Family::Roll | Family::Pitch,
         } => Some(
-            "hydrostatic must not contain the gravity terms of the masses, which gravity adds; check also the acceleration and the height of the centre of mass",
+            "hydrostatic must not contain the gravity terms of the masses, which gravity adds; without gravity (no_gravity=True, or no acceleration of gravity) the masses do not keep the platform upright; check also the acceleration and the height of the centre of mass",
         ),
         SolveError::Unstable { .. } => Some(
             "check the signs of the hydrostatic and mooring stiffness for this motion, and the masses",

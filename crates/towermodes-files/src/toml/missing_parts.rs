@@ -18,8 +18,8 @@ pub(super) fn missing_parts(root: &Table<'_>, reading: &mut Reading) -> Option<V
     let names = list(value, "missing_parts", reading)?;
     every_row(names, |_, name| {
         let part = chosen(name, "missing part", &choices, reading)?;
-        if part == MissingPart::Blades && root.get("turbine").is_some() {
-            return has_blades(name, reading);
+        if part.is_of_rotor_nacelle_assembly() && root.get("turbine").is_some() {
+            return has_part(name, part, reading);
         }
         if parts.contains(&part) {
             return repeated(name, part, reading);
@@ -30,11 +30,12 @@ pub(super) fn missing_parts(root: &Table<'_>, reading: &mut Reading) -> Option<V
     Some(parts)
 }
 
-/// The mistake of blades that are missing beside those of the turbine.
-fn has_blades<T>(name: &Value<'_>, reading: &mut Reading) -> Option<T> {
-    let message = "the blades are listed as missing, but [turbine.blade] describes them".to_owned();
+/// The mistake of a part that is missing beside that of the turbine.
+fn has_part<T>(name: &Value<'_>, part: MissingPart, reading: &mut Reading) -> Option<T> {
+    let part = part.name();
+    let message = format!("`{part}` is listed as missing, but [turbine] describes it");
     let kind = DiagnosticKind::Contradiction(message);
-    let hint = "remove \"blades\" from missing_parts";
+    let hint = format!("remove \"{part}\" from missing_parts");
     reading.refuse(Diagnostic::new(name.span(), kind).with_hint(hint))
 }
 

@@ -107,8 +107,9 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     known_keys::note_lookalikes(&outline, options.part, reading);
     let (rna, rotor) = top(&outline, version, options, reading);
     let structure = Structure::read(&outline, version, options.part, reading);
-    let (rna, mut structure) = (rna?, structure?);
-    let missing_parts = missing_parts(&outline, reading);
+    let ((rna, without_mass), mut structure) = (rna?, structure?);
+    let mut missing_parts = missing_parts(&outline, reading);
+    missing_parts.extend(without_mass);
     let in_soil = water::stand(&mut structure, &outline, options.part, reading);
     let in_soil = reading.keep(in_soil)?;
     comparison::compare(&structure, reading);
@@ -145,18 +146,18 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     })
 }
 
-/// The rotor-nacelle assembly and the rotor, which a monopile alone does not have.
+/// The rotor-nacelle assembly, its parts without mass and the rotor, which a monopile alone does not have.
 fn top(
     outline: &Outline,
     version: Version,
     options: &ReadOptions,
     reading: &mut Reading<'_>,
-) -> (Option<Rna>, Option<Option<Rotor>>) {
+) -> (Option<(Rna, Vec<MissingPart>)>, Option<Option<Rotor>>) {
     if options.part == TowerPart::Monopile {
-        return (Some(Rna::default()), Some(None));
+        return (Some((Rna::default(), Vec::new())), Some(None));
     }
     let rna = match options.without_rna {
-        true => Ok(Rna::default()),
+        true => Ok((Rna::default(), Vec::new())),
         false => rna::rna(outline, version, reading),
     };
     let rna = reading.keep(rna);

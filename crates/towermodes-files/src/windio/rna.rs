@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use towermodes::{Inertia, Place, RigidBody, Rna};
+use towermodes::{Inertia, MissingPart, Place, RigidBody, Rna};
 
 use super::body::{NEW_KEYS, OLD_KEYS, body};
 use super::outline::{Outline, Version};
@@ -30,16 +30,17 @@ const ABOVE_YAW: &str = "above_yaw_mass";
 /// The bodies found so far.
 struct Assembly {
     bodies: Vec<(String, RigidBody)>,
-    missing: Vec<&'static str>,
+    /// Those whose mass the file does not give, with their names in it.
+    missing: Vec<(MissingPart, &'static str)>,
     span: Range<usize>,
 }
 
-/// The bodies of the assembly combined; a note lists them and the missing ones.
+/// The bodies of the assembly combined, and the missing ones; a note lists both.
 pub(super) fn rna(
     outline: &Outline,
     version: Version,
     reading: &mut Reading<'_>,
-) -> Result<Rna, Diagnostic> {
+) -> Result<(Rna, Vec<MissingPart>), Diagnostic> {
     let mut assembly = Assembly {
         bodies: Vec::new(),
         missing: Vec::new(),
@@ -57,16 +58,33 @@ pub(super) fn rna(
     } else {
         assembly.read_rotor(outline, version, reading)?;
     }
+    // Files written by this program have the whole assembly in one place, and a comment on it.
+    if reading.source.text.contains(WHOLE_ASSEMBLY) {
+        assembly.missing.clear();
+    }
     assembly.note(reading);
+    let is_there = !assembly.bodies.is_empty() || has_machine(outline);
+    let missing = assembly.missing.iter().filter(|_| is_there);
+    let missing = missing.map(|(part, _)| *part).collect();
     for key in [TABLE, "mass", "center", "inertia"] {
         reading.remember(Place::Rna { key }, &assembly.span);
     }
     let bodies: Vec<RigidBody> = assembly.bodies.into_iter().map(|(_, body)| body).collect();
-    Ok(match bodies[..] {
+    let rna = match bodies[..] {
         [] => Rna::default(),
         [body] => body.into(),
         _ => RigidBody::combined(&bodies).into(),
-    })
+    };
+    Ok((rna, missing))
+}
+
+/// Whether the file describes a machine on the tower, with or without masses.
+fn has_machine(outline: &Outline) -> bool {
+    let of_components = outline.components.as_ref().is_some_and(|c| {
+        let nodes = [&c.rna, &c.hub, &c.nacelle, &c.drivetrain, &c.yaw];
+        c.blade.is_some() || nodes.into_iter().any(Option::is_some)
+    });
+    of_components || matches!(blade_count(outline), Ok(Some(_)))
 }
 
 impl Assembly {
@@ -91,7 +109,8 @@ impl Assembly {
                 self.add(what, body(node, NEW_KEYS, what, reading)?, &node.span);
             } else if what == "drivetrain" && !self.read_older_nacelle(outline, reading)? {
                 // Many files count the yaw system in the drive train.
-                self.missing.push("nacelle (drivetrain)");
+                let missing = (MissingPart::Nacelle, "nacelle (drivetrain)");
+                self.missing.push(missing);
             }
         }
         Ok(())
@@ -104,7 +123,7 @@ impl Assembly {
         reading: &mut Reading<'_>,
     ) -> Result<(), Diagnostic> {
         if !self.read_older_nacelle(outline, reading)? {
-            self.missing.push("nacelle");
+            self.missing.push((MissingPart::Nacelle, "nacelle"));
         }
         Ok(())
     }
@@ -148,9 +167,9 @@ impl Assembly {
         let is_upwind = is_upwind(outline, reading);
         let hub = hub(outline, version, reading)?;
         let blades = blades(outline, version, is_upwind, reading)?;
-        let missing = [("hub", hub.is_none()), ("blades", blades.is_none())];
-        let missing = missing.into_iter().filter(|(_, is_missing)| *is_missing);
-        self.missing.extend(missing.map(|(what, _)| what));
+        let no_hub = hub.is_none().then_some((MissingPart::Hub, "hub"));
+        let no_blades = (blades.is_none()).then_some((MissingPart::Blades, "blades"));
+        self.missing.extend(no_hub.into_iter().chain(no_blades));
         if hub.is_none() && blades.is_none() {
             return Ok(());
         }
@@ -167,12 +186,8 @@ impl Assembly {
         let list = |(what, body): &(String, RigidBody)| format!("{what} {:.0} kg", body.mass_kg);
         let bodies: Vec<String> = self.bodies.iter().map(list).collect();
         let total: f64 = self.bodies.iter().map(|(_, body)| body.mass_kg).sum();
-        // Files written by this program have the whole assembly in one place, and a comment on it.
-        let is_whole = reading.source.text.contains(WHOLE_ASSEMBLY);
-        let missing = match is_whole {
-            true => String::new(),
-            false => self.missing.join(", "),
-        };
+        let missing: Vec<&str> = self.missing.iter().map(|(_, name)| *name).collect();
+        let missing = missing.join(", ");
         let bodies = bodies.join(", ");
         if self.bodies.is_empty() {
             reading.note(Note::missing_part("NO ROTOR-NACELLE ASSEMBLY: the file has no mass of it, so the frequencies are those of the bare tower; add [rna] after `convert --to toml`"));

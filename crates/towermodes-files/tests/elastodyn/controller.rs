@@ -223,7 +223,7 @@ fn blades_of_beamdyn_need_no_blade_file() {
     );
     let tower = input.tower().expect("a tower");
     let missing = tower.missing_parts().expect("blades").to_string();
-    assert_eq!(missing, "the file has blades, which are not in this model");
+    assert_eq!(missing, "the mass of the blades is not in this model");
     assert!(read("1").is_err());
 }
 

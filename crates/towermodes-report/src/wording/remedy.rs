@@ -20,7 +20,7 @@ pub fn remedy(error: &SolveError) -> Option<&'static str> {
         SolveError::Unstable {
             motion: Family::Roll | Family::Pitch,
         } => Some(
-            "hydrostatic must not contain the gravity terms of the masses, which [gravity] adds; check also the acceleration and the height of the centre of mass",
+            "hydrostatic must not contain the gravity terms of the masses, which [gravity] adds; without gravity (--no-gravity, or a file without [gravity]) the masses do not keep the platform upright; check also the acceleration and the height of the centre of mass",
         ),
         SolveError::Unstable { .. } => Some(
             "check the signs of the hydrostatic and mooring stiffness for this motion, and the masses",

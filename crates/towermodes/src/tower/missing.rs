@@ -3,7 +3,7 @@
 use super::foundation::Foundation;
 
 /// A part of the structure that the source of a description has, such as a set of files of
-/// OpenFAST, and the description lacks.
+/// OpenFAST, or whose mass the source does not give, and that the description lacks.
 ///
 /// Frequencies are then those of the rest, and they say nothing about resonance of the whole.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -21,23 +21,29 @@ pub enum MissingPart {
     MooringLines,
     /// The soil.
     Soil,
+    /// The nacelle.
+    Nacelle,
+    /// The hub of the rotor.
+    Hub,
     /// The blades of the rotor.
     Blades,
 }
 
 impl MissingPart {
     /// All of them.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 8] = [
         Self::Substructure,
         Self::Platform,
         Self::Water,
         Self::MooringLines,
         Self::Soil,
+        Self::Nacelle,
+        Self::Hub,
         Self::Blades,
     ];
 
-    /// Its name in files: `substructure`, `platform`, `water`, `mooring-lines`, `soil`,
-    /// `blades`.
+    /// Its name in files: `substructure`, `platform`, `water`, `mooring-lines`, `soil`, `nacelle`,
+    /// `hub`, `blades`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Substructure => "substructure",
@@ -45,8 +51,15 @@ impl MissingPart {
             Self::Water => "water",
             Self::MooringLines => "mooring-lines",
             Self::Soil => "soil",
+            Self::Nacelle => "nacelle",
+            Self::Hub => "hub",
             Self::Blades => "blades",
         }
+    }
+
+    /// Whether it is above the tower: a part of the rotor-nacelle assembly.
+    pub fn is_of_rotor_nacelle_assembly(self) -> bool {
+        matches!(self, Self::Nacelle | Self::Hub | Self::Blades)
     }
 
     /// It in a sentence, with its article.
@@ -57,7 +70,9 @@ impl MissingPart {
             Self::Water => "water",
             Self::MooringLines => "mooring lines",
             Self::Soil => "soil",
-            Self::Blades => "blades",
+            Self::Nacelle => "the nacelle",
+            Self::Hub => "the hub",
+            Self::Blades => "the blades",
         }
     }
 }
@@ -79,7 +94,9 @@ impl MissingParts {
         let mut parts = parts.to_vec();
         parts.sort_unstable();
         parts.dedup();
-        let holds = parts.iter().any(|part| *part != MissingPart::Blades);
+        let holds = parts
+            .iter()
+            .any(|part| !part.is_of_rotor_nacelle_assembly());
         Self {
             parts,
             is_clamped: *foundation == Foundation::Clamped && holds,
@@ -87,25 +104,38 @@ impl MissingParts {
     }
 }
 
-/// "clamped at the tower base; the file has a substructure and water, which are not in this model".
+/// "clamped at the tower base; the file has a substructure and water, which are not in this model",
+/// "the mass of the nacelle and the hub is not in this model".
 impl std::fmt::Display for MissingParts {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let words: Vec<&str> = self.parts.iter().map(|part| part.in_words()).collect();
-        let (list, verb) = match &words[..] {
-            [] => return Ok(()),
-            [plural] if PLURALS.contains(plural) => ((*plural).to_owned(), "are"),
-            [one] => ((*one).to_owned(), "is"),
-            [first @ .., last] => (format!("{} and {last}", first.join(", ")), "are"),
-        };
-        if self.is_clamped {
-            f.write_str("clamped at the tower base; ")?;
-        }
-        write!(f, "the file has {list}, which {verb} not in this model")
+        let parts = self.parts.iter().copied();
+        let (above, others): (Vec<MissingPart>, Vec<MissingPart>) =
+            parts.partition(|part| part.is_of_rotor_nacelle_assembly());
+        let clamped = self
+            .is_clamped
+            .then(|| "clamped at the tower base".to_owned());
+        let others = listed(&others).map(|list| {
+            let verb = match others[..] {
+                [part] if part != MissingPart::MooringLines => "is",
+                _ => "are",
+            };
+            format!("the file has {list}, which {verb} not in this model")
+        });
+        let above = listed(&above).map(|list| format!("the mass of {list} is not in this model"));
+        let clauses: Vec<String> = [clamped, others, above].into_iter().flatten().collect();
+        f.write_str(&clauses.join("; "))
     }
 }
 
-/// The parts whose words are a plural.
-const PLURALS: [&str; 2] = ["mooring lines", "blades"];
+/// "a platform that moves, water and mooring lines"; none without parts.
+fn listed(parts: &[MissingPart]) -> Option<String> {
+    let words: Vec<&str> = parts.iter().map(|part| part.in_words()).collect();
+    match &words[..] {
+        [] => None,
+        [one] => Some((*one).to_owned()),
+        [first @ .., last] => Some(format!("{} and {last}", first.join(", "))),
+    }
+}
 
 #[cfg(test)]
 mod tests {
@@ -130,6 +160,10 @@ mod tests {
         assert_eq!(said(&[]), "");
         // They hold no tower.
         let blades = said(&[MissingPart::Blades]);
-        assert_eq!(blades, "the file has blades, which are not in this model");
+        assert_eq!(blades, "the mass of the blades is not in this model");
+        assert_eq!(
+            said(&[MissingPart::Hub, Water, MissingPart::Nacelle]),
+            "clamped at the tower base; the file has water, which is not in this model; the mass of the nacelle and the hub is not in this model"
+        );
     }
 }
