@@ -28,7 +28,14 @@ pub(super) fn read_into(
     reading: &mut Reading,
 ) -> Option<()> {
     let (mut is_complete, mut is_chosen) = (true, true);
+    let mut missing = None;
     inputs.update(&mut |input, given| {
+        // Another key decides that it is there: without a default it must be given.
+        let is_needed = !input.is_required && matches!(given, Given::Number(n) if n.is_nan());
+        if is_needed && table.get(input.key).is_none() {
+            missing = missing.or(Some((input, given)));
+            return given;
+        }
         let read = value(input, given, table, at(input.key), reading);
         is_complete &= read.is_some();
         match (read, given) {
@@ -42,8 +49,17 @@ pub(super) fn read_into(
     });
     let mut idle = Vec::new();
     inputs.idle(&mut |input, _| idle.push(input));
+    let mut is_idle = false;
     for input in idle.into_iter().filter(|_| is_chosen) {
-        is_complete &= refuse_idle(input, table, reading).is_some();
+        is_idle |= refuse_idle(input, table, reading).is_none();
+    }
+    is_complete &= !is_idle;
+    if let Some((input, given)) = missing {
+        // Beside a value that has no effect, that one is the mistake.
+        if !is_idle {
+            table.require(input.key, &hint(input, given), reading);
+        }
+        return None;
     }
     is_complete.then_some(())
 }
@@ -56,9 +72,7 @@ fn value(
     place: Place,
     reading: &mut Reading,
 ) -> Option<Given> {
-    // Without a default it must be given, also where another key decides whether it is there.
-    let is_required = input.is_required || matches!(blank, Given::Number(n) if n.is_nan());
-    let value = match is_required {
+    let value = match input.is_required {
         true => table.require(input.key, &hint(input, blank), reading)?,
         false => match table.get(input.key) {
             Some(value) => value,
