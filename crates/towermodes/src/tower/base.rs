@@ -81,9 +81,9 @@ impl Base {
 /// A stiffness that is rigid wherever it is not finite, as a rigid spring is after a step towards
 /// its neighbour.
 fn on_springs(mut stiffness: SpatialMatrix) -> StiffnessFoundation {
-    for motion in 0..6 {
-        if !stiffness[motion][motion].is_finite() {
-            stiffness[motion][motion] = f64::INFINITY;
+    for (motion, row) in stiffness.iter_mut().enumerate() {
+        if !row[motion].is_finite() {
+            row[motion] = f64::INFINITY;
         }
     }
     stiffness.into()

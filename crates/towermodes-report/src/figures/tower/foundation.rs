@@ -35,7 +35,7 @@ pub(super) fn draw_foundation(
         Support::Springs(springs) => draw_springs(drawing, view, tower, springs),
         Support::Floating(_) => {}
         Support::Form(form) => {
-            draw_in_soil(drawing, view, &InSoil::new(view, tower, form.buried()))
+            draw_in_soil(drawing, view, &InSoil::new(view, tower, form.buried()));
         }
     }
 }
