@@ -5,7 +5,7 @@
 //! adds to one or several of these numbers: `scale(stations[*].wall)`. Both are found by name once;
 //! to read or change a value afterwards costs nanoseconds.
 //!
-//! Tables whose fields describe themselves ([`crate::inputs`]) are a [`table`]; other parts list
+//! Tables whose fields describe themselves ([`crate::inputs`]) are a `table`; other parts list
 //! their numbers as `part` defines it. `structure`, `bodies`, `foundation`, `ground` and
 //! `surroundings` have both; `holder` is one of the two, `number` a number of it, and `name`
 //! reads names.
