@@ -6,7 +6,7 @@
 //! | [`Sweep`] | the [changes](towermodes::Change) of each row, and the modes with columns |
 //! | [`Columns`], [`Draw`], [`Table`] | the values: in memory, drawn, from a file |
 //! | [`run()`], [`Results`] | all rows in memory |
-//! | [`Slice`], [`Slices`] | any rows into a file as they are solved; the files of one sweep together |
+//! | [`Slice`], [`Slices`] | any rows into a file as they are solved; files of one sweep together |
 //! | [`FirstOrder`] | mean and deviation of frequencies from derivatives, without rows |
 //! | [`Summary`] | statistics, failures, violated resonance margins |
 //!
@@ -29,6 +29,7 @@ mod remedy;
 mod results;
 mod row;
 mod run;
+mod run_error;
 mod sampling;
 mod slice;
 mod source;
@@ -46,7 +47,8 @@ pub use first_order::{FirstOrder, FirstOrderError, InputScatter, ModeScatter, No
 pub use remedy::Remedy;
 pub use results::Results;
 pub use row::{MORE_MODES, named, number_at};
-pub use run::{RunError, run};
+pub use run::run;
+pub use run_error::RunError;
 pub use sampling::Draw;
 pub use slice::{Slice, SliceError, SliceFormat, Slices, Solved, rows_within};
 pub use source::{Columns, LengthsDiffer, RowSource, SourceBlock};

@@ -1,37 +1,11 @@
 //! A sweep in memory.
 
-use thiserror::Error;
-
 use crate::results::Results;
+use crate::run_error::RunError;
 use crate::source::{RowSource, SourceBlock};
 use crate::stream::stream;
 use crate::sweep::Sweep;
 use crate::threads::Watch;
-
-/// Why a sweep in memory has no results.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum RunError {
-    /// The [`Watch`] ended it.
-    #[error("the sweep was stopped")]
-    Stopped,
-    /// The rows have another number of values than the sweep has changes.
-    #[error(
-        "the rows have {values} values, but the sweep has {changes} changes; give one value for each change"
-    )]
-    Width {
-        /// Number of values of a row.
-        values: usize,
-        /// Number of changes.
-        changes: usize,
-    },
-    /// The results need more memory than there is.
-    #[error("the results of {rows} rows do not fit into memory; solve fewer rows at a time")]
-    Memory {
-        /// Number of rows.
-        rows: u64,
-    },
-}
 
 /// Solves all rows of a source. The results do not depend on the number of threads.
 ///

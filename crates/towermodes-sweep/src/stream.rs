@@ -11,7 +11,7 @@ use std::time::Duration;
 
 use crate::results::Results;
 use crate::row::RowSolver;
-use crate::run::RunError;
+use crate::run_error::RunError;
 use crate::source::{RowSource, SourceBlock};
 use crate::sweep::Sweep;
 use crate::threads::{Tick, Watch, lock, shared};

@@ -1,4 +1,4 @@
-//! Slices: the results of any rows, whoever writes them; what is read together, and what is refused.
+//! Slices: the results of any rows, whoever writes them; what is read together, what is refused.
 
 use std::fs;
 use std::io::{self, Write};

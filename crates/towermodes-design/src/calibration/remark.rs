@@ -208,7 +208,8 @@ impl Calibration {
         }
     }
 
-    /// Whether some measured frequency changes with an unknown to first order within the errors of derivatives.
+    /// Whether some measured frequency changes with an unknown to first order within the errors of
+    /// derivatives.
     fn has_effect(&self, j: usize) -> bool {
         let mut alone = vec![0.0; self.unknowns.len()];
         alone[j] = 1.0;

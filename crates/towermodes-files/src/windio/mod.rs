@@ -146,7 +146,8 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     })
 }
 
-/// The rotor-nacelle assembly, its parts without mass and the rotor, which a monopile alone does not have.
+/// The rotor-nacelle assembly, its parts without mass and the rotor, which a monopile alone does
+/// not have.
 fn top(
     outline: &Outline,
     version: Version,

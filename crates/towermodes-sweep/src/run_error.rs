@@ -1,0 +1,28 @@
+//! Why rows are not solved to their end.
+
+use thiserror::Error;
+
+/// Why a sweep in memory has no results.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum RunError {
+    /// The [`Watch`](crate::Watch) ended it.
+    #[error("the sweep was stopped")]
+    Stopped,
+    /// The rows have another number of values than the sweep has changes.
+    #[error(
+        "the rows have {values} values, but the sweep has {changes} changes; give one value for each change"
+    )]
+    Width {
+        /// Number of values of a row.
+        values: usize,
+        /// Number of changes.
+        changes: usize,
+    },
+    /// The results need more memory than there is.
+    #[error("the results of {rows} rows do not fit into memory; solve fewer rows at a time")]
+    Memory {
+        /// Number of rows.
+        rows: u64,
+    },
+}
