@@ -25,13 +25,13 @@ pub(super) fn fit_beside(
     start: &Point,
 ) -> Result<Found, CalibrationError> {
     let mut beside = start.x.clone();
-    for j in 0..start.x.len() {
+    for (j, beside) in beside.iter_mut().enumerate() {
         if !is_stationary(towers, start, j) {
             continue;
         }
         let moved = moved(towers, start, j);
         towers.has_effect[j] = moved.is_some();
-        beside[j] = moved.unwrap_or(start.x[j]);
+        *beside = moved.unwrap_or(*beside);
     }
     if beside == start.x {
         return fit(towers, &start.x);

@@ -146,6 +146,9 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     })
 }
 
+/// The rotor-nacelle assembly and its parts without mass.
+type Assembly = (Rna, Vec<MissingPart>);
+
 /// The rotor-nacelle assembly, its parts without mass and the rotor, which a monopile alone does
 /// not have.
 fn top(
@@ -153,7 +156,7 @@ fn top(
     version: Version,
     options: &ReadOptions,
     reading: &mut Reading<'_>,
-) -> (Option<(Rna, Vec<MissingPart>)>, Option<Option<Rotor>>) {
+) -> (Option<Assembly>, Option<Option<Rotor>>) {
     if options.part == TowerPart::Monopile {
         return (Some((Rna::default(), Vec::new())), Some(None));
     }
