@@ -22,8 +22,10 @@ use towermodes_report::wording::{printable, remedy};
 use towermodes_sweep::{Remedy, SliceError, SweepError, TableError};
 
 use crate::args::EndingError;
-use crate::input::SETTING;
 use crate::terminal::NOT_SHOWN;
+
+/// The option that sets numbers by name.
+pub(crate) const SETTING: &str = "--set";
 
 /// The errors that end the program without a result.
 #[derive(Debug, Error)]

@@ -8,10 +8,7 @@ use towermodes_files::{
 };
 
 use crate::args::{InputArguments, ReadingArguments};
-use crate::failure::Failure;
-
-/// The option that sets numbers by name.
-pub(crate) const SETTING: &str = "--set";
+use crate::failure::{Failure, SETTING};
 
 /// Reads a tower or blade from a file or from standard input.
 pub(crate) fn input(file: &Path, reading: &ReadingArguments) -> Result<Input, Failure> {

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// Why a sweep in memory has no results.
+/// Why the rows of a sweep are not solved to their end.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum RunError {

@@ -33,6 +33,25 @@ pub(super) fn number(value: &Value<'_>, what: &str, reading: &mut Reading) -> Op
     finite
 }
 
+/// The largest whole number up to which every whole number is exact in double precision.
+const MOST: f64 = 9_007_199_254_740_992.0;
+
+/// A whole number.
+pub(super) fn whole(
+    value: &Value<'_>,
+    what: &str,
+    least: u64,
+    reading: &mut Reading,
+) -> Option<u64> {
+    let found = number(value, what, reading)?;
+    if found.fract() == 0.0 && (least as f64..=MOST).contains(&found) {
+        return Some(found as u64);
+    }
+    let rule = format!("a whole number, at least {least}");
+    let kind = DiagnosticKind::out_of_range(what, found, rule);
+    reading.refuse(Diagnostic::new(value.span(), kind))
+}
+
 /// A finite number, or infinity where it is written as such.
 pub(super) fn number_or_infinity(
     value: &Value<'_>,

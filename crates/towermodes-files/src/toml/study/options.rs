@@ -2,8 +2,7 @@
 
 use super::super::reading::Reading;
 use super::super::table::{Table, suggestion};
-use super::super::values::{Value, every_row, list, number, text, truth};
-use super::sampling::whole;
+use super::super::values::{Value, every_row, list, number, text, truth, whole};
 use super::schema::READING;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::input::{ReadOptions, RotorLock, TowerPart};

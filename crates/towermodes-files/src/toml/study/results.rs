@@ -4,8 +4,7 @@ use towermodes::{MAX_SEGMENTS, Method, ModeName};
 
 use super::super::reading::Reading;
 use super::super::table::{Table, suggestion};
-use super::super::values::{Value, every_row, text, truth, wrong_kind};
-use super::sampling::whole;
+use super::super::values::{Value, every_row, text, truth, whole, wrong_kind};
 use super::schema::RESULTS;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::study::{SweepModes, SweepResults};

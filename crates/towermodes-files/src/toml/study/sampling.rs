@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::super::reading::Reading;
 use super::super::table::{Table, suggestion};
-use super::super::values::{Value, number, text};
+use super::super::values::{Value, text, whole};
 use super::correlation::{correlations, refused_pair};
 use super::distribution::varied;
 use super::refuse_keys;
@@ -116,25 +116,6 @@ fn rows(sweep: &Table<'_>, kind: SamplingKind, reading: &mut Reading) -> Option<
         _ => sweep.require("rows", "number of rows, as rows = 1_000", reading)?,
     };
     whole(value, "rows", 1, reading).map(Some)
-}
-
-/// The largest whole number up to which every whole number is exact in double precision.
-const MOST: f64 = 9_007_199_254_740_992.0;
-
-/// A whole number.
-pub(super) fn whole(
-    value: &Value<'_>,
-    what: &str,
-    least: u64,
-    reading: &mut Reading,
-) -> Option<u64> {
-    let found = number(value, what, reading)?;
-    if found.fract() == 0.0 && (least as f64..=MOST).contains(&found) {
-        return Some(found as u64);
-    }
-    let rule = format!("a whole number, at least {least}");
-    let kind = DiagnosticKind::out_of_range(what, found, rule);
-    reading.refuse(Diagnostic::new(value.span(), kind))
 }
 
 /// What varies, in the order of the lines, with the places of the names.
