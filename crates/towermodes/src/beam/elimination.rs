@@ -14,7 +14,6 @@
 
 use super::model::Beam;
 use super::product::factors;
-use super::substitution::tip_rows;
 use crate::scalar::{Complex, Scalar};
 use crate::space::{SquareMatrix, transform_force, transform_matrix};
 use crate::subsystem::Coefficients;
@@ -148,7 +147,7 @@ fn add_above<const D: usize, S: Scalar>(
     forces.clear();
     forces.resize(D * m, S::default());
     let (forces, _) = forces.as_chunks_mut::<D>();
-    for (row, tip) in above.iter().zip(tip_rows(beam, element)) {
+    for (row, tip) in above.iter().zip(beam.tip_rows(element)) {
         for (force, tip) in forces.iter_mut().zip(tip) {
             for (component, entry) in force.iter_mut().zip(row) {
                 *component += entry.conj().times(*tip);
@@ -162,7 +161,7 @@ fn add_above<const D: usize, S: Scalar>(
         for (sum, component) in row.iter_mut().zip(at_base) {
             *sum += component.conj();
         }
-        for (component, tip) in force.iter().zip(tip_rows(beam, element)) {
+        for (component, tip) in force.iter().zip(beam.tip_rows(element)) {
             for (sum, tip) in row[D..=D + i].iter_mut().zip(tip) {
                 *sum += component.conj().times(*tip);
             }

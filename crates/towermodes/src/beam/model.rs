@@ -113,6 +113,14 @@ impl<const D: usize> Beam<D> {
         self.coordinates
     }
 
+    /// The rows of the motion of an element's top for its coordinates.
+    #[inline]
+    pub(super) fn tip_rows(&self, element: usize) -> std::slice::ChunksExact<'_, f64> {
+        let coordinates = self.coordinates();
+        let tips = &self.tips[element * D * coordinates..(element + 1) * D * coordinates];
+        tips.chunks_exact(coordinates.max(1))
+    }
+
     /// Coordinates of the base.
     pub fn base_coordinates(&self) -> usize {
         self.base.as_ref().map_or(0, |base| base.moving().count())

@@ -1,15 +1,10 @@
 //! The steady forces in a turning blade: what centrifugal force pulls in each section.
 
 use super::element::Stencil;
-use super::turning_section::{across, section_at, times};
+use super::tensor::{Tensor, Vector, across, cross, times};
 use crate::blade::{Blade, BladeSection};
 use crate::space::SpatialMatrix;
 use crate::tower::RigidBody;
-
-/// A vector in the blade's axes.
-pub(super) type Vector = [f64; 3];
-
-type Tensor = [[f64; 3]; 3];
 
 /// Mass with its moments about the blade's axis: of a section per length, or of a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -163,20 +158,17 @@ pub(super) fn twice_second_order(force: Vector) -> Tensor {
     matrix
 }
 
-/// [a] with [a] b = a × b.
-pub(super) fn cross_matrix([x, y, z]: Vector) -> Tensor {
-    [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    times(&cross_matrix(a), b)
-}
-
 /// t × F with t along the span.
 fn along_cross([x, y, _]: Vector) -> Vector {
     [-y, x, 0.0]
 }
 
-pub(super) fn dot(a: Vector, b: Vector) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+/// The section at a radius (m), and sin and cos of its angle from X towards Y: twist and pitch
+/// towards feather turn it from X away from Y.
+pub(super) fn section_at(blade: &Blade, radius_m: f64) -> (BladeSection, (f64, f64)) {
+    let description = blade.description();
+    let span = (radius_m - description.hub_radius_m) / blade.length_m();
+    let section = blade.section_at(span);
+    let (sin, cos) = (section.twist_rad + description.pitch_rad).sin_cos();
+    (section, (-sin, cos))
 }

@@ -42,7 +42,7 @@ pub(super) fn reduce_down<const D: usize, S: Scalar>(
     let mut force = at_top;
     for element in (0..beam.elements()).rev() {
         let own = &mut own[element * coordinates..(element + 1) * coordinates];
-        for (component, row) in force.iter().zip(tip_rows(beam, element)) {
+        for (component, row) in force.iter().zip(beam.tip_rows(element)) {
             own.iter_mut()
                 .zip(row)
                 .for_each(|(x, tip)| *x += component.times(*tip));
@@ -77,7 +77,7 @@ pub(super) fn substitute_up<const D: usize, S: Scalar>(
         substitute(&elements[element * rows * rows..], rows, D, right);
         own.copy_from_slice(&right[D..]);
         transform_motion(&mut motion, beam.length_m(element));
-        for (component, row) in motion.iter_mut().zip(tip_rows(beam, element)) {
+        for (component, row) in motion.iter_mut().zip(beam.tip_rows(element)) {
             *component += row
                 .iter()
                 .zip(&*own)
@@ -86,17 +86,6 @@ pub(super) fn substitute_up<const D: usize, S: Scalar>(
         }
     }
     motion
-}
-
-/// The rows of the motion of an element's top for its coordinates.
-#[inline]
-pub(super) fn tip_rows<const D: usize>(
-    beam: &Beam<D>,
-    element: usize,
-) -> std::slice::ChunksExact<'_, f64> {
-    let coordinates = beam.coordinates();
-    let tips = &beam.tips[element * D * coordinates..(element + 1) * D * coordinates];
-    tips.chunks_exact(coordinates.max(1))
 }
 
 fn solve_base<const D: usize, S: Scalar>(

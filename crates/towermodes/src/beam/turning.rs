@@ -13,14 +13,16 @@
 //! are. The steady bend by centrifugal force and gravity is left out.
 
 use super::element::{Stencil, forward_substitute, write_shape};
+use super::elimination::Factors;
 use super::legendre::Term;
 use super::model::{Beam, add_congruent, place};
+use super::phasors::Loads;
+use super::steady::section_at;
 use super::steady::{SteadyForces, steady_forces};
 use super::strain::{Strain, deformations};
-use super::turning_section::{COMPONENTS, TurningSection, section_at};
-use super::turning_vectors::BladeFactors;
+use super::turning_section::{COMPONENTS, TurningSection};
 use crate::blade::{Blade, BladeSection};
-use crate::scalar::Scalar;
+use crate::scalar::{Complex, Scalar};
 use crate::space::{SpatialMatrix, SquareMatrix, add_scaled, transform_matrix};
 use crate::subsystem::{Coordinates, MatrixKind};
 use crate::tower::{Motion, Motions, Plane};
@@ -57,6 +59,13 @@ pub(super) struct Gauge {
     pub(super) turn: (f64, f64),
     /// Stiffness against flap, edge, torsion and stretch, each times the length of the point.
     pub(super) stiffness: [f64; 4],
+}
+
+/// The factors of a blade at a frequency, and working memory.
+#[derive(Debug, Clone, Default)]
+pub struct BladeFactors {
+    pub(super) factors: Factors<Complex>,
+    pub(super) loads: Loads,
 }
 
 impl TurningBlade {

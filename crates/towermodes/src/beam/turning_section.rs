@@ -1,7 +1,11 @@
 //! The section of a blade, or a rigid body at its tip, in the frame that turns with the rotor.
 
-use super::steady::{Mass, SteadyForces, Vector, cross_matrix, dot, twice_second_order};
+use super::steady::{Mass, SteadyForces, section_at, twice_second_order};
 use super::strain::Strain;
+use super::tensor::{
+    Tensor, Vector, across, cross_matrix, identity, minus, product, scaled, symmetric, times,
+    trace, transposed,
+};
 use crate::blade::{Blade, BladeSection};
 use crate::space::SpatialMatrix;
 use crate::tower::Plane;
@@ -9,8 +13,6 @@ use crate::tower::Plane;
 /// Components of the motion of a section and of its strains: translation u, rotation Θ, strains γ
 /// (shear, shear, stretch) and κ (curvatures, twist), three each.
 pub(super) const COMPONENTS: usize = 12;
-
-type Tensor = [[f64; 3]; 3];
 
 /// The matrices of a section per length, or of a body.
 #[derive(Debug, Clone)]
@@ -53,7 +55,7 @@ impl TurningSection {
         } = mass;
         let across = across(axis);
         let (cross_s, cross_n) = (cross_matrix(*moment), cross_matrix(axis));
-        let identity = across_of_nothing();
+        let identity = identity();
         let mut own = Self {
             strain_stiffness: [[0.0; 6]; 6],
             inertia: [[0.0; 6]; 6],
@@ -111,16 +113,6 @@ impl TurningSection {
     }
 }
 
-/// The section at a radius (m), and sin and cos of its angle from X towards Y: twist and pitch
-/// towards feather turn it from X away from Y.
-pub(super) fn section_at(blade: &Blade, radius_m: f64) -> (BladeSection, (f64, f64)) {
-    let description = blade.description();
-    let span = (radius_m - description.hub_radius_m) / blade.length_m();
-    let section = blade.section_at(span);
-    let (sin, cos) = (section.twist_rad + description.pitch_rad).sin_cos();
-    (section, (-sin, cos))
-}
-
 /// Against curvatures, twist and stretch, per length, in the order of [`Strain::ALL`].
 pub(super) fn strain_stiffness(section: &BladeSection, (sin, cos): (f64, f64)) -> SpatialMatrix {
     let (edge, flap) = (section.edge_n_m2, section.flap_n_m2);
@@ -147,49 +139,6 @@ pub(super) fn strain_stiffness(section: &BladeSection, (sin, cos): (f64, f64)) -
         matrix[shear][shear] = 1.0;
     }
     matrix
-}
-
-/// 1 − n nᵀ.
-pub(super) fn across(n: Vector) -> Tensor {
-    let mut matrix = across_of_nothing();
-    for i in 0..3 {
-        for j in 0..3 {
-            matrix[i][j] -= n[i] * n[j];
-        }
-    }
-    matrix
-}
-
-fn across_of_nothing() -> Tensor {
-    std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))))
-}
-
-pub(super) fn times(a: &Tensor, b: Vector) -> Vector {
-    a.map(|row| dot(row, b))
-}
-
-fn product(a: &Tensor, b: &Tensor) -> Tensor {
-    std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum()))
-}
-
-fn transposed(a: &Tensor) -> Tensor {
-    std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
-}
-
-fn symmetric(a: &Tensor) -> Tensor {
-    std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (a[i][j] + a[j][i])))
-}
-
-fn minus(a: &Tensor, b: &Tensor) -> Tensor {
-    std::array::from_fn(|i| std::array::from_fn(|j| a[i][j] - b[i][j]))
-}
-
-fn scaled(a: &Tensor, factor: f64) -> Tensor {
-    a.map(|row| row.map(|entry| factor * entry))
-}
-
-fn trace(a: &Tensor) -> f64 {
-    a[0][0] + a[1][1] + a[2][2]
 }
 
 /// Writes a block.

@@ -1,22 +1,15 @@
 //! A turning blade as the apex of its rotor feels it, and its motion: solutions and products at a
 //! frequency, energies, and the curve of its axis.
 
-use super::elimination::{Condensed, Factors, TurningMatrix, condense_blade, factorize_blade};
-use super::phasors::{InertiaMatrix, Loads, inertia_loads, motions_along};
+use super::elimination::{Condensed, TurningMatrix, condense_blade, factorize_blade};
+use super::phasors::{InertiaMatrix, inertia_loads, motions_along};
 use super::product::sweep_down;
 use super::strain::Strain;
 use super::substitution::{reduce_down, substitute_up};
-use super::turning::{TurningBlade, both, congruent};
+use super::turning::{BladeFactors, TurningBlade, both, congruent};
 use crate::scalar::{Complex, Scalar};
 use crate::space::{transform_force, transform_matrix, transform_motion};
 use crate::tower::Plane;
-
-/// The factors of a blade at a frequency, and working memory.
-#[derive(Debug, Clone, Default)]
-pub struct BladeFactors {
-    factors: Factors<Complex>,
-    loads: Loads,
-}
 
 impl TurningBlade {
     /// The blade for the motion of the apex of the rotor, in (axis of the rotor, against the

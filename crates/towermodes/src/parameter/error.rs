@@ -4,7 +4,6 @@ use thiserror::Error;
 
 use super::PARTS;
 use super::holder::Holder;
-use super::name::without_indices;
 use super::number::Number;
 use crate::tower::TowerDescription;
 
@@ -234,4 +233,20 @@ fn filled(pattern: &str, indices: &[&str]) -> String {
         name.push_str(&format!("[{index}]{piece}"));
     }
     name
+}
+
+/// A name with `[]` in place of each index, and the indices.
+fn without_indices(name: &str) -> (String, Vec<&str>) {
+    let mut plain = String::new();
+    let mut indices = Vec::new();
+    let mut rest = name;
+    while let Some((before, after)) = rest.split_once('[') {
+        plain.push_str(before);
+        plain.push_str("[]");
+        let (index, after) = after.split_once(']').unwrap_or((after, ""));
+        indices.push(index);
+        rest = after;
+    }
+    plain.push_str(rest);
+    (plain, indices)
 }

@@ -197,19 +197,3 @@ fn indices(name: &str, pattern: &str) -> Option<Vec<Index>> {
     }
     rest.is_empty().then_some(indices)
 }
-
-/// A name with `[]` in place of each index, and the indices.
-pub(super) fn without_indices(name: &str) -> (String, Vec<&str>) {
-    let mut plain = String::new();
-    let mut indices = Vec::new();
-    let mut rest = name;
-    while let Some((before, after)) = rest.split_once('[') {
-        plain.push_str(before);
-        plain.push_str("[]");
-        let (index, after) = after.split_once(']').unwrap_or((after, ""));
-        indices.push(index);
-        rest = after;
-    }
-    plain.push_str(rest);
-    (plain, indices)
-}

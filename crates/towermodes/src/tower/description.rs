@@ -194,3 +194,15 @@ impl Default for TowerDescription {
         }
     }
 }
+
+impl TowerDescription {
+    /// The same tower with a rotor that turns freely, without [`Drivetrain`]; none if it has none.
+    pub fn with_free_rotor(&self) -> Option<Self> {
+        let drivetrain = self.drivetrain?;
+        let mut tower = self.clone();
+        tower.drivetrain = None;
+        let inertia = &mut tower.rna.inertia_kg_m2;
+        inertia.xx += drivetrain.free_kg_m2() - drivetrain.locked_kg_m2();
+        Some(tower)
+    }
+}

@@ -1,7 +1,5 @@
 //! The rotor that turns freely about its shaft, geared to the generator.
 
-use super::description::TowerDescription;
-
 /// Inertias about the shaft, for a rotor that turns freely. The inertia xx of the rotor-nacelle
 /// assembly contains them as if the rotor was locked; the tilt of the shaft is neglected.
 ///
@@ -46,17 +44,5 @@ impl Drivetrain {
         let (rotor, generator) = (self.rotor_inertia_kg_m2, self.generator_inertia_kg_m2);
         let q = self.gear_ratio;
         rotor * generator * (1.0 - q) * (1.0 - q) / (rotor + generator * q * q)
-    }
-}
-
-impl TowerDescription {
-    /// The same tower with a rotor that turns freely, without [`Drivetrain`]; none if it has none.
-    pub fn with_free_rotor(&self) -> Option<Self> {
-        let drivetrain = self.drivetrain?;
-        let mut tower = self.clone();
-        tower.drivetrain = None;
-        let inertia = &mut tower.rna.inertia_kg_m2;
-        inertia.xx += drivetrain.free_kg_m2() - drivetrain.locked_kg_m2();
-        Some(tower)
     }
 }
