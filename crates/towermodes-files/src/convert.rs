@@ -4,7 +4,8 @@ use thiserror::Error;
 use towermodes_analysis::elastodyn::{MakeError, MakeOptions};
 
 use crate::bmodes::{BmodesWriteError, BmodesWriteOptions, write_bmodes};
-use crate::elastodyn::{TowerFileError, left_out, make_tower_file, write_tower_file};
+use crate::elastodyn::left_out;
+use crate::elastodyn::{TowerFileError, make_tower_file, write_tower_file};
 use crate::error::ReadError;
 use crate::input::TowerInput;
 use crate::note::Note;

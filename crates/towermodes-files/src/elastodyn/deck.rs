@@ -5,21 +5,22 @@ use std::ops::Range;
 
 use towermodes::{MissingPart, Place, RigidBody};
 
-use super::blade_file::{BladeFile, BladeMasses, read_blade_file};
-use super::controller::{OperatingSpeeds, operating_speeds};
-use super::description::{
+use super::fst::{Gravity, Main, gravity, main_source};
+use super::machine::blade_file::{BladeFile, BladeMasses, read_blade_file};
+use super::machine::controller::{OperatingSpeeds, operating_speeds};
+use super::machine::lump;
+use super::machine::rotor;
+use super::machine::servodyn::{YawSpring, yaw_spring};
+use super::machine::turbine;
+use super::machine::turbine::Parts;
+use super::main_input::main_file::MainFile;
+use super::main_input::main_reader::{BLADES, read_main_file};
+use super::names::{is_blade_file, is_main_file, is_tower_file};
+use super::tower_input::description::{
     Ends, ONLY_BENDS, description, hanging_note, remember, tuner_note, upside_down,
 };
-use super::fst::{Gravity, Main, gravity, main_source};
-use super::lump;
-use super::main_file::MainFile;
-use super::main_reader::{BLADES, read_main_file};
-use super::names::{is_blade_file, is_main_file, is_tower_file};
-use super::rotor;
-use super::servodyn::{YawSpring, yaw_spring};
-use super::tower_file::{CoefficientSpans, TowerFile};
-use super::tower_reader::{TowerReading, read_with_places};
-use super::turbine::{self, Parts};
+use super::tower_input::tower_file::{CoefficientSpans, TowerFile};
+use super::tower_input::tower_reader::{TowerReading, read_with_places};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::input::{FileFormat, ReadOptions, RotorLock, TowerInput};

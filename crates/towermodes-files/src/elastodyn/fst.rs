@@ -3,7 +3,7 @@
 
 use towermodes::MissingPart;
 
-use super::main_file::MainFile;
+use super::main_input::main_file::MainFile;
 use super::names::{is_fst, is_main_file, line_of};
 use super::positional::Parameter;
 use super::record::{Kind, NON_NEGATIVE, Record, record};

@@ -5,7 +5,7 @@ use towermodes_analysis::elastodyn::{
     ConcentratedMass as ListedMass, PlaneModes, TowerModel, TowerPolynomial, TowerStation,
 };
 
-use super::tower_file::{ConcentratedMass, TowerFile, TowerRow};
+use super::tower_input::tower_file::{ConcentratedMass, TowerFile, TowerRow};
 
 impl TowerFile {
     /// Its modes.

@@ -1,10 +1,10 @@
 //! A tower from a tower file of ElastoDyn alone, which contains everything but the heights of its
 //! ends.
 
-use super::description::{
+use super::tower_input::description::{
     Ends, ONLY_BENDS, description, hanging_note, hangs, remember, tuner_note,
 };
-use super::tower_reader::read_with_places;
+use super::tower_input::tower_reader::read_with_places;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::input::{FileFormat, ReadOptions, TowerInput};

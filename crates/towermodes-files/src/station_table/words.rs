@@ -4,7 +4,7 @@ use crate::csv_table::Unit;
 
 /// The content of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Quantity {
+pub(crate) enum Quantity {
     Height,
     Bottom,
     Top,

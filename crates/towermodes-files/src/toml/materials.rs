@@ -17,7 +17,7 @@ const MODULI_TOLERANCE: f64 = 5e-3;
 
 /// The materials of a file, and the names by which stations call them.
 #[derive(Default)]
-pub(super) struct Materials {
+pub(crate) struct Materials {
     pub(super) list: Vec<Material>,
     pub(super) names: Vec<String>,
     /// Which of them a name is.

@@ -3,35 +3,10 @@
 //!
 //! Sources: the schemas of windIO 1.0 and 2.x (`IEAontology_schema.yaml`, `turbine_schema.yaml`).
 
-mod airfoils;
-mod body;
-mod chords;
-mod comparison;
-mod curve;
-mod elastic;
-mod fields;
-mod joint;
-mod known_keys;
-mod layers;
-mod materials;
-mod outline;
-mod part;
-mod plausible;
-mod reading;
-mod rna;
-mod rotor;
-mod sections;
-mod shaft;
-mod soil;
-mod speeds;
-mod structure;
-mod turbine;
-mod uniform;
-mod values;
-mod wall;
-mod water;
+mod machine;
+mod support;
+mod text;
 mod write;
-mod yaml;
 
 use towermodes::{Damping, MissingPart, Rna, Rotor, TowerDescription};
 
@@ -40,10 +15,10 @@ use crate::error::ReadError;
 use crate::input::{FileFormat, ReadOptions, TowerInput, TowerPart};
 use crate::note::Note;
 use crate::source::Source;
-use airfoils::without_airfoils;
-use outline::{Outline, Version};
-use reading::Reading;
-use structure::Structure;
+use support::structure::Structure;
+use text::airfoils::without_airfoils;
+use text::outline::{Outline, Version};
+use text::reading::Reading;
 
 pub use write::{WindIoWriteError, write_windio};
 
@@ -104,18 +79,18 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     let found = outline(reading);
     let outline = reading.keep(found)?;
     let version = outline.version(&reading.source.text);
-    known_keys::note_lookalikes(&outline, options.part, reading);
+    text::known_keys::note_lookalikes(&outline, options.part, reading);
     let (rna, rotor) = top(&outline, version, options, reading);
     let structure = Structure::read(&outline, version, options.part, reading);
     let ((rna, without_mass), mut structure) = (rna?, structure?);
     let mut missing_parts = missing_parts(&outline, reading);
     missing_parts.extend(without_mass);
-    let in_soil = water::stand(&mut structure, &outline, options.part, reading);
+    let in_soil = support::water::stand(&mut structure, &outline, options.part, reading);
     let in_soil = reading.keep(in_soil)?;
-    comparison::compare(&structure, reading);
+    support::comparison::compare(&structure, reading);
     let joint_m = structure.joint_m();
     // A mistake in it is reported where it matters.
-    let blades = speeds::blade_count(&outline).ok().flatten();
+    let blades = machine::speeds::blade_count(&outline).ok().flatten();
     let blades = blades.filter(|_| options.part != TowerPart::Monopile);
     let description = structure.describe(reading);
     let mut description = reading.keep(description)?;
@@ -125,9 +100,12 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     let name = outline.name.as_ref();
     let name = name.map(|name| name.name(&reading.source.text));
     let has_rotor = options.part != TowerPart::Monopile;
-    let aerodynamics = has_rotor.then(|| chords::aerodynamics(&outline)).flatten();
+    let aerodynamics = has_rotor
+        .then(|| machine::chords::aerodynamics(&outline))
+        .flatten();
     let has_machine = has_rotor && !options.without_rna;
-    let turbine_missing = has_machine.then(|| turbine::missing(&outline, version, reading));
+    let turbine_missing =
+        has_machine.then(|| machine::turbine::missing(&outline, version, reading));
     Some(Described {
         description: TowerDescription {
             name: name.unwrap_or_default().to_owned(),
@@ -162,10 +140,10 @@ fn top(
     }
     let rna = match options.without_rna {
         true => Ok((Rna::default(), Vec::new())),
-        false => rna::rna(outline, version, reading),
+        false => machine::rna::rna(outline, version, reading),
     };
     let rna = reading.keep(rna);
-    let rotor = speeds::rotor(outline, reading);
+    let rotor = machine::speeds::rotor(outline, reading);
     (rna, reading.keep(rotor))
 }
 
@@ -176,7 +154,7 @@ fn outline(reading: &Reading<'_>) -> Result<Outline, Diagnostic> {
         let hint = "windIO has at least components and materials";
         return Err(Diagnostic::new(0..0, DiagnosticKind::EmptyFile).with_hint(hint));
     }
-    yaml::parse(&without_airfoils(text))
+    text::yaml::parse(&without_airfoils(text))
 }
 
 /// The parts under the tower that are left out, with notes.

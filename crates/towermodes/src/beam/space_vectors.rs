@@ -1,9 +1,9 @@
 //! A beam in space with something complex on its top: count, solution, products and the curve of
 //! its axis in phasors.
 
+use super::blade::phasors::{InertiaMatrix, Loads, inertia_loads, motions_along};
 use super::elimination::{Factors, count_negative_under, factorize_under};
 use super::model::GEOMETRIC;
-use super::phasors::{InertiaMatrix, Loads, inertia_loads, motions_along};
 use super::product::{base_motion, sweep_down};
 use super::strain::Strain;
 use super::substitution::solve_under;

@@ -6,7 +6,7 @@ use super::error::BmodesWriteError;
 
 /// How the base is held: `hub_conn`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Hub {
+pub(crate) enum Hub {
     /// Clamped.
     Clamped = 1,
     /// Free, or on springs.

@@ -14,7 +14,7 @@ use crate::toml::table::Table;
 use crate::toml::values::{Value, list, number, wrong_kind};
 
 /// A layer whose model may still be that of the whole ground.
-pub(super) struct Layer {
+pub(crate) struct Layer {
     layer: GroundLayer,
     model: Option<SoilModel>,
 }

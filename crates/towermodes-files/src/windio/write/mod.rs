@@ -7,7 +7,7 @@ mod yaml_text;
 
 use towermodes::{PointMass, Rna, Rotor, Tower, TowerDescription};
 
-use super::rna::WHOLE_ASSEMBLY;
+use super::machine::rna::WHOLE_ASSEMBLY;
 use crate::note::Note;
 use sections::{Axis, tables, walls};
 use yaml_text::Yaml;

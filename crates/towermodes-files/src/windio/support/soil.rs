@@ -1,0 +1,88 @@
+//! The soil around the embedded part of a monopile: elastic, of one shear modulus.
+
+use towermodes::{
+    ApiEdition, Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, Place, Scour,
+    ShearModulus, SoilModel, TowerDescription,
+};
+
+use super::super::text::reading::Reading;
+use super::super::text::yaml::Node;
+use crate::number::Rounded;
+
+/// The soil in `environment`, and where it is.
+#[derive(Debug, Clone)]
+pub(crate) struct Soil {
+    shear_modulus_pa: f64,
+    poissons_ratio: f64,
+    spans: [std::ops::Range<usize>; 2],
+}
+
+impl Soil {
+    /// That of a file; none if it does not give both values.
+    pub(crate) fn of(environment: Option<&Node>) -> Option<Self> {
+        let node = |key: &str| environment.and_then(|environment| environment.get(key));
+        let (modulus, ratio) = (node("soil_shear_modulus")?, node("soil_poisson")?);
+        Some(Self {
+            shear_modulus_pa: modulus.number("soil_shear_modulus").ok()?,
+            poissons_ratio: ratio.number("soil_poisson").ok()?,
+            spans: [modulus.span.clone(), ratio.span.clone()],
+        })
+    }
+
+    /// In words, for a note.
+    pub(super) fn words(&self) -> String {
+        format!(
+            "shear modulus {} Pa, Poisson's ratio {}",
+            Rounded(self.shear_modulus_pa),
+            self.poissons_ratio
+        )
+    }
+
+    /// Puts it around a tower that reaches down to its lowest station, from a mudline (m) down. The
+    /// tip is free to move sideways and to rotate.
+    pub(crate) fn surround(
+        &self,
+        mudline_m: f64,
+        description: &mut TowerDescription,
+        reading: &mut Reading<'_>,
+    ) {
+        let Some(tip) = description.stations.first() else {
+            return;
+        };
+        for (key, span) in ["shear_modulus", "poissons_ratio"]
+            .into_iter()
+            .zip(&self.spans)
+        {
+            reading.remember(Place::GroundLayer { index: 0, key }, span);
+        }
+        let layer = GroundLayer {
+            top_m: mudline_m,
+            bottom_m: tip.height_m,
+            soil: LayerSoil::Elastic,
+            model: SoilModel::Winkler,
+            effective_unit_weight_n_per_m3: None,
+            shear_modulus: Some(ShearModulus::Given {
+                shear_modulus_pa: [self.shear_modulus_pa; 2],
+            }),
+            poissons_ratio: Some(self.poissons_ratio),
+            shaft_friction_pa: None,
+            end_bearing_pa: None,
+            factor: 1.0,
+        };
+        description.ground = Some(Ground {
+            surface_m: mudline_m,
+            scour: Scour::default(),
+            factor: 1.0,
+            submerged: true,
+            pile_diameter_m: None,
+            axial: None,
+            edition: ApiEdition::default(),
+            layers: vec![layer],
+        });
+        description.foundation = Foundation::Springs(FoundationSprings {
+            lateral_n_per_m: 0.0,
+            rocking_n_m: 0.0,
+            ..FoundationSprings::RIGID
+        });
+    }
+}

@@ -1,0 +1,10 @@
+//! Blades that turn: steady forces, sections and elements in the frame that turns with the rotor.
+
+pub(super) mod centrifugal;
+pub(super) mod phasors;
+pub(super) mod rotating;
+pub(super) mod steady;
+pub(super) mod tensor;
+pub(super) mod turning;
+pub(super) mod turning_section;
+pub(super) mod turning_vectors;
