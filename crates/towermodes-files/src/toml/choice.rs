@@ -1,5 +1,7 @@
 //! A value that is one of several names.
 
+use towermodes::inputs::Named;
+
 use super::reading::Reading;
 use super::table::suggestion;
 use super::values::{Value, text};
@@ -25,6 +27,12 @@ impl ChoiceWords {
             known: "names:",
         }
     }
+}
+
+/// The choices of a type with their names.
+pub(super) fn choices<T: Named>() -> Vec<(&'static str, T)> {
+    let names = T::NAMES.iter().copied();
+    names.zip(T::CHOICES.iter().copied()).collect()
 }
 
 /// The choice that a value names.

@@ -31,6 +31,11 @@ pub trait Named: Copy + PartialEq + 'static {
     const NAMES: &'static [&'static str];
     /// The choices in the same order.
     const CHOICES: &'static [Self];
+
+    /// Its name in the tower file.
+    fn name(self) -> &'static str {
+        place_of(&self).map_or("", |place| Self::NAMES[place])
+    }
 }
 
 impl Given {

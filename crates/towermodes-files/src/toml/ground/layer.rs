@@ -1,13 +1,14 @@
 //! `[[ground.layer]]`: one layer of soil.
 
+use towermodes::inputs::Named;
 use towermodes::{GroundLayer, LayerSoil, Place, SoilModel};
 
+use super::model_hint;
 use super::shear_modulus::shear_modulus;
-use super::soil::{KINDS, Kind};
-use super::{MODELS, model_hint};
+use super::soil::KINDS;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::places::TABLE;
-use crate::toml::choice::chosen;
+use crate::toml::choice::{choices, chosen};
 use crate::toml::kind::{kind_of, owners};
 use crate::toml::reading::Reading;
 use crate::toml::table::Table;
@@ -55,13 +56,13 @@ pub(super) fn layer(
         false => Some(None),
     };
     let soil = (kind.read)(&table, index, reading);
-    let model = own_model(&table, kind, at("model"), reading);
+    let model = own_model(&table, soil.as_ref(), at("model"), reading);
     let model = model?;
     let layer = GroundLayer {
         top_m: top?,
         bottom_m: bottom?,
         soil: soil?,
-        model: model.unwrap_or(SoilModel::Api),
+        model: model.unwrap_or(SoilModel::CHOICES[0]),
         effective_unit_weight_n_per_m3: weight?,
         shear_modulus: modulus?,
         poissons_ratio: ratio?,
@@ -105,15 +106,15 @@ pub(super) fn with_models(
 /// The model that a layer names, or the only one of its kind.
 fn own_model(
     table: &Table<'_>,
-    kind: &Kind,
+    soil: Option<&LayerSoil>,
     place: Place,
     reading: &mut Reading,
 ) -> Option<Option<SoilModel>> {
     let Some(value) = table.get("model") else {
-        return Some(kind.only_model);
+        return Some(soil.and_then(LayerSoil::only_model));
     };
     reading.remember(place, value.span());
-    chosen(value, "soil model", &MODELS, reading).map(Some)
+    chosen(value, "soil model", &choices(), reading).map(Some)
 }
 
 /// An optional value that is one number, or one at the top and one at the bottom of the layer:

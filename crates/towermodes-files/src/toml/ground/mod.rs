@@ -9,7 +9,7 @@ use towermodes::{
     ApiEdition, AxialModel, Foundation, FoundationSprings, Ground, Place, Scour, SoilModel,
 };
 
-use super::choice::{choices_hint, chosen};
+use super::choice::{choices, choices_hint, chosen};
 use super::reading::Reading;
 use super::schema;
 use super::table::{Table, every_table, with_names};
@@ -18,33 +18,6 @@ use crate::places::TABLE;
 use profile::layers;
 
 pub(super) use profile::profile_files;
-
-/// The models of springs along the pile.
-pub(super) const MODELS: [(&str, SoilModel); 12] = [
-    ("api", SoilModel::Api),
-    ("dnv", SoilModel::Dnv),
-    ("reese-stiff-clay", SoilModel::ReeseStiffClay),
-    ("kallehave", SoilModel::Kallehave),
-    ("sorensen", SoilModel::Sorensen),
-    ("pisa-cowden", SoilModel::PisaCowden),
-    ("pisa-bothkennar", SoilModel::PisaBothkennar),
-    ("pisa-dunkirk", SoilModel::PisaDunkirk),
-    ("winkler", SoilModel::Winkler),
-    ("vesic", SoilModel::Vesic),
-    ("weak-rock", SoilModel::WeakRock),
-    ("py", SoilModel::Table),
-];
-
-/// The models of springs along the axis of the pile.
-pub(super) const AXIAL_MODELS: [(&str, AxialModel); 3] = [
-    ("api", AxialModel::Api),
-    ("kraft", AxialModel::Kraft),
-    ("randolph-wroth", AxialModel::RandolphWroth),
-];
-
-/// The editions of the standard of API.
-pub(super) const EDITIONS: [(&str, ApiEdition); 2] =
-    [("rp-2geo", ApiEdition::Rp2Geo), ("rp-2a", ApiEdition::Rp2A)];
 
 const NO_FOUNDATION: &str = "there is no [foundation]: the tip of the pile, the lowest station, is free to move sideways and to rotate about x and y";
 const RIGID_AXIS: &str = "there is no [foundation] and no axial model in [ground]: the tip of the pile, the lowest station, is free to move sideways and to rotate about x and y, and rigid along and about the axis";
@@ -132,9 +105,9 @@ pub(super) fn default_foundation(
         None => (RIGID_AXIS, f64::INFINITY),
     };
     reading.note(place, message);
-    let torsion_n_m = match ground.axial {
-        Some(AxialModel::RandolphWroth) => 0.0,
-        _ => f64::INFINITY,
+    let torsion_n_m = match ground.axial.is_some_and(AxialModel::resists_torsion) {
+        true => 0.0,
+        false => f64::INFINITY,
     };
     Some(Foundation::Springs(FoundationSprings {
         lateral_n_per_m: 0.0,
@@ -171,7 +144,7 @@ fn axial(table: &Table<'_>, reading: &mut Reading) -> Option<Option<AxialModel>>
         return Some(None);
     };
     reading.remember(at("axial"), value.span());
-    chosen(value, "axial model", &AXIAL_MODELS, reading).map(Some)
+    chosen(value, "axial model", &choices(), reading).map(Some)
 }
 
 fn edition(table: &Table<'_>, reading: &mut Reading) -> Option<ApiEdition> {
@@ -179,7 +152,7 @@ fn edition(table: &Table<'_>, reading: &mut Reading) -> Option<ApiEdition> {
         return Some(ApiEdition::default());
     };
     reading.remember(at("edition"), value.span());
-    chosen(value, "edition", &EDITIONS, reading)
+    chosen(value, "edition", &choices(), reading)
 }
 
 /// The model of the layers that name none.
@@ -187,10 +160,10 @@ fn model(table: &Table<'_>, reading: &mut Reading) -> Option<Option<SoilModel>> 
     let Some(value) = table.get("model") else {
         return Some(None);
     };
-    chosen(value, "soil model", &MODELS, reading).map(Some)
+    chosen(value, "soil model", &choices(), reading).map(Some)
 }
 
 /// The hint on a missing model.
 fn model_hint() -> String {
-    choices_hint("model", &MODELS)
+    choices_hint("model", &choices::<SoilModel>())
 }

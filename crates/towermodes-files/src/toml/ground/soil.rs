@@ -1,7 +1,7 @@
 //! The kinds of soil of a layer, with the keys of each.
 
 use toml::de::DeArray;
-use towermodes::{Clay, LayerSoil, Place, PyRow, Rock, Sand, SoilModel};
+use towermodes::{Clay, LayerSoil, Place, PyRow, Rock, Sand};
 
 use super::layer::{elastic, pair};
 use crate::toml::choice::ChoiceWords;
@@ -17,8 +17,6 @@ pub(super) struct Kind {
     pub(super) schema: &'static TableSchema,
     /// Whether it has the keys of a shear modulus.
     pub(super) has_shear_modulus: bool,
-    /// Its only model, if there is one.
-    pub(super) only_model: Option<SoilModel>,
     pub(super) read: fn(&Table<'_>, usize, &mut Reading) -> Option<LayerSoil>,
 }
 
@@ -44,35 +42,30 @@ pub(super) static KINDS: [Kind; 5] = [
         name: "sand",
         schema: &schema::SAND,
         has_shear_modulus: true,
-        only_model: None,
         read: sand,
     },
     Kind {
         name: "clay",
         schema: &schema::CLAY,
         has_shear_modulus: true,
-        only_model: None,
         read: clay,
     },
     Kind {
         name: "elastic",
         schema: &schema::ELASTIC,
         has_shear_modulus: true,
-        only_model: None,
         read: elastic,
     },
     Kind {
         name: "rock",
         schema: &schema::ROCK,
         has_shear_modulus: false,
-        only_model: Some(SoilModel::WeakRock),
         read: rock,
     },
     Kind {
         name: "py",
         schema: &schema::PY_TABLE,
         has_shear_modulus: true,
-        only_model: Some(SoilModel::Table),
         read: py_table,
     },
 ];

@@ -57,12 +57,6 @@ fn springs(springs: &FoundationSprings, writing: &mut Writing) {
     }
 }
 
-/// The name of a choice in quotation marks.
-pub(super) fn named<T: PartialEq>(choices: &[(&'static str, T)], choice: &T) -> String {
-    let name = choices.iter().find(|(_, other)| other == choice);
-    format!("\"{}\"", name.map_or("", |(name, _)| *name))
-}
-
 fn floating(platform: &FloatingPlatform, writing: &mut Writing) {
     kind("floating", &schema::FLOATING, writing);
     writing.number("mass", platform.mass_kg);

@@ -2,10 +2,8 @@
 
 use towermodes::{Clay, Ground, GroundLayer, LayerSoil, PyRow, Sand, Scour, ShearModulus};
 
-use super::foundation::named;
-use super::text::number;
+use super::text::{number, quoted};
 use super::writing::Writing;
-use crate::toml::ground::{AXIAL_MODELS, EDITIONS, MODELS};
 use crate::toml::schema::{self, TableSchema};
 
 pub(super) fn ground(ground: &Ground, names: &[String], writing: &mut Writing) {
@@ -19,9 +17,9 @@ pub(super) fn ground(ground: &Ground, names: &[String], writing: &mut Writing) {
         writing.number("pile_diameter", diameter_m);
     }
     if let Some(axial) = ground.axial {
-        writing.value("axial", &named(&AXIAL_MODELS, &axial));
+        writing.value("axial", &quoted(axial.name()));
     }
-    writing.value("edition", &named(&EDITIONS, &ground.edition));
+    writing.value("edition", &quoted(ground.edition.name()));
     let Scour { general_m, local_m } = ground.scour;
     if ground.scour != Scour::default() {
         let (general, local) = (number(general_m), number(local_m));
@@ -46,7 +44,7 @@ fn layer(layer: &GroundLayer, name: Option<&String>, writing: &mut Writing) {
     writing.section_called("[[ground.layer]]", schema);
     writing.name(name);
     writing.commented("type", &format!("\"{kind}\""), "");
-    writing.value("model", &named(&MODELS, &layer.model));
+    writing.value("model", &quoted(layer.model.name()));
     writing.number("top", layer.top_m);
     writing.number("bottom", layer.bottom_m);
     optional(

@@ -1,6 +1,7 @@
 //! Soil in layers as its user describes it.
 
-use super::layer::{GroundLayer, LayerSoil, Sand};
+use super::layer::GroundLayer;
+use crate::inputs::{Named, names};
 
 /// Soil in layers around the part of a tower below the surface of the ground.
 ///
@@ -93,29 +94,6 @@ impl Ground {
     pub fn scoured_surface_m(&self) -> f64 {
         self.surface_m - self.scour.general_m - self.scour.local_m
     }
-
-    /// Whether springs across the pile depend on the [edition](Self::edition) of the standard of
-    /// API: those of sand whose modulus k is that of its friction angle.
-    pub fn modulus_depends_on_edition(&self) -> bool {
-        self.sand().any(|(layer, sand)| {
-            layer.model.has_modulus_of_sand() && sand.subgrade_modulus_n_per_m3.is_none()
-        })
-    }
-
-    /// Whether springs along the pile depend on the [edition](Self::edition): those of sand by API.
-    pub fn axial_depends_on_edition(&self) -> bool {
-        self.axial == Some(AxialModel::Api) && self.sand().next().is_some()
-    }
-
-    /// The layers of sand.
-    fn sand(&self) -> impl Iterator<Item = (&GroundLayer, &Sand)> {
-        self.layers.iter().filter_map(|layer| match &layer.soil {
-            LayerSoil::Sand(sand) => Some((layer, sand)),
-            LayerSoil::Clay(_) | LayerSoil::Elastic | LayerSoil::Rock(_) | LayerSoil::Table(_) => {
-                None
-            }
-        })
-    }
 }
 
 /// Erosion of the soil around a pile; zero for none.
@@ -138,13 +116,12 @@ pub enum ApiEdition {
     Rp2A,
 }
 
+names!(ApiEdition: Rp2Geo = "rp-2geo", Rp2A = "rp-2a");
+
 impl ApiEdition {
     /// Its name, as in the tower file.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Rp2Geo => "rp-2geo",
-            Self::Rp2A => "rp-2a",
-        }
+        Named::name(self)
     }
 
     /// Its title in a text.
@@ -167,13 +144,19 @@ pub enum AxialModel {
     RandolphWroth,
 }
 
+names!(AxialModel: Api = "api", Kraft = "kraft", RandolphWroth = "randolph-wroth");
+
 impl AxialModel {
     /// Its name, as in the tower file.
     pub fn name(self) -> &'static str {
+        Named::name(self)
+    }
+
+    /// Whether it has springs against torsion.
+    pub fn resists_torsion(self) -> bool {
         match self {
-            Self::Api => "api",
-            Self::Kraft => "kraft",
-            Self::RandolphWroth => "randolph-wroth",
+            Self::Api | Self::Kraft => false,
+            Self::RandolphWroth => true,
         }
     }
 

@@ -1,29 +1,17 @@
 //! Heights at which the springs of a layer change their formula.
 
-use super::axial::randolph_wroth_zone;
-use super::clay::Resistance;
-use super::description::AxialModel;
-use super::layer::LayerSoil;
-use super::pile::Pile;
-use super::pisa::Pisa;
-use super::reaction::resistance;
-use super::rock::GROWS_DIAMETERS;
+use super::layer_springs::KINKS;
+use super::reaction::Reactions;
 
 /// What changes the formula of the springs inside a layer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kink {
     /// The hole of local scour no longer reduces the effective stress.
     Overburden,
-    /// The resistance of clay is that of a flow around the pile.
-    DeepResistance,
-    /// The lateral springs of PISA end.
-    PisaLateral,
-    /// The springs of PISA against rotation end.
-    PisaRotation,
-    /// Weak rock does not get stiffer.
-    FullRock,
-    /// The logarithm of Randolph & Wroth is as small as it is taken.
-    AxialZone,
+    /// The springs across the pile, by the number of the change in their model.
+    Across(usize),
+    /// The axial springs.
+    Axial,
 }
 
 /// Into how many intervals a section is divided in the search for a kink.
@@ -34,39 +22,22 @@ const INSIDE: f64 = 1e-9;
 const STEPS: usize = 60;
 
 impl Kink {
-    /// All of them. The resistance of clay depends on the effective stress, which comes before it.
-    pub(super) const ALL: [Self; 6] = [
-        Self::Overburden,
-        Self::DeepResistance,
-        Self::PisaLateral,
-        Self::PisaRotation,
-        Self::FullRock,
-        Self::AxialZone,
-    ];
+    /// All of them. Springs may depend on the effective stress, which comes before them.
+    pub(super) fn all() -> impl Iterator<Item = Self> {
+        let across = (0..KINKS).map(Self::Across);
+        [Self::Overburden]
+            .into_iter()
+            .chain(across)
+            .chain([Self::Axial])
+    }
 
     /// A number that changes its sign at the kink; none if the springs of the layer have no such
     /// kink.
-    fn value(self, pile: &Pile<'_>, index: usize, height_m: f64) -> Option<f64> {
-        let layer = &pile.ground.layers[index];
-        let (depth_m, diameter_m) = (pile.depth_m(height_m), pile.diameter_m(height_m));
+    fn value(self, reactions: &Reactions<'_>, layer: usize, height_m: f64) -> Option<f64> {
         match self {
-            Self::Overburden => pile.overburden_excess_pa(height_m),
-            Self::DeepResistance => {
-                let Resistance { shallow, deep } = resistance(pile, index, height_m)?;
-                Some(shallow - deep)
-            }
-            Self::PisaLateral => Some(Pisa::of(layer)?.lateral.at(depth_m / diameter_m)),
-            Self::PisaRotation => Some(Pisa::of(layer)?.rotation.at(depth_m / diameter_m)),
-            Self::FullRock => {
-                let in_rock_m = pile.rock_surface_m(index) - height_m;
-                let is_rock = matches!(layer.soil, LayerSoil::Rock(_));
-                is_rock.then_some(in_rock_m - GROWS_DIAMETERS * diameter_m)
-            }
-            Self::AxialZone => {
-                let is_used = pile.ground.axial == Some(AxialModel::RandolphWroth);
-                let zone = || randolph_wroth_zone(layer, pile.length_m(), 0.5 * diameter_m);
-                is_used.then(|| zone() - 1.0)
-            }
+            Self::Overburden => reactions.pile.overburden_excess_pa(height_m),
+            Self::Across(number) => reactions.kink(layer, number, height_m),
+            Self::Axial => reactions.axial_kink(layer, height_m),
         }
     }
 
@@ -74,11 +45,12 @@ impl Kink {
     /// no row, as a fraction of the way.
     pub(super) fn share(
         self,
-        pile: &Pile<'_>,
+        reactions: &Reactions<'_>,
         layer: usize,
         [lower_m, upper_m]: [f64; 2],
     ) -> Option<f64> {
-        let value = |share: f64| self.value(pile, layer, lower_m + share * (upper_m - lower_m));
+        let value =
+            |share: f64| self.value(reactions, layer, lower_m + share * (upper_m - lower_m));
         // At the ends themselves the tube may be the neighbour.
         let border = |i: usize| (i as f64 / INTERVALS as f64).clamp(INSIDE, 1.0 - INSIDE);
         let first = value(border(0))?;

@@ -91,6 +91,23 @@ pub struct PyRow {
 }
 
 impl LayerSoil {
+    /// The rows of a table; none of another kind.
+    pub fn rows(&self) -> &[PyRow] {
+        match self {
+            Self::Table(rows) => rows,
+            Self::Sand(_) | Self::Clay(_) | Self::Elastic | Self::Rock(_) => &[],
+        }
+    }
+
+    /// Its model, if there is only one for it.
+    pub fn only_model(&self) -> Option<SoilModel> {
+        match self {
+            Self::Rock(_) => Some(SoilModel::WeakRock),
+            Self::Table(_) => Some(SoilModel::Table),
+            Self::Sand(_) | Self::Clay(_) | Self::Elastic => None,
+        }
+    }
+
     /// What it is, in a sentence.
     pub fn noun(&self) -> &'static str {
         match self {

@@ -5,8 +5,7 @@
 //! follow from the four moments ∫ k zⁿ dz, n = 0 … 3, so the work is exact for every cubic v², and
 //! its error falls with the sixth power of the length of the part.
 
-use super::pile::Pile;
-use super::reaction::springs;
+use super::reaction::Reactions;
 use crate::tower::integrals::GAUSS_5;
 use crate::tower::surroundings::{SoilRow, SoilStiffness};
 
@@ -31,17 +30,17 @@ pub(super) struct Part {
 impl Part {
     /// One straight line with the sum and the first moment of the springs: exact for springs that
     /// are linear.
-    pub(super) fn line(&self, pile: &Pile<'_>) -> [SoilRow; 2] {
-        self.line_of(&self.moments(pile, [-1.0, 1.0]), [-1.0, 1.0])
+    pub(super) fn line(&self, reactions: &Reactions<'_>) -> [SoilRow; 2] {
+        self.line_of(&self.moments(reactions, [-1.0, 1.0]), [-1.0, 1.0])
     }
 
     /// Two straight lines with the four moments of the springs.
-    pub(super) fn pair(&self, pile: &Pile<'_>) -> [SoilRow; 4] {
-        self.pair_of(&self.halves(pile))
+    pub(super) fn pair(&self, reactions: &Reactions<'_>) -> [SoilRow; 4] {
+        self.pair_of(&self.halves(reactions))
     }
 
-    fn halves(&self, pile: &Pile<'_>) -> [Moments; 2] {
-        [[-1.0, 0.0], [0.0, 1.0]].map(|ends| self.moments(pile, ends))
+    fn halves(&self, reactions: &Reactions<'_>) -> [Moments; 2] {
+        [[-1.0, 0.0], [0.0, 1.0]].map(|ends| self.moments(reactions, ends))
     }
 
     fn pair_of(&self, halves: &[Moments; 2]) -> [SoilRow; 4] {
@@ -67,9 +66,9 @@ impl Part {
     }
 
     /// The sum ∫ k dz of each spring.
-    pub(super) fn sum(&self, pile: &Pile<'_>) -> [f64; SPRINGS] {
+    pub(super) fn sum(&self, reactions: &Reactions<'_>) -> [f64; SPRINGS] {
         let length_m = self.upper_m - self.lower_m;
-        self.moments(pile, [-1.0, 1.0]).0[0].map(|mean| mean * length_m)
+        self.moments(reactions, [-1.0, 1.0]).0[0].map(|mean| mean * length_m)
     }
 
     /// What the lines miss of twice the work of each spring on a deflection that bends over a
@@ -77,9 +76,9 @@ impl Part {
     ///
     /// With v² = Σ v_n P_n the lines miss Σ v_n ∫ δ P_n dz, δ their difference from the springs.
     /// Of v = e^(−z/l) cos(z/l) the n-th derivative of v² is at most ½ (2ⁿ + 8^(n/2)) v²/lⁿ.
-    pub(super) fn missed(&self, pile: &Pile<'_>, length_m: f64) -> [f64; SPRINGS] {
+    pub(super) fn missed(&self, reactions: &Reactions<'_>, length_m: f64) -> [f64; SPRINGS] {
         let own_m = self.upper_m - self.lower_m;
-        let halves = self.halves(pile);
+        let halves = self.halves(reactions);
         let moments = halves[0].and(&halves[1]);
         let [low, below, above, high] = self.pair_of(&halves).map(|row| row.stiffness.values());
         let mut of_lines = Moments::default();
@@ -107,14 +106,16 @@ impl Part {
     }
 
     /// The moments of the springs between two values of s.
-    fn moments(&self, pile: &Pile<'_>, [low, high]: [f64; 2]) -> Moments {
+    fn moments(&self, reactions: &Reactions<'_>, [low, high]: [f64; 2]) -> Moments {
         let mut sum = Moments::default();
-        let is_uppermost = self.upper_m >= pile.hole_m && high == 1.0;
+        let is_uppermost = self.upper_m >= reactions.pile.hole_m && high == 1.0;
         let mut from = low;
         for cut in GRADED {
             let to = low + cut * (high - low);
             if is_uppermost || cut == 1.0 {
-                sum.add(from, to, |s| springs(pile, self.layer, self.height_m(s)));
+                sum.add(from, to, |s| {
+                    reactions.springs(self.layer, self.height_m(s))
+                });
                 from = to;
             }
         }

@@ -1,32 +1,35 @@
 //! Soil in layers around the part of a tower below the surface: the description of a geotechnical
 //! report, from which springs along the tower follow by named models.
 //!
-//! `pile` has the heights and depths, `reaction` the springs at a height by the model of the layer,
-//! each kind of soil in a file of its own; `plan` cuts the pile where springs change their slope,
-//! and `rows` makes rows of springs of the whole.
+//! `pile` has the heights and depths, `models` and `axial` the formulas of springs, each model in a
+//! file of its own; `reaction` gives each layer its models, `plan` cuts the pile where springs
+//! change their slope, and `rows` makes rows of springs of the whole.
 
 mod axial;
-mod clay;
 mod description;
-mod elastic;
 mod kink;
 mod layer;
+mod layer_springs;
 mod lines;
 mod model;
+mod models;
+mod modulus;
 mod pile;
-mod pisa;
 mod plan;
 mod reaction;
-mod rock;
 mod rows;
-mod sand;
 mod shear_modulus;
-mod table;
+mod spot;
+mod values;
 
 pub use description::{ApiEdition, AxialModel, Ground, Scour};
 pub use layer::{Clay, GroundLayer, LayerSoil, PyRow, Rock, Sand};
+pub(in crate::tower) use layer_springs::Piles;
 pub use model::SoilModel;
+pub(in crate::tower) use modulus::{ConeBelowStress, cone_below_stress};
 pub(in crate::tower) use plan::Plan;
+pub(in crate::tower) use reaction::{Models, Refused};
 pub(in crate::tower) use rows::with_rows;
+pub(in crate::tower) use shear_modulus::CorrelatedSoil;
 pub use shear_modulus::ShearModulus;
-pub(in crate::tower) use shear_modulus::{ConeBelowStress, CorrelatedSoil, cone_below_stress};
+pub(in crate::tower) use values::NoSprings;

@@ -1,4 +1,6 @@
-//! The models by which springs follow from soil.
+//! The names of the models by which springs follow from soil.
+
+use crate::inputs::{Named, names};
 
 /// A model of the springs that a layer of soil gives to a pile at small displacements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -31,70 +33,24 @@ pub enum SoilModel {
     Table,
 }
 
+names!(SoilModel:
+    Api = "api",
+    Dnv = "dnv",
+    ReeseStiffClay = "reese-stiff-clay",
+    Kallehave = "kallehave",
+    Sorensen = "sorensen",
+    PisaCowden = "pisa-cowden",
+    PisaBothkennar = "pisa-bothkennar",
+    PisaDunkirk = "pisa-dunkirk",
+    Winkler = "winkler",
+    Vesic = "vesic",
+    WeakRock = "weak-rock",
+    Table = "py",
+);
+
 impl SoilModel {
     /// Its name, as in the tower file.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Api => "api",
-            Self::Dnv => "dnv",
-            Self::ReeseStiffClay => "reese-stiff-clay",
-            Self::Kallehave => "kallehave",
-            Self::Sorensen => "sorensen",
-            Self::PisaCowden => "pisa-cowden",
-            Self::PisaBothkennar => "pisa-bothkennar",
-            Self::PisaDunkirk => "pisa-dunkirk",
-            Self::Winkler => "winkler",
-            Self::Vesic => "vesic",
-            Self::WeakRock => "weak-rock",
-            Self::Table => "py",
-        }
-    }
-
-    /// Whether it is one of PISA.
-    pub(in crate::tower) fn is_pisa(self) -> bool {
-        match self {
-            Self::PisaCowden | Self::PisaBothkennar | Self::PisaDunkirk => true,
-            Self::Api
-            | Self::Dnv
-            | Self::ReeseStiffClay
-            | Self::Kallehave
-            | Self::Sorensen
-            | Self::Winkler
-            | Self::Vesic
-            | Self::WeakRock
-            | Self::Table => false,
-        }
-    }
-
-    /// Whether the springs of sand are in proportion to the modulus k of API.
-    pub(in crate::tower) fn has_modulus_of_sand(self) -> bool {
-        match self {
-            Self::Api | Self::Dnv | Self::Kallehave => true,
-            Self::ReeseStiffClay
-            | Self::Sorensen
-            | Self::PisaCowden
-            | Self::PisaBothkennar
-            | Self::PisaDunkirk
-            | Self::Winkler
-            | Self::Vesic
-            | Self::WeakRock
-            | Self::Table => false,
-        }
-    }
-
-    /// Whether the springs of clay are in proportion to its lateral resistance.
-    pub(in crate::tower) fn has_resistance_of_clay(self) -> bool {
-        match self {
-            Self::Api | Self::Dnv | Self::ReeseStiffClay => true,
-            Self::Kallehave
-            | Self::Sorensen
-            | Self::PisaCowden
-            | Self::PisaBothkennar
-            | Self::PisaDunkirk
-            | Self::Winkler
-            | Self::Vesic
-            | Self::WeakRock
-            | Self::Table => false,
-        }
+        Named::name(self)
     }
 }

@@ -10,8 +10,8 @@ use crate::tower::section::Tube;
 const OVERBURDEN_DIAMETERS: f64 = 6.0;
 
 /// A tower in the ground: heights, depths, the sections of the pile, the weight of the soil.
-#[derive(Debug, Clone)]
-pub(super) struct Pile<'a> {
+#[derive(Debug)]
+pub(in crate::tower) struct Pile<'a> {
     description: &'a TowerDescription,
     pub(super) ground: &'a Ground,
     /// Height of the tip, m.

@@ -1,11 +1,10 @@
 //! Where the springs of the ground are cut into rows: the same for a tower and for those near it.
 
-use super::description::{ApiEdition, AxialModel, Ground};
+use super::description::Ground;
 use super::kink::Kink;
-use super::layer::{GroundLayer, LayerSoil};
 use super::lines::Part;
-use super::model::SoilModel;
 use super::pile::Pile;
+use super::reaction::Reactions;
 use crate::tower::description::TowerDescription;
 use crate::tower::surroundings::SoilStiffness;
 
@@ -77,18 +76,19 @@ enum End {
 impl Plan {
     /// Of a tower; empty without ground.
     pub(in crate::tower) fn of(description: &TowerDescription) -> Self {
-        let Some(pile) = Pile::of(description) else {
+        let Some(reactions) = Reactions::of(description) else {
             return Self::default();
         };
+        let pile = &reactions.pile;
         let mut plan = Self {
             tip_layer: tip_layer(pile.ground, pile.tip_m),
             ..Self::default()
         };
         let mut heights_m = Vec::new();
         for layer in 0..pile.ground.layers.len() {
-            plan.add_sections(description, &pile, layer, &mut heights_m);
+            plan.add_sections(description, &reactions, layer, &mut heights_m);
         }
-        plan.divide(&pile, &heights_m);
+        plan.divide(&reactions, &heights_m);
         plan
     }
 
@@ -96,10 +96,11 @@ impl Plan {
     fn add_sections(
         &mut self,
         description: &TowerDescription,
-        pile: &Pile<'_>,
+        reactions: &Reactions<'_>,
         layer: usize,
         heights_m: &mut Vec<f64>,
     ) {
+        let pile = &reactions.pile;
         let own = &pile.ground.layers[layer];
         let upper = match own.top_m >= pile.hole_m {
             true => End::Hole,
@@ -109,7 +110,7 @@ impl Plan {
             true => End::Tip,
             false => End::LayerBottom(layer),
         };
-        let height = |end: &End| end.height_m(description, pile, &[]);
+        let height = |end: &End| end.height_m(description, reactions, &[]);
         let (lower_m, upper_m) = (height(&lower), height(&upper));
         if lower_m.partial_cmp(&upper_m) != Some(std::cmp::Ordering::Less) {
             return;
@@ -124,8 +125,8 @@ impl Plan {
         self.ends.extend(&ends);
         heights_m.extend(ends.iter().map(height));
         let mut borders: Vec<usize> = (first..self.ends.len()).collect();
-        for kink in Kink::ALL {
-            borders = self.with_kinks(pile, layer, kink, &borders, heights_m);
+        for kink in Kink::all() {
+            borders = self.with_kinks(reactions, layer, kink, &borders, heights_m);
         }
         for pair in borders.windows(2) {
             self.sections.push(Section {
@@ -140,7 +141,7 @@ impl Plan {
     /// The numbers of the ends, and of those at kinks of one kind between them.
     fn with_kinks(
         &mut self,
-        pile: &Pile<'_>,
+        reactions: &Reactions<'_>,
         layer: usize,
         kink: Kink,
         borders: &[usize],
@@ -150,7 +151,7 @@ impl Plan {
         for pair in borders.windows(2) {
             cut.push(pair[0]);
             let [lower_m, upper_m] = [heights_m[pair[0]], heights_m[pair[1]]];
-            if let Some(share) = kink.share(pile, layer, [lower_m, upper_m]) {
+            if let Some(share) = kink.share(reactions, layer, [lower_m, upper_m]) {
                 cut.push(self.ends.len());
                 heights_m.push(lower_m + share * (upper_m - lower_m));
                 self.ends.push(End::Kink {
@@ -166,22 +167,23 @@ impl Plan {
     }
 
     /// Divides the sections until straight lines change no frequency.
-    fn divide(&mut self, pile: &Pile<'_>, heights_m: &[f64]) {
-        let weight = Weight::of(pile, self, heights_m);
+    fn divide(&mut self, reactions: &Reactions<'_>, heights_m: &[f64]) {
+        let pile = &reactions.pile;
+        let weight = Weight::of(reactions, self, heights_m);
         let sections = self.sections.len().max(1) as f64;
         let mut error = 0.0;
         for section in &mut self.sections {
-            if are_linear(pile.ground, &pile.ground.layers[section.layer]) {
+            if reactions.are_linear(section.layer) {
                 continue;
             }
             let ends_m = [heights_m[section.lower], heights_m[section.upper]];
             let root = |height_m: f64| (pile.depth_m(height_m) / pile.length_m()).max(0.0).sqrt();
             let least = (LEAST_PARTS * (root(ends_m[0]) - root(ends_m[1]))).ceil();
             let mut parts = least.clamp(1.0, LEAST_PARTS) as usize;
-            let mut missed = weight.missed(pile, section.layer, ends_m, parts);
+            let mut missed = weight.missed(reactions, section.layer, ends_m, parts);
             while missed > TOLERANCE / sections && 2 * parts <= MOST_PARTS {
                 parts *= 2;
-                missed = weight.missed(pile, section.layer, ends_m, parts);
+                missed = weight.missed(reactions, section.layer, ends_m, parts);
             }
             section.lines = Lines::Pairs(parts);
             if missed.is_finite() {
@@ -192,10 +194,14 @@ impl Plan {
     }
 
     /// The heights of all ends on a tower, m.
-    pub(super) fn heights_m(&self, description: &TowerDescription, pile: &Pile<'_>) -> Vec<f64> {
+    pub(super) fn heights_m(
+        &self,
+        description: &TowerDescription,
+        reactions: &Reactions<'_>,
+    ) -> Vec<f64> {
         let mut heights_m = Vec::with_capacity(self.ends.len());
         for end in &self.ends {
-            heights_m.push(end.height_m(description, pile, &heights_m));
+            heights_m.push(end.height_m(description, reactions, &heights_m));
         }
         heights_m
     }
@@ -252,7 +258,8 @@ struct Weight {
 }
 
 impl Weight {
-    fn of(pile: &Pile<'_>, plan: &Plan, heights_m: &[f64]) -> Self {
+    fn of(reactions: &Reactions<'_>, plan: &Plan, heights_m: &[f64]) -> Self {
+        let pile = &reactions.pile;
         let parts = || {
             let sections = plan.sections.iter();
             sections.flat_map(|section| {
@@ -260,7 +267,7 @@ impl Weight {
                 parts(pile, section.layer, ends_m, LEAST_PARTS as usize)
             })
         };
-        let sums: Vec<_> = parts().map(|part| (part, part.sum(pile))).collect();
+        let sums: Vec<_> = parts().map(|part| (part, part.sum(reactions))).collect();
         let lateral = sums.iter().map(|(_, sums)| sums[0]).sum::<f64>() / pile.length_m();
         let bending_n_m2 = pile.bending_n_m2(pile.hole_m - 0.5 * pile.length_m());
         let length_m = (4.0 * bending_n_m2 / lateral).powf(0.25);
@@ -282,11 +289,18 @@ impl Weight {
     }
 
     /// The largest fraction by which lines in a section change a frequency.
-    fn missed(&self, pile: &Pile<'_>, layer: usize, ends_m: [f64; 2], count: usize) -> f64 {
+    fn missed(
+        &self,
+        reactions: &Reactions<'_>,
+        layer: usize,
+        ends_m: [f64; 2],
+        count: usize,
+    ) -> f64 {
+        let pile = &reactions.pile;
         let mut sum = [0.0; SoilStiffness::SPRINGS];
         for part in parts(pile, layer, ends_m, count) {
             let fade = self.fade(pile, &part);
-            let missed = part.missed(pile, self.length_m);
+            let missed = part.missed(reactions, self.length_m);
             for (sum, missed) in sum.iter_mut().zip(missed) {
                 *sum += fade * missed;
             }
@@ -318,54 +332,20 @@ fn knees(description: &TowerDescription, pile: &Pile<'_>, layer: usize) -> Vec<E
     if pile.ground.scour.local_m > 0.0 {
         knees.push(End::FullOverburden);
     }
-    match &pile.ground.layers[layer].soil {
-        LayerSoil::Table(rows) => {
-            knees.extend((0..rows.len()).map(|row| End::TableRow(layer, row)));
-        }
-        LayerSoil::Sand(_) | LayerSoil::Clay(_) | LayerSoil::Elastic | LayerSoil::Rock(_) => {}
-    }
+    let rows = pile.ground.layers[layer].soil.rows();
+    knees.extend((0..rows.len()).map(|row| End::TableRow(layer, row)));
     knees
-}
-
-/// Whether the springs of a layer are linear in height between knees, for any numbers of the layer
-/// and any taper of the pile.
-fn are_linear(ground: &Ground, layer: &GroundLayer) -> bool {
-    let has_linear_modulus = layer
-        .shear_modulus
-        .is_none_or(|modulus| modulus.is_linear());
-    let lateral = match &layer.soil {
-        LayerSoil::Table(_) => true,
-        LayerSoil::Sand(_) | LayerSoil::Clay(_) | LayerSoil::Elastic | LayerSoil::Rock(_) => {
-            match layer.model {
-                SoilModel::Api | SoilModel::Dnv => matches!(layer.soil, LayerSoil::Sand(_)),
-                SoilModel::Winkler => has_linear_modulus,
-                SoilModel::ReeseStiffClay
-                | SoilModel::Kallehave
-                | SoilModel::Sorensen
-                | SoilModel::PisaCowden
-                | SoilModel::PisaBothkennar
-                | SoilModel::PisaDunkirk
-                | SoilModel::Vesic
-                | SoilModel::WeakRock
-                | SoilModel::Table => false,
-            }
-        }
-    };
-    let vertical = match ground.axial {
-        None => true,
-        Some(AxialModel::Api) => match ground.edition {
-            ApiEdition::Rp2Geo => true,
-            ApiEdition::Rp2A => matches!(layer.soil, LayerSoil::Clay(_)),
-        },
-        Some(AxialModel::Kraft) => has_linear_modulus,
-        Some(AxialModel::RandolphWroth) => false,
-    };
-    lateral && vertical
 }
 
 impl End {
     /// The height that it has on a tower, m, with the heights of the ends before it.
-    fn height_m(&self, description: &TowerDescription, pile: &Pile<'_>, heights_m: &[f64]) -> f64 {
+    fn height_m(
+        &self,
+        description: &TowerDescription,
+        reactions: &Reactions<'_>,
+        heights_m: &[f64],
+    ) -> f64 {
+        let pile = &reactions.pile;
         let layers = &pile.ground.layers;
         match *self {
             Self::Tip => pile.tip_m,
@@ -378,13 +358,10 @@ impl End {
                 station.or_else(of_table).unwrap_or(f64::NAN)
             }
             Self::FullOverburden => pile.full_overburden_m(),
-            Self::TableRow(layer, row) => match &layers[layer].soil {
-                LayerSoil::Table(rows) => rows.get(row).map_or(f64::NAN, |row| row.height_m),
-                LayerSoil::Sand(_)
-                | LayerSoil::Clay(_)
-                | LayerSoil::Elastic
-                | LayerSoil::Rock(_) => f64::NAN,
-            },
+            Self::TableRow(layer, row) => {
+                let row = layers[layer].soil.rows().get(row);
+                row.map_or(f64::NAN, |row| row.height_m)
+            }
             Self::Kink {
                 kink,
                 layer,
@@ -392,7 +369,7 @@ impl End {
                 upper,
             } => {
                 let [lower_m, upper_m] = [heights_m[lower], heights_m[upper]];
-                let share = kink.share(pile, layer, [lower_m, upper_m]);
+                let share = kink.share(reactions, layer, [lower_m, upper_m]);
                 lower_m + share.unwrap_or(f64::NAN) * (upper_m - lower_m)
             }
         }

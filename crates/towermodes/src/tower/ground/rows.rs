@@ -1,10 +1,7 @@
 //! The ground as rows of springs along the tower and a foundation under its tip.
 
-use super::axial::axial_at_tip;
-use super::pile::Pile;
-use super::pisa::Pisa;
 use super::plan::{Lines, Plan};
-use super::reaction::shear_modulus_pa;
+use super::reaction::Reactions;
 use crate::space::SpatialMatrix;
 use crate::tower::base::Base;
 use crate::tower::description::TowerDescription;
@@ -48,15 +45,16 @@ pub(in crate::tower) fn with_rows(
     mut description: TowerDescription,
     plan: &Plan,
 ) -> TowerDescription {
-    let Some(pile) = Pile::of(&description) else {
+    let Some(reactions) = Reactions::of(&description) else {
         return description;
     };
-    let soil = soil(&description, &pile, plan);
-    let tip = tip_stiffness(&pile, plan);
+    let soil = soil(&description, &reactions, plan);
+    let (tip, pile) = (reactions.at_tip(plan.tip_layer), &reactions.pile);
     let bed_m = description.water.map(|water| {
         let before_m = water.bed_m.unwrap_or(pile.ground.surface_m);
         before_m - (pile.ground.surface_m - pile.hole_m)
     });
+    drop(reactions);
     description.soil.extend(soil);
     description.foundation = on_springs(&description.foundation, tip);
     if let Some(water) = &mut description.water {
@@ -67,36 +65,25 @@ pub(in crate::tower) fn with_rows(
 }
 
 /// The rows of each layer that touches the pile, by rising height.
-fn soil(description: &TowerDescription, pile: &Pile<'_>, plan: &Plan) -> Vec<Vec<SoilRow>> {
-    let heights_m = plan.heights_m(description, pile);
+fn soil(
+    description: &TowerDescription,
+    reactions: &Reactions<'_>,
+    plan: &Plan,
+) -> Vec<Vec<SoilRow>> {
+    let heights_m = plan.heights_m(description, reactions);
     let of_one_layer = plan.sections.chunk_by(|a, b| a.layer == b.layer);
     let rows = of_one_layer.map(|sections| {
         let mut rows = Vec::new();
         for section in sections {
-            let parts = section.parts(pile, &heights_m);
+            let parts = section.parts(&reactions.pile, &heights_m);
             match section.lines {
-                Lines::One => rows.extend(parts.flat_map(|part| part.line(pile))),
-                Lines::Pairs(_) => rows.extend(parts.flat_map(|part| part.pair(pile))),
+                Lines::One => rows.extend(parts.flat_map(|part| part.line(reactions))),
+                Lines::Pairs(_) => rows.extend(parts.flat_map(|part| part.pair(reactions))),
             }
         }
         rows
     });
     rows.collect()
-}
-
-/// Stiffness of the soil under the tip against x, y, z and the rotations about them: N/m, N m.
-pub(super) fn tip_stiffness(pile: &Pile<'_>, plan: &Plan) -> [f64; 6] {
-    let layer = plan.tip_layer;
-    let [vertical, torsion] = axial_at_tip(pile, layer);
-    let (mut shear, mut moment) = (0.0, 0.0);
-    if let Some(pisa) = pile.ground.layers.get(layer).and_then(Pisa::of) {
-        let diameter_m = pile.diameter_m(pile.tip_m);
-        let modulus_pa = shear_modulus_pa(pile, layer, pile.tip_m);
-        let length = pile.length_m() / diameter_m;
-        shear = pisa.shear.positive_at(length) * modulus_pa * diameter_m;
-        moment = pisa.moment.positive_at(length) * modulus_pa * diameter_m.powi(3);
-    }
-    [shear, shear, vertical, moment, moment, torsion].map(|spring| spring * pile.factor(layer))
 }
 
 /// A foundation with springs on the diagonal of its stiffness; they have no effect where it is

@@ -4,7 +4,7 @@ use super::Given;
 use super::unused;
 use super::usual::Usual;
 use crate::tower::ground::{
-    ApiEdition, Clay, Ground, GroundLayer, LayerSoil, Sand, ShearModulus, SoilModel,
+    ApiEdition, Clay, Ground, GroundLayer, LayerSoil, Models, Piles, Sand, ShearModulus,
 };
 use crate::tower::{Ineffective, Place, Quantity, Site, Tower, Warning, Water};
 
@@ -30,12 +30,6 @@ const BEARING: Usual = Usual::new(Quantity::EndBearing, 2e4, 1e8);
 const BLOWS: Usual = Usual::new(Quantity::BlowCount, 1.0, 100.0);
 const FRICTION: Usual = Usual::new(Quantity::ShaftFriction, 1e3, 5e5);
 
-/// Ranges of PISA: the diameter in m, the embedded length over it, the relative density. Only that
-/// of the length is checked against a source.
-const PISA_DIAMETERS_M: [f64; 2] = [5.0, 10.0];
-const PISA_LENGTHS: [f64; 2] = [2.0, 6.0];
-const PISA_DENSITIES: [f64; 2] = [0.45, 0.9];
-
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
     let Some(ground) = given.ground else {
         return;
@@ -53,18 +47,8 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
             BEARING.check(bearing_pa, at("end_bearing"), warnings);
         }
         match &layer.soil {
-            LayerSoil::Sand(values) => {
-                sand(values, at, warnings);
-                angle_beside_modulus(values, layer.model, at("friction_angle"), warnings);
-            }
-            LayerSoil::Clay(values) => {
-                clay(values, at, warnings);
-                let is_useless = values.strength_factor.is_some();
-                if is_useless && layer.model == SoilModel::ReeseStiffClay {
-                    let (site, what) = (at("strength_factor"), Ineffective::FactorOfMatlock);
-                    warnings.push(Warning::NoEffect { site, what });
-                }
-            }
+            LayerSoil::Sand(values) => sand(values, at, warnings),
+            LayerSoil::Clay(values) => clay(values, at, warnings),
             LayerSoil::Rock(values) => {
                 if let Some(modulus_pa) = values.youngs_modulus_pa {
                     profile(YOUNGS_MODULUS, modulus_pa, at("youngs_modulus"), warnings);
@@ -72,8 +56,9 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
             }
             LayerSoil::Table(_) | LayerSoil::Elastic => {}
         }
-        for what in unused::of(layer, ground.axial) {
-            let (site, what) = (at(what.key()), what.ineffective());
+        let models = Models::of(layer, ground).ok();
+        for (key, what) in unused::of(layer, models.as_ref()) {
+            let site = at(key);
             warnings.push(Warning::NoEffect { site, what });
         }
         if layer.top_m <= tower.base_m() && index > 0 && !is_under_tip(ground, index, tower) {
@@ -81,7 +66,7 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
             warnings.push(Warning::NoEffect { site, what });
         }
     }
-    range_of_pisa(tower, ground, warnings);
+    models(tower, ground, warnings);
     if !ground.submerged
         && ground.edition == ApiEdition::Rp2Geo
         && ground.modulus_depends_on_edition()
@@ -144,18 +129,6 @@ fn sand(sand: &Sand, at: impl Fn(&'static str) -> Site, warnings: &mut Vec<Warni
     }
     if let Some(modulus) = sand.subgrade_modulus_n_per_m3 {
         SUBGRADE.check(modulus, at("subgrade_modulus"), warnings);
-    }
-}
-
-/// The modulus k that is given takes the place of that by the friction angle.
-fn angle_beside_modulus(sand: &Sand, model: SoilModel, site: Site, warnings: &mut Vec<Warning>) {
-    let both = sand
-        .friction_angle_deg
-        .zip(sand.subgrade_modulus_n_per_m3)
-        .is_some();
-    if model.has_modulus_of_sand() && both {
-        let what = Ineffective::AngleBesideModulus;
-        warnings.push(Warning::NoEffect { site, what });
     }
 }
 
@@ -241,60 +214,58 @@ fn shear_modulus(
     }
 }
 
-/// A pile or a sand for which the models of PISA were not derived.
-fn range_of_pisa(tower: &Tower, ground: &Ground, warnings: &mut Vec<Warning>) {
-    let is_pisa = |layer: &GroundLayer| layer.model.is_pisa();
-    let Some(index) = ground.layers.iter().position(is_pisa) else {
-        return;
-    };
-    let site = Site::at(Place::GroundLayer {
-        index,
-        key: "model",
-    });
-    if !tower.shears() {
+/// Piles and soils for which the models were not derived.
+fn models(tower: &Tower, ground: &Ground, warnings: &mut Vec<Warning>) {
+    let mut seen = Vec::new();
+    for (index, layer) in ground.layers.iter().enumerate() {
+        let Ok(models) = Models::of(layer, ground) else {
+            continue;
+        };
+        let at = |key| Site::at(Place::GroundLayer { index, key });
+        let piles = models.across.piles();
+        if let Some(piles) = piles.filter(|piles| !seen.contains(&piles.formula)) {
+            seen.push(piles.formula);
+            pile(tower, ground, &piles, at("model"), warnings);
+        }
+        models.across.doubt(&at, warnings);
+    }
+}
+
+/// A pile for which a model was not derived.
+fn pile(tower: &Tower, ground: &Ground, piles: &Piles, site: Site, warnings: &mut Vec<Warning>) {
+    if piles.need_shear && !tower.shears() {
         warnings.push(Warning::PisaWithoutShear { site });
     }
-    let first = tower
-        .stations()
-        .first()
-        .map(|station| station.outer_diameter_m);
-    let Some(diameter_m) = ground.pile_diameter_m.or(first) else {
+    let first = tower.stations().first();
+    let own = first.map(|station| station.outer_diameter_m);
+    let Some(diameter_m) = ground.pile_diameter_m.or(own) else {
         return;
     };
     let scour_m = ground.scour.general_m + ground.scour.local_m;
     let length = (ground.surface_m - scour_m - tower.base_m()) / diameter_m;
-    let quantity = "the diameter of the pile in m";
-    warnings.extend(outside(site, quantity, diameter_m, PISA_DIAMETERS_M));
-    let quantity = "the embedded length of the pile, divided by its diameter,";
-    warnings.extend(outside(site, quantity, length, PISA_LENGTHS));
-    for (index, layer) in ground.layers.iter().enumerate() {
-        if let (SoilModel::PisaDunkirk, LayerSoil::Sand(sand)) = (layer.model, &layer.soil) {
-            let key = "relative_density";
-            let site = Site::at(Place::GroundLayer { index, key });
-            let density = sand.relative_density.unwrap_or(PISA_DENSITIES[0]);
-            warnings.extend(outside(
+    let numbers = [
+        (
+            "the diameter of the pile in m",
+            diameter_m,
+            piles.diameters_m,
+        ),
+        (
+            "the embedded length of the pile, divided by its diameter,",
+            length,
+            piles.lengths,
+        ),
+    ];
+    for (quantity, value, [least, most]) in numbers {
+        if !(least..=most).contains(&value) {
+            warnings.push(Warning::OutsideFormula {
                 site,
-                "the relative density",
-                density,
-                PISA_DENSITIES,
-            ));
+                formula: piles.formula,
+                quantity,
+                value,
+                least,
+                most,
+                remedy: piles.remedy,
+            });
         }
     }
-}
-
-fn outside(
-    site: Site,
-    quantity: &'static str,
-    value: f64,
-    [least, most]: [f64; 2],
-) -> Option<Warning> {
-    (!(least..=most).contains(&value)).then_some(Warning::OutsideFormula {
-        site,
-        formula: "the model of PISA",
-        quantity,
-        value,
-        least,
-        most,
-        remedy: "compare with another model and with a factor of 0.5 and 2 on the soil",
-    })
 }

@@ -6,9 +6,9 @@ mod values;
 use super::scale::{coordinate, error, length, not_negative, positive};
 use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
-use crate::tower::ground::{ConeBelowStress, Ground, GroundLayer, LayerSoil, cone_below_stress};
+use crate::tower::ground::{ConeBelowStress, Ground, GroundLayer, Models, cone_below_stress};
 
-type Checked = Result<(), TowerError>;
+type Checked<T = ()> = Result<T, TowerError>;
 
 fn at(key: &'static str) -> Place {
     Place::Ground { key }
@@ -33,13 +33,13 @@ pub(in crate::tower::validate) fn check_ground(
     check_diameter(description, ground)?;
     positive(at("factor"), "the factor on the soil", ground.factor, "")?;
     check_layers(ground, base_m)?;
+    let mut models = Vec::with_capacity(ground.layers.len());
     for (index, own) in ground.layers.iter().enumerate() {
         let layer = Layer { index, own };
         layer.check_values()?;
-        layer.check_model()?;
-        layer.check_axial(ground.axial)?;
+        models.push(layer.models(ground)?);
     }
-    check_weights(ground)?;
+    check_weights(ground, &models)?;
     check_cones(description)
 }
 
@@ -174,15 +174,13 @@ impl Layer<'_> {
 }
 
 /// Every layer above one that depends on the weight of the soil, and this one, has a unit weight.
-fn check_weights(ground: &Ground) -> Checked {
-    let needs_weight = |layer: &GroundLayer| {
-        let by_modulus = layer
-            .shear_modulus
-            .is_some_and(|modulus| modulus.needs_stress());
-        let is_clay = matches!(layer.soil, LayerSoil::Clay(_));
-        (is_clay && layer.model.has_resistance_of_clay()) || by_modulus
+fn check_weights(ground: &Ground, models: &[Models<'_>]) -> Checked {
+    let needs_weight = |(layer, models): &(&GroundLayer, &Models<'_>)| {
+        let modulus = layer.shear_modulus;
+        models.across.nature().needs_weight || modulus.is_some_and(|modulus| modulus.needs_stress())
     };
-    let Some(deepest) = ground.layers.iter().rposition(needs_weight) else {
+    let mut layers = ground.layers.iter().zip(models);
+    let Some(deepest) = layers.rposition(|layer| needs_weight(&layer)) else {
         return Ok(());
     };
     let user = "the weight of the soil above, on which this layer or one below depends,";

@@ -1,23 +1,59 @@
-//! Sand: the initial stiffness of p-y curves.
+//! The modulus k of sand, which several models have: the initial stiffness of the p-y curves of
+//! API is k z.
 
-use super::description::{ApiEdition, Ground};
-use super::layer::Sand;
+use crate::tower::ground::description::{ApiEdition, Ground};
+use crate::tower::ground::values::{NoSprings, Values};
+use crate::tower::warning::{Ineffective, Site, Warning};
 
-/// Reference depth and diameter of Kallehave et al., m.
-const REFERENCE_DEPTH_M: f64 = 2.5;
-const REFERENCE_DIAMETER_M: f64 = 0.61;
 /// The modulus of the loosest sand, MN/m³.
 const LEAST_MN_PER_M3: f64 = 5.4;
-/// Exponent of the depth of Kallehave et al. and of Sørensen et al.
-const EXPONENT: f64 = 0.6;
 
-/// The modulus k of the springs k z of API, N/m³: the given one, or that of the friction angle φ′
-/// by the edition of the ground.
-pub(super) fn subgrade_modulus_n_per_m3(sand: &Sand, ground: &Ground) -> f64 {
-    if let Some(given) = sand.subgrade_modulus_n_per_m3 {
-        return given;
+/// The modulus k of a layer of sand.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Subgrade {
+    /// k, N/m³: the given one, or that of the friction angle φ′ by the edition of the ground.
+    pub(super) modulus_n_per_m3: f64,
+    /// Whether k is given.
+    is_given: bool,
+    /// Whether the friction angle is given too, which then has no effect.
+    has_both: bool,
+}
+
+impl Subgrade {
+    /// Of the values of a layer.
+    pub(super) fn of(values: &mut Values<'_>) -> Result<Self, NoSprings> {
+        let sand = values.sand()?;
+        let given = values.optional("subgrade_modulus", sand.subgrade_modulus_n_per_m3);
+        let angle_deg = values.optional("friction_angle", sand.friction_angle_deg);
+        let by_angle = || Some(by_angle_n_per_m3(angle_deg?, values.ground));
+        let modulus_n_per_m3 = given.or_else(by_angle).ok_or(NoSprings::Missing {
+            key: "friction_angle",
+            value: "the friction angle or the subgrade modulus",
+        })?;
+        Ok(Self {
+            modulus_n_per_m3,
+            is_given: given.is_some(),
+            has_both: given.and(angle_deg).is_some(),
+        })
     }
-    let angle_deg = sand.friction_angle_deg.unwrap_or(f64::NAN);
+
+    /// Whether it depends on the edition of the standard of API.
+    pub(super) fn depends_on_edition(&self) -> bool {
+        !self.is_given
+    }
+
+    /// The modulus k that is given takes the place of that by the friction angle.
+    pub(super) fn doubt(&self, at: &dyn Fn(&'static str) -> Site, warnings: &mut Vec<Warning>) {
+        if self.has_both {
+            warnings.push(Warning::NoEffect {
+                site: at("friction_angle"),
+                what: Ineffective::AngleBesideModulus,
+            });
+        }
+    }
+}
+
+fn by_angle_n_per_m3(angle_deg: f64, ground: &Ground) -> f64 {
     1e6 * match ground.edition {
         ApiEdition::Rp2Geo => table_mn_per_m3(angle_deg),
         ApiEdition::Rp2A => figure_mn_per_m3(angle_deg, ground.submerged),
@@ -71,27 +107,4 @@ fn figure_mn_per_m3(angle_deg: f64, submerged: bool) -> f64 {
         true => LEAST_MN_PER_M3,
         false => fit,
     }
-}
-
-/// k z₀ (z/z₀)^0.6 (D/D₀)^0.5 with z₀ = 2.5 m, D₀ = 0.61 m, N/m².
-///
-/// It corrects API's stiffness for wide piles, for which that is too soft near the surface and too
-/// stiff at depth. The exponent fitted to single sites was 0.4 to 0.7.
-///
-/// Source: Kallehave, Le Blanc Thilsted & Liingaard, *Modification of the API p-y formulation of
-/// initial stiffness of sand*, OSIG 2012, as quoted by Beuckelaers (2013).
-pub(super) fn kallehave(k_n_per_m3: f64, depth_m: f64, diameter_m: f64) -> f64 {
-    let depth = (depth_m / REFERENCE_DEPTH_M).max(0.0).powf(EXPONENT);
-    k_n_per_m3 * REFERENCE_DEPTH_M * depth * (diameter_m / REFERENCE_DIAMETER_M).sqrt()
-}
-
-/// 50 MPa (z/1 m)^0.6 (D/1 m)^0.5 φ′^3.6 with φ′ in radians, N/m².
-///
-/// Much softer than Kallehave: about six times, as Beuckelaers found.
-///
-/// Source: Sørensen, Ibsen & Augustesen, *Effects of diameter on initial stiffness of p-y curves
-/// for large-diameter piles in sand*, NUMGE 2010, as quoted by Beuckelaers (2013).
-pub(super) fn sorensen(friction_angle_deg: f64, depth_m: f64, diameter_m: f64) -> f64 {
-    let depth = depth_m.max(0.0).powf(EXPONENT);
-    50e6 * depth * diameter_m.sqrt() * friction_angle_deg.to_radians().powf(3.6)
 }
