@@ -4,31 +4,14 @@
 //! Sources of the records and their meaning: BModes 3.00 (Bir, NREL, 2008), its sample files, and
 //! the decks that later versions and other programs write.
 
-mod blade;
-mod building;
-mod deck;
-mod diagnose;
-mod fortran;
-mod foundation;
-mod main_file;
-mod matrix;
-mod norm;
-mod notes;
-mod out;
-mod out_nodes;
-mod parameters;
-mod reader;
-mod section_checks;
-mod sections;
-mod support;
-mod surroundings;
-mod tower;
-mod unread;
+mod description;
+mod records;
+mod results;
 mod write;
 
-pub use norm::euclidean;
-pub use out::{OutHeader, OutMode, OutRow, write_bmodes_out};
-pub use out_nodes::OutNodes;
+pub use results::norm::euclidean;
+pub use results::out::{OutHeader, OutMode, OutRow, write_bmodes_out};
+pub use results::out_nodes::OutNodes;
 pub use write::{BmodesFiles, BmodesWriteError, BmodesWriteOptions, write_bmodes};
 
 use crate::diagnostic::DiagnosticKind;
@@ -37,9 +20,9 @@ use crate::input::{BladeInput, ReadOptions, TowerInput};
 use crate::records::{Line, Lines};
 use crate::resolver::FileResolver;
 use crate::source::Source;
-use deck::{Beam, Deck};
-use parameters::{Kind, Parameter};
-use reader::Reader;
+use records::deck::{Beam, Deck};
+use records::parameters::{Kind, Parameter};
+use records::reader::Reader;
 
 /// The tower or blade of a deck.
 #[derive(Debug, Clone)]
@@ -75,18 +58,22 @@ pub fn read_bmodes(
     let (deck, sources) = read_deck(source, files)?;
     let compatible = options.bmodes_quirks;
     Ok(match deck.beam {
-        Beam::Tower => BmodesInput::Tower(Box::new(tower::tower(&deck, sources, compatible)?)),
-        Beam::Blade => BmodesInput::Blade(Box::new(blade::blade(&deck, sources, compatible)?)),
+        Beam::Tower => BmodesInput::Tower(Box::new(description::tower::tower(
+            &deck, sources, compatible,
+        )?)),
+        Beam::Blade => BmodesInput::Blade(Box::new(description::blade::blade(
+            &deck, sources, compatible,
+        )?)),
     })
 }
 
 fn read_deck(source: Source, files: &dyn FileResolver) -> Result<(Deck, Sources), ReadError> {
     let mut reader = Reader::new(&source.text);
     let in_main = |mistake| ReadError::mistake(&source, mistake);
-    let (mut deck, sections_file) = main_file::main_file(&mut reader).map_err(in_main)?;
+    let (mut deck, sections_file) = records::main_file::main_file(&mut reader).map_err(in_main)?;
     if deck.beam == Beam::Tower {
         let nodes = deck.borders.len();
-        let support = support::support(&mut reader, deck.dialect, nodes);
+        let support = records::support::support(&mut reader, deck.dialect, nodes);
         (deck.dialect, deck.support) = support.map_err(in_main)?;
     }
     let file = files.read(sections_file.value).map_err(|error| {
@@ -94,7 +81,7 @@ fn read_deck(source: Source, files: &dyn FileResolver) -> Result<(Deck, Sources)
         let hint = "it is searched beside the .bmi file; names may be case-sensitive";
         in_main(sections_file.wrong(kind).with_hint(hint))
     })?;
-    let sections = sections::sections(&file.text, deck.beam);
+    let sections = records::sections::sections(&file.text, deck.beam);
     let sections = sections.map_err(|mistakes| ReadError::mistakes(&file, mistakes))?;
     (deck.sections, deck.extra_columns) = (sections.rows, sections.extra_columns);
     let sources = Sources {
@@ -112,12 +99,12 @@ const LOOKED_AT: usize = 60;
 pub(crate) fn is_deck(text: &str) -> bool {
     let lines: Vec<Line<'_>> = Lines::new(text).take(LOOKED_AT).collect();
     let names = [
-        &parameters::BEAM_TYPE,
-        &parameters::HUB_CONN,
-        &parameters::MODEPR,
-        &parameters::ID_MAT,
-        &parameters::SEC_PROPS_FILE,
-        &parameters::NSELT,
+        &records::parameters::BEAM_TYPE,
+        &records::parameters::HUB_CONN,
+        &records::parameters::MODEPR,
+        &records::parameters::ID_MAT,
+        &records::parameters::SEC_PROPS_FILE,
+        &records::parameters::NSELT,
     ];
     let is_named = |line: &&Line<'_>| {
         let label = line
@@ -142,15 +129,15 @@ fn has_general_parameters(lines: &[Line<'_>]) -> bool {
             _ => token.is_number(),
         })
     };
-    let all_fit = values.zip(parameters::GENERAL).all(fits);
-    all_fit && count == parameters::GENERAL.len()
+    let all_fit = values.zip(records::parameters::GENERAL).all(fits);
+    all_fit && count == records::parameters::GENERAL.len()
 }
 
 #[cfg(test)]
 mod tests {
     use std::path::Path;
 
-    use super::deck::Dialect;
+    use super::records::deck::Dialect;
     use super::{is_deck, read_deck};
     use crate::resolver::SiblingFiles;
     use crate::source::Source;

@@ -2,6 +2,7 @@
 
 use towermodes::{Rna, Wires};
 
+use super::super::records::parameters as p;
 use super::base::{Ends, Hub};
 use super::error::BmodesWriteError;
 use super::lines::{Lines, VALUES_IN_A_LINE};
@@ -9,7 +10,6 @@ use super::number::number;
 use super::platform::Platform;
 use super::sections::name_or;
 use super::support::Support;
-use crate::bmodes::parameters as p;
 
 /// The number of characters that BModes keeps of a title.
 const TITLE_LENGTH: usize = 99;

@@ -2,8 +2,8 @@
 
 use towermodes::space::SpatialMatrix;
 
+use super::super::records::parameters::Parameter;
 use super::number::{number, rounded};
-use crate::bmodes::parameters::Parameter;
 
 /// Values on a line of those lists that go over several.
 pub(super) const VALUES_IN_A_LINE: usize = 8;

@@ -3,11 +3,11 @@
 use towermodes::Tower;
 use towermodes::number::Rounded;
 
-use super::super::out::one_line;
+use super::super::records::parameters::COLUMNS;
+use super::super::results::out::one_line;
 use super::layout::Layout;
 use super::number::{number, rounded};
 use super::section::{DeckSection, MadeUp, deck_section};
-use crate::bmodes::parameters::COLUMNS;
 use crate::note::Note;
 
 /// Between rows a line may differ from the tower by this fraction.

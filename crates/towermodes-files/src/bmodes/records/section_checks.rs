@@ -7,7 +7,7 @@ use super::reader::Value;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// The values that no section of such a beam can have.
-pub(super) fn wrong(row: &Section, beam: Beam) -> Vec<Diagnostic> {
+pub(crate) fn wrong(row: &Section, beam: Beam) -> Vec<Diagnostic> {
     let is_blade = beam == Beam::Blade;
     // The column, and whether zero is allowed.
     let rules = [

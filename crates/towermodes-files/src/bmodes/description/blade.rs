@@ -7,17 +7,17 @@ use std::f64::consts::PI;
 
 use towermodes::{BladeDescription, BladeSection, Inertia, RigidBody};
 
-use super::Sources;
-use super::deck::{Deck, HubConnection, Section, scaled};
+use super::super::Sources;
+use super::super::records::deck::{Deck, HubConnection, Section, scaled};
+use super::super::records::parameters::Column;
 use super::notes::{Notes, choice, dialect, extra_columns, modes};
-use super::parameters::Column;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::input::BladeInput;
 use crate::note::Note;
 
 /// The blade of a deck; with `compatible` as BModes 3.00 understands it.
-pub(super) fn blade(
+pub(crate) fn blade(
     deck: &Deck,
     sources: Sources,
     compatible: bool,

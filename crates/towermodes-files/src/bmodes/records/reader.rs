@@ -11,19 +11,19 @@ use crate::records::{Items, Line, Lines, Token};
 
 /// A value and its bytes in the file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Value<T> {
-    pub(super) value: T,
-    pub(super) span: Range<usize>,
+pub(crate) struct Value<T> {
+    pub(crate) value: T,
+    pub(crate) span: Range<usize>,
 }
 
 impl<T> Value<T> {
     /// A mistake about this value.
-    pub(super) fn wrong(&self, kind: DiagnosticKind) -> Diagnostic {
+    pub(crate) fn wrong(&self, kind: DiagnosticKind) -> Diagnostic {
         Diagnostic::new(self.span.clone(), kind)
     }
 
     /// Another value at the same place.
-    pub(super) fn map<U>(self, convert: impl FnOnce(T) -> U) -> Value<U> {
+    pub(crate) fn map<U>(self, convert: impl FnOnce(T) -> U) -> Value<U> {
         Value {
             value: convert(self.value),
             span: self.span,
@@ -33,18 +33,18 @@ impl<T> Value<T> {
 
 /// The part of a file that is not read yet.
 #[derive(Debug, Clone)]
-pub(super) struct Reader<'a> {
-    pub(super) lines: Lines<'a>,
+pub(crate) struct Reader<'a> {
+    pub(crate) lines: Lines<'a>,
 }
 
 impl<'a> Reader<'a> {
-    pub(super) fn new(text: &'a str) -> Self {
+    pub(crate) fn new(text: &'a str) -> Self {
         let lines = Lines::new(text);
         Self { lines }
     }
 
     /// A comment record. A record that holds a parameter is a mistake.
-    pub(super) fn comment(&mut self, what: &str) -> Result<Line<'a>, Diagnostic> {
+    pub(crate) fn comment(&mut self, what: &str) -> Result<Line<'a>, Diagnostic> {
         let line = self.lines.expect(what)?;
         let mut items = Items::new(line);
         let Ok(Some(item)) = items.next_item() else {
@@ -70,7 +70,7 @@ impl<'a> Reader<'a> {
 
     /// The blank line and the heading between two blocks. The blank line may be missing: then the
     /// values follow the first of two lines.
-    pub(super) fn heading(&mut self, heading: &str) -> Result<(), Diagnostic> {
+    pub(crate) fn heading(&mut self, heading: &str) -> Result<(), Diagnostic> {
         let first = self.comment(&format!("the (usually blank) line before {heading}"))?;
         if first.is_blank() || !self.value_follows() {
             self.comment(heading)?;
@@ -108,7 +108,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The parameters of a block, each on a record of its own; flags are 0 or 1.
-    pub(super) fn block<const N: usize>(
+    pub(crate) fn block<const N: usize>(
         &mut self,
         parameters: [&Parameter; N],
     ) -> Result<[Value<f64>; N], Diagnostic> {
@@ -120,7 +120,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A parameter on a record of its own.
-    pub(super) fn value(&mut self, parameter: &Parameter) -> Result<Value<f64>, Diagnostic> {
+    pub(crate) fn value(&mut self, parameter: &Parameter) -> Result<Value<f64>, Diagnostic> {
         let line = self.lines.clone().expect_filled(&parameter.what())?;
         check_label(parameter, &Items::new(line), 1)?;
         let mut values = self.list(parameter, 1, After::Anything)?;
@@ -129,12 +129,12 @@ impl<'a> Reader<'a> {
     }
 
     /// A parameter that counts something.
-    pub(super) fn count(&mut self, parameter: &Parameter) -> Result<Value<usize>, Diagnostic> {
+    pub(crate) fn count(&mut self, parameter: &Parameter) -> Result<Value<usize>, Diagnostic> {
         Ok(self.value(parameter)?.map(|count| count as usize))
     }
 
     /// The name of a file on a record of its own.
-    pub(super) fn path(&mut self, parameter: &Parameter) -> Result<Value<&'a str>, Diagnostic> {
+    pub(crate) fn path(&mut self, parameter: &Parameter) -> Result<Value<&'a str>, Diagnostic> {
         let line = self.lines.expect_filled(&parameter.what())?;
         check_label(parameter, &Items::new(line), 1)?;
         let hint = "write it in quotes: 'folder/sections.dat'";
@@ -156,13 +156,13 @@ impl<'a> Reader<'a> {
     }
 
     /// The record that an empty list takes.
-    pub(super) fn skipped(&mut self, parameter: &Parameter) -> Result<(), Diagnostic> {
+    pub(crate) fn skipped(&mut self, parameter: &Parameter) -> Result<(), Diagnostic> {
         let line = self.lines.expect(&parameter.what())?;
         check_label(parameter, &Items::new(line), 0)
     }
 
     /// A number of values of a parameter on any number of records.
-    pub(super) fn list(
+    pub(crate) fn list(
         &mut self,
         parameter: &Parameter,
         count: usize,
@@ -267,8 +267,8 @@ fn is_value(token: &Token<'_>) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use super::super::parameters::{EL_LOC, HUB_RAD, RADIUS};
     use super::*;
-    use crate::bmodes::parameters::{EL_LOC, HUB_RAD, RADIUS};
 
     fn numbers(text: &str, count: usize) -> Result<Vec<f64>, String> {
         let values = Reader::new(text).list(&EL_LOC, count, After::Text);

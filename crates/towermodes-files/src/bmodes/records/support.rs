@@ -8,7 +8,7 @@ use super::unread::{self, Unread};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// A tower's support, and the dialect that only this block shows.
-pub(super) fn support(
+pub(crate) fn support(
     reader: &mut Reader<'_>,
     dialect: Dialect,
     nodes: usize,

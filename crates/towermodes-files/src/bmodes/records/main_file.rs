@@ -10,7 +10,7 @@ use crate::records::Line;
 
 /// The main file up to and with the element borders: the deck without the support of a tower and
 /// without sections, and the name of its section file.
-pub(super) fn main_file<'a>(reader: &mut Reader<'a>) -> Result<(Deck, Value<&'a str>), Diagnostic> {
+pub(crate) fn main_file<'a>(reader: &mut Reader<'a>) -> Result<(Deck, Value<&'a str>), Diagnostic> {
     reader.comment("the first line, a comment,")?;
     // A title is free text, whatever it looks like.
     let title = reader.lines.expect("the title")?.text.trim().to_owned();
@@ -171,7 +171,7 @@ fn borders(reader: &mut Reader<'_>) -> Result<Vec<Value<f64>>, Diagnostic> {
 
 /// The ends of a fraction of a length may differ from 0 and 1 by this much and are then set to
 /// them: decks are printed rounded.
-pub(super) const END: f64 = 1e-6;
+pub(crate) const END: f64 = 1e-6;
 
 fn check_borders(mut borders: Vec<Value<f64>>) -> Result<Vec<Value<f64>>, Diagnostic> {
     let ends = [(0, 0.0, "first"), (borders.len() - 1, 1.0, "last")];

@@ -2,19 +2,19 @@
 
 use towermodes::{Method, Place, Planes, Properties, PropertyStation, Rna};
 
-use super::Sources;
+use super::super::Sources;
+use super::super::records::deck::{Deck, Section, scaled};
+use super::super::records::parameters::Column;
 use super::building::{Building, MAIN, SECTIONS};
-use super::deck::{Deck, Section, scaled};
 use super::foundation::foundation;
 use super::notes::{Notes, tower_notes};
-use super::parameters::Column;
 use crate::diagnostic::Diagnostic;
 use crate::error::ReadError;
 use crate::input::{FileFormat, OutLayout, TowerInput};
 use crate::places::TABLE;
 
 /// The tower of a deck; with `compatible` as BModes 3.00 understands it.
-pub(super) fn tower(
+pub(crate) fn tower(
     deck: &Deck,
     sources: Sources,
     compatible: bool,

@@ -2,15 +2,15 @@
 
 use towermodes::{AddedMassRow, Place, SoilRow, SoilStiffness, Wires};
 
+use super::super::records::deck::{Deck, Distribution, WireSet};
 use super::building::{Building, Ends, MAIN};
-use super::deck::{Deck, Distribution, WireSet};
 use super::notes::Notes;
 use crate::note::Note;
 use crate::number::Rounded;
 use crate::places::TABLE;
 
 impl Building {
-    pub(super) fn wires(&mut self, sets: &[WireSet], borders_m: &[f64], compatible: bool) {
+    pub(crate) fn wires(&mut self, sets: &[WireSet], borders_m: &[f64], compatible: bool) {
         for (index, set) in sets.iter().enumerate() {
             // The reader refuses a node beyond the last.
             let node = (set.node.value - 1).min(borders_m.len() - 1);

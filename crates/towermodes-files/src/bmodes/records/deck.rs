@@ -10,26 +10,26 @@ use crate::input::OutLayout;
 
 /// A main input file with its section file.
 #[derive(Debug, Clone)]
-pub(super) struct Deck {
-    pub(super) dialect: Dialect,
-    pub(super) title: String,
-    pub(super) beam: Beam,
-    pub(super) general: General,
-    pub(super) tip: Tip,
-    pub(super) multipliers: Multipliers,
+pub(crate) struct Deck {
+    pub(crate) dialect: Dialect,
+    pub(crate) title: String,
+    pub(crate) beam: Beam,
+    pub(crate) general: General,
+    pub(crate) tip: Tip,
+    pub(crate) multipliers: Multipliers,
     /// Element borders from the root, as fractions of the flexible length.
-    pub(super) borders: Vec<Value<f64>>,
+    pub(crate) borders: Vec<Value<f64>>,
     /// The support of a tower; empty for a blade.
-    pub(super) support: Support,
+    pub(crate) support: Support,
     /// The rows of the section file, by increasing `sec_loc`.
-    pub(super) sections: Vec<Section>,
+    pub(crate) sections: Vec<Section>,
     /// The byte of the section file where numbers begin that are not read.
-    pub(super) extra_columns: Option<usize>,
+    pub(crate) extra_columns: Option<usize>,
 }
 
 /// The version of BModes whose records a deck has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Dialect {
+pub(crate) enum Dialect {
     /// BModes 1.03: no `cm_axial`, no `tow_support`.
     V1,
     /// BModes 3.00.
@@ -41,14 +41,14 @@ pub(super) enum Dialect {
 
 /// The kind of beam that a deck describes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Beam {
+pub(crate) enum Beam {
     Blade,
     Tower,
 }
 
 /// How the root or base is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum HubConnection {
+pub(crate) enum HubConnection {
     /// 1: clamped.
     Clamped,
     /// 2: free, or on springs.
@@ -70,47 +70,47 @@ impl HubConnection {
 
 /// The general parameters.
 #[derive(Debug, Clone)]
-pub(super) struct General {
-    pub(super) rot_rpm: Value<f64>,
-    pub(super) rpm_mult: Value<f64>,
-    pub(super) radius_m: Value<f64>,
-    pub(super) root_m: Value<f64>,
-    pub(super) precone_deg: Value<f64>,
-    pub(super) pitch_deg: Value<f64>,
-    pub(super) hub: Value<HubConnection>,
-    pub(super) modes: Value<usize>,
-    pub(super) layout: OutLayout,
+pub(crate) struct General {
+    pub(crate) rot_rpm: Value<f64>,
+    pub(crate) rpm_mult: Value<f64>,
+    pub(crate) radius_m: Value<f64>,
+    pub(crate) root_m: Value<f64>,
+    pub(crate) precone_deg: Value<f64>,
+    pub(crate) pitch_deg: Value<f64>,
+    pub(crate) hub: Value<HubConnection>,
+    pub(crate) modes: Value<usize>,
+    pub(crate) layout: OutLayout,
 }
 
 /// The body at the tip.
 #[derive(Debug, Clone)]
-pub(super) struct Tip {
-    pub(super) mass_kg: Value<f64>,
-    pub(super) cm_loc_m: Value<f64>,
+pub(crate) struct Tip {
+    pub(crate) mass_kg: Value<f64>,
+    pub(crate) cm_loc_m: Value<f64>,
     /// Not in version 1.03.
-    pub(super) cm_axial_m: Option<Value<f64>>,
+    pub(crate) cm_axial_m: Option<Value<f64>>,
     /// ixx, iyy, izz, ixy, izx, iyz.
-    pub(super) inertia_kg_m2: [Value<f64>; 6],
+    pub(crate) inertia_kg_m2: [Value<f64>; 6],
 }
 
 /// The factors of the section file's columns.
 #[derive(Debug, Clone)]
-pub(super) struct Multipliers {
-    pub(super) mass: Value<f64>,
-    pub(super) flap_inertia: Value<f64>,
-    pub(super) edge_inertia: Value<f64>,
-    pub(super) flap: Value<f64>,
-    pub(super) edge: Value<f64>,
-    pub(super) torsion: Value<f64>,
-    pub(super) axial: Value<f64>,
-    pub(super) center_of_mass: Value<f64>,
-    pub(super) shear_center: Value<f64>,
-    pub(super) tension_center: Value<f64>,
+pub(crate) struct Multipliers {
+    pub(crate) mass: Value<f64>,
+    pub(crate) flap_inertia: Value<f64>,
+    pub(crate) edge_inertia: Value<f64>,
+    pub(crate) flap: Value<f64>,
+    pub(crate) edge: Value<f64>,
+    pub(crate) torsion: Value<f64>,
+    pub(crate) axial: Value<f64>,
+    pub(crate) center_of_mass: Value<f64>,
+    pub(crate) shear_center: Value<f64>,
+    pub(crate) tension_center: Value<f64>,
 }
 
 /// A row of the section file: the value of each [`Column`].
 #[derive(Debug, Clone)]
-pub(super) struct Section(pub(super) [Value<f64>; COLUMNS.len()]);
+pub(crate) struct Section(pub(super) [Value<f64>; COLUMNS.len()]);
 
 impl Index<Column> for Section {
     type Output = Value<f64>;
@@ -122,41 +122,41 @@ impl Index<Column> for Section {
 
 /// The support of a tower apart from its base.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Support {
-    pub(super) wires: Vec<WireSet>,
-    pub(super) offshore: Option<Box<Offshore>>,
+pub(crate) struct Support {
+    pub(crate) wires: Vec<WireSet>,
+    pub(crate) offshore: Option<Box<Offshore>>,
     /// Values in the file that are not read.
-    pub(super) unread: Vec<Unread>,
+    pub(crate) unread: Vec<Unread>,
 }
 
 /// Wires at one node.
 #[derive(Debug, Clone)]
-pub(super) struct WireSet {
-    pub(super) count: Value<usize>,
+pub(crate) struct WireSet {
+    pub(crate) count: Value<usize>,
     /// From 1 at the base.
-    pub(super) node: Value<usize>,
-    pub(super) stiffness_n_per_m: Value<f64>,
-    pub(super) angle_deg: Value<f64>,
+    pub(crate) node: Value<usize>,
+    pub(crate) stiffness_n_per_m: Value<f64>,
+    pub(crate) angle_deg: Value<f64>,
 }
 
 /// The block of a platform or a monopile.
 #[derive(Debug, Clone)]
-pub(super) struct Offshore {
-    pub(super) draft_m: Value<f64>,
-    pub(super) cm_depth_m: Value<f64>,
-    pub(super) mass_kg: Value<f64>,
-    pub(super) inertia_kg_m2: MatrixValue<3>,
-    pub(super) reference_depth_m: Value<f64>,
-    pub(super) hydro_mass: MatrixValue<6>,
-    pub(super) hydro_stiffness: MatrixValue<6>,
-    pub(super) mooring_stiffness: MatrixValue<6>,
-    pub(super) added_mass: Distribution,
-    pub(super) stiffness: Distribution,
+pub(crate) struct Offshore {
+    pub(crate) draft_m: Value<f64>,
+    pub(crate) cm_depth_m: Value<f64>,
+    pub(crate) mass_kg: Value<f64>,
+    pub(crate) inertia_kg_m2: MatrixValue<3>,
+    pub(crate) reference_depth_m: Value<f64>,
+    pub(crate) hydro_mass: MatrixValue<6>,
+    pub(crate) hydro_stiffness: MatrixValue<6>,
+    pub(crate) mooring_stiffness: MatrixValue<6>,
+    pub(crate) added_mass: Distribution,
+    pub(crate) stiffness: Distribution,
 }
 
 impl Offshore {
     /// Whether the platform has a mass or a matrix.
-    pub(super) fn has_platform(&self) -> bool {
+    pub(crate) fn has_platform(&self) -> bool {
         self.mass_kg.value != 0.0
             || !self.inertia_kg_m2.is_zero()
             || !self.hydro_mass.is_zero()
@@ -167,14 +167,14 @@ impl Offshore {
 
 /// A matrix and the bytes of its rows.
 #[derive(Debug, Clone)]
-pub(super) struct MatrixValue<const N: usize> {
-    pub(super) rows: [[f64; N]; N],
-    pub(super) spans: [Range<usize>; N],
+pub(crate) struct MatrixValue<const N: usize> {
+    pub(crate) rows: [[f64; N]; N],
+    pub(crate) spans: [Range<usize>; N],
 }
 
 impl<const N: usize> MatrixValue<N> {
     /// The bytes of all its rows.
-    pub(super) fn span(&self) -> Range<usize> {
+    pub(crate) fn span(&self) -> Range<usize> {
         let start = self.spans.first().map_or(0, |span| span.start);
         start..self.spans.last().map_or(start, |span| span.end)
     }
@@ -187,17 +187,17 @@ impl<const N: usize> MatrixValue<N> {
 
 /// A table over the height.
 #[derive(Debug, Clone)]
-pub(super) struct Distribution {
-    pub(super) count: Value<usize>,
+pub(crate) struct Distribution {
+    pub(crate) count: Value<usize>,
     /// Heights above the flexible base, m, and values there; empty if there are fewer than two.
-    pub(super) rows: Vec<(Value<f64>, Value<f64>)>,
+    pub(crate) rows: Vec<(Value<f64>, Value<f64>)>,
 }
 
 /// A value times its factor.
 ///
 /// # Errors
 /// [`DiagnosticKind::Overflow`] if the product is infinite, or zero by underflow.
-pub(super) fn scaled(value: &Value<f64>, factor: &Value<f64>) -> Result<f64, Diagnostic> {
+pub(crate) fn scaled(value: &Value<f64>, factor: &Value<f64>) -> Result<f64, Diagnostic> {
     let product = value.value * factor.value;
     let is_lost = product == 0.0 && value.value != 0.0 && factor.value != 0.0;
     if product.is_finite() && !is_lost {

@@ -7,15 +7,15 @@ use crate::records::{Items, Line, Lines, MAX_COUNT};
 
 /// Values that are not read: the byte of the main file that decides it, and the note.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Unread {
-    pub(super) at: usize,
-    pub(super) message: String,
+pub(crate) struct Unread {
+    pub(crate) at: usize,
+    pub(crate) message: String,
     /// Whether they are those of soil, which is not relevant to a floating platform.
-    pub(super) is_soil: bool,
+    pub(crate) is_soil: bool,
 }
 
 impl Unread {
-    pub(super) fn new(at: usize, message: impl Into<String>) -> Self {
+    pub(crate) fn new(at: usize, message: impl Into<String>) -> Self {
         Self {
             at,
             message: message.into(),

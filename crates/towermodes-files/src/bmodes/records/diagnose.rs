@@ -7,7 +7,7 @@ use crate::records::{Items, Token, decimal_comma};
 
 /// The text that may follow the values of a record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum After {
+pub(crate) enum After {
     /// Text; a further number is one too many.
     Text,
     /// Anything: templates keep more numbers than are read.
@@ -81,7 +81,7 @@ pub(super) fn explained(mistake: Diagnostic, token: &Token<'_>) -> Diagnostic {
 }
 
 /// The mistake of two commas without a value between them, before a value.
-pub(super) fn left_out(what: &str, before: &Token<'_>) -> Diagnostic {
+pub(crate) fn left_out(what: &str, before: &Token<'_>) -> Diagnostic {
     let kind = DiagnosticKind::NoValue {
         what: what.to_owned(),
         reason: "there is nothing between two commas before this",

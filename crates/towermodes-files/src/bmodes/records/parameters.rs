@@ -7,21 +7,21 @@ use crate::records::{Line, MAX_COUNT};
 
 /// A parameter of a deck.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Parameter {
+pub(crate) struct Parameter {
     /// Its name in the sample files of BModes.
-    pub(super) name: &'static str,
+    pub(crate) name: &'static str,
     /// Its meaning, for messages and for the comments of written decks.
     meaning: &'static str,
     /// Its unit; empty for none.
     unit: &'static str,
-    pub(super) kind: Kind,
+    pub(crate) kind: Kind,
     /// Other names that decks give it.
     aliases: &'static [&'static str],
 }
 
 /// The type of a parameter and the range of its values.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
     /// True or false, read as 1 or 0.
     Flag,
     /// A whole number.
@@ -34,7 +34,7 @@ pub(super) enum Kind {
 
 /// A range of values.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Rule {
+pub(crate) struct Rule {
     pub(super) is_met: fn(f64) -> bool,
     /// The range in words.
     pub(super) words: &'static str,
@@ -69,13 +69,13 @@ impl PartialEq for Parameter {
 
 impl Parameter {
     /// Its name in messages.
-    pub(super) fn what(&self) -> String {
+    pub(crate) fn what(&self) -> String {
         let gap = if self.unit.is_empty() { "" } else { ", " };
         format!("{} ({}{gap}{})", self.name, self.meaning, self.unit)
     }
 
     /// Its comment in written decks.
-    pub(super) fn comment(&self) -> String {
+    pub(crate) fn comment(&self) -> String {
         match self.unit {
             "" => self.meaning.to_owned(),
             unit => format!("{} ({unit})", self.meaning),
@@ -96,7 +96,7 @@ impl Parameter {
     }
 
     /// The parameter of a name, without regard to colons and brackets around it.
-    pub(super) fn called(label: &str) -> Option<&'static Parameter> {
+    pub(crate) fn called(label: &str) -> Option<&'static Parameter> {
         let name = plain(label);
         ALL.iter()
             .copied()
@@ -122,7 +122,7 @@ fn plain(label: &str) -> &str {
 /// The table: a constant for each parameter, and all of them in [`ALL`].
 macro_rules! parameters {
     ($($id:ident: $name:literal, $meaning:literal, $unit:literal, $kind:expr $(, [$($alias:literal),+])?;)+) => {
-        $(pub(super) const $id: Parameter = Parameter {
+        $(pub(crate) const $id: Parameter = Parameter {
             name: $name,
             meaning: $meaning,
             unit: $unit,
@@ -195,7 +195,7 @@ parameters! {
 }
 
 /// The records of the general parameters.
-pub(super) const GENERAL: [&Parameter; 12] = [
+pub(crate) const GENERAL: [&Parameter; 12] = [
     &ECHO,
     &BEAM_TYPE,
     &ROT_RPM,
@@ -210,12 +210,12 @@ pub(super) const GENERAL: [&Parameter; 12] = [
     &MID_NODE_TW,
 ];
 /// The records of the tip mass that every version has first.
-pub(super) const TIP: [&Parameter; 2] = [&TIP_MASS, &CM_LOC];
+pub(crate) const TIP: [&Parameter; 2] = [&TIP_MASS, &CM_LOC];
 /// The records of the inertia of the tip mass; before them BModes 3.00 has [`CM_AXIAL`].
-pub(super) const TIP_INERTIA: [&Parameter; 6] =
+pub(crate) const TIP_INERTIA: [&Parameter; 6] =
     [&IXX_TIP, &IYY_TIP, &IZZ_TIP, &IXY_TIP, &IZX_TIP, &IYZ_TIP];
 /// The records of the factors of the section file's columns.
-pub(super) const FACTORS: [&Parameter; 10] = [
+pub(crate) const FACTORS: [&Parameter; 10] = [
     &SEC_MASS_MULT,
     &FLP_INER_MULT,
     &LAG_INER_MULT,
@@ -228,21 +228,21 @@ pub(super) const FACTORS: [&Parameter; 10] = [
     &TC_OFFST_MULT,
 ];
 /// The records of guy wires, a value for each set, after [`N_ATTACHMENTS`].
-pub(super) const WIRES: [&Parameter; 4] = [&N_WIRES, &NODE_ATTACH, &WIRE_STFNESS, &TH_WIRE];
+pub(crate) const WIRES: [&Parameter; 4] = [&N_WIRES, &NODE_ATTACH, &WIRE_STFNESS, &TH_WIRE];
 /// The records at the beginning of the offshore block, before [`I_MATRIX_PFORM`].
-pub(super) const PLATFORM: [&Parameter; 3] = [&DRAFT, &CM_PFORM, &MASS_PFORM];
+pub(crate) const PLATFORM: [&Parameter; 3] = [&DRAFT, &CM_PFORM, &MASS_PFORM];
 /// The 6x6 matrices of the offshore block, after [`REF_MSL`].
-pub(super) const MATRICES: [&Parameter; 3] = [&HYDRO_M, &HYDRO_K, &MOORING_K];
+pub(crate) const MATRICES: [&Parameter; 3] = [&HYDRO_M, &HYDRO_K, &MOORING_K];
 /// A table along the height: the records of its number of rows, its heights and its values.
-pub(super) type Table = [&'static Parameter; 3];
+pub(crate) type Table = [&'static Parameter; 3];
 /// The table of distributed added mass.
-pub(super) const ADDED_MASS: Table = [&N_SECS_M_DISTR, &Z_DISTR_M, &DISTR_M];
+pub(crate) const ADDED_MASS: Table = [&N_SECS_M_DISTR, &Z_DISTR_M, &DISTR_M];
 /// The table of distributed stiffness.
-pub(super) const STIFFNESS: Table = [&N_SECS_K_DISTR, &Z_DISTR_K, &DISTR_K];
+pub(crate) const STIFFNESS: Table = [&N_SECS_K_DISTR, &Z_DISTR_K, &DISTR_K];
 
 /// A column of the section file, in the order of [`COLUMNS`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Column {
+pub(crate) enum Column {
     Location,
     Twist,
     InertiaTwist,
@@ -260,13 +260,13 @@ pub(super) enum Column {
 
 impl Column {
     /// Its name in the section file.
-    pub(super) fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         COLUMNS[self as usize].0
     }
 }
 
 /// The columns of the section file with their units.
-pub(super) const COLUMNS: [(&str, &str); 13] = [
+pub(crate) const COLUMNS: [(&str, &str); 13] = [
     ("sec_loc", "(-)"),
     ("str_tw", "(deg)"),
     ("tw_iner", "(deg)"),

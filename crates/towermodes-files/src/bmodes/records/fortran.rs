@@ -1,7 +1,7 @@
 //! Numbers in fields as gfortran prints them; what does not fit its field is asterisks.
 
 /// `Fw.d`.
-pub(super) fn fixed(value: f64, width: usize, digits: usize) -> String {
+pub(crate) fn fixed(value: f64, width: usize, digits: usize) -> String {
     if !value.is_finite() {
         return not_finite(value, width);
     }
@@ -15,7 +15,7 @@ pub(super) fn fixed(value: f64, width: usize, digits: usize) -> String {
 }
 
 /// `Ew.d`: the mantissa is less than 1, and an exponent of three digits takes the place of the E.
-pub(super) fn exponential(value: f64, width: usize, digits: usize) -> String {
+pub(crate) fn exponential(value: f64, width: usize, digits: usize) -> String {
     if !value.is_finite() {
         return not_finite(value, width);
     }
@@ -34,7 +34,7 @@ pub(super) fn exponential(value: f64, width: usize, digits: usize) -> String {
 }
 
 /// `Iw` of a number that is not negative.
-pub(super) fn integer(value: usize, width: usize) -> String {
+pub(crate) fn integer(value: usize, width: usize) -> String {
     in_field(&value.to_string(), width)
 }
 

@@ -15,13 +15,13 @@ const MAX_MISTAKES: usize = 20;
 
 /// All rows, and the byte of the first number beyond the columns.
 #[derive(Debug, Clone)]
-pub(super) struct Sections {
-    pub(super) rows: Vec<Section>,
-    pub(super) extra_columns: Option<usize>,
+pub(crate) struct Sections {
+    pub(crate) rows: Vec<Section>,
+    pub(crate) extra_columns: Option<usize>,
 }
 
 /// Reads and checks the rows.
-pub(super) fn sections(text: &str, beam: Beam) -> Result<Sections, Vec<Diagnostic>> {
+pub(crate) fn sections(text: &str, beam: Beam) -> Result<Sections, Vec<Diagnostic>> {
     let (mut rows, extra_columns) = rows(text).map_err(|mistake| vec![mistake])?;
     let mut mistakes: Vec<Diagnostic> = rows.iter().flat_map(|row| wrong(row, beam)).collect();
     if let Err(mistake) = check_locations(&mut rows) {

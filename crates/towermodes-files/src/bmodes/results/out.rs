@@ -3,7 +3,7 @@
 //! The formats are Fortran's: e12.5 for frequencies, f8.4 or f7.4 for heights and f9.6 for motions,
 //! at fixed columns or between tabs.
 
-use super::fortran::{exponential, fixed, integer};
+use super::super::records::fortran::{exponential, fixed, integer};
 
 /// Digits and width of a motion.
 const MOTION: (usize, usize) = (9, 6);
@@ -57,7 +57,7 @@ pub struct OutRow {
 }
 
 impl OutMode {
-    /// A mode of the motions [`euclidean`](super::euclidean) takes; `borders` are the element
+    /// A mode of the motions [`euclidean`](super::super::euclidean) takes; `borders` are the element
     /// borders as fractions of the flexible length, one for each node.
     pub fn new(
         frequency_hz: f64,
@@ -152,7 +152,7 @@ fn title(title: &str) -> String {
 }
 
 /// The text on one line: a line break would move all lines after it.
-pub(super) fn one_line(text: &str) -> String {
+pub(crate) fn one_line(text: &str) -> String {
     text.replace(|c: char| c.is_control(), " ")
 }
 

@@ -1,27 +1,27 @@
 //! Notes on a deck: where BModes 3.00 departs from the description of its input, and what this
 //! reader decided.
 
-use super::Sources;
-use super::deck::{Deck, Dialect, HubConnection, Section, WireSet};
-use super::parameters::Column;
-use super::reader::Value;
+use super::super::Sources;
+use super::super::records::deck::{Deck, Dialect, HubConnection, Section, WireSet};
+use super::super::records::parameters::Column;
+use super::super::records::reader::Value;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::note::Note;
 
 /// Notes with their places: whether in the section file, and the byte.
 #[derive(Debug, Default)]
-pub(super) struct Notes {
+pub(crate) struct Notes {
     list: Vec<(bool, usize, Note)>,
 }
 
 impl Notes {
     /// On a value of the main file.
-    pub(super) fn on<T>(&mut self, value: &Value<T>, note: Note) {
+    pub(crate) fn on<T>(&mut self, value: &Value<T>, note: Note) {
         self.at(value.span.start, note);
     }
 
     /// On a byte of the main file.
-    pub(super) fn at(&mut self, byte: usize, note: Note) {
+    pub(crate) fn at(&mut self, byte: usize, note: Note) {
         self.list.push((false, byte, note));
     }
 
@@ -31,7 +31,7 @@ impl Notes {
     }
 
     /// All of them, in the order of the files.
-    pub(super) fn of(mut self, sources: &Sources) -> Vec<Note> {
+    pub(crate) fn of(mut self, sources: &Sources) -> Vec<Note> {
         self.list
             .sort_by_key(|(in_sections, byte, _)| (*in_sections, *byte));
         let placed = |(in_sections, byte, note): (bool, usize, Note)| match in_sections {
@@ -74,7 +74,7 @@ pub(super) fn tower_notes(
 }
 
 /// The version of the deck, where it is not BModes 3.00.
-pub(super) fn dialect(deck: &Deck, notes: &mut Notes) {
+pub(crate) fn dialect(deck: &Deck, notes: &mut Notes) {
     if deck.dialect != Dialect::V1 {
         return;
     }
@@ -83,7 +83,7 @@ pub(super) fn dialect(deck: &Deck, notes: &mut Notes) {
 }
 
 /// The number of requested modes: at most the degrees of freedom of BModes.
-pub(super) fn modes(deck: &Deck, notes: &mut Notes) -> usize {
+pub(crate) fn modes(deck: &Deck, notes: &mut Notes) -> usize {
     let held = match deck.general.hub.value {
         HubConnection::Clamped => 0,
         HubConnection::Free => 6,
@@ -103,7 +103,7 @@ pub(super) fn modes(deck: &Deck, notes: &mut Notes) -> usize {
 }
 
 /// Numbers beyond the columns of the section file.
-pub(super) fn extra_columns(deck: &Deck, notes: &mut Notes) {
+pub(crate) fn extra_columns(deck: &Deck, notes: &mut Notes) {
     if let Some(byte) = deck.extra_columns {
         let message =
             "rows have more than 13 numbers; those after the 13th are not read, as in BModes";

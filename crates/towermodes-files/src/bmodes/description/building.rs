@@ -2,7 +2,7 @@
 
 use towermodes::TowerDescription;
 
-use super::deck::Deck;
+use super::super::records::deck::Deck;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::places::Places;
 
@@ -11,15 +11,15 @@ pub(super) const MAIN: usize = 0;
 pub(super) const SECTIONS: usize = 1;
 
 /// A tower's description as it grows, with the places of its values.
-pub(super) struct Building {
-    pub(super) description: TowerDescription,
-    pub(super) places: Places,
-    pub(super) ends: Ends,
+pub(crate) struct Building {
+    pub(crate) description: TowerDescription,
+    pub(crate) places: Places,
+    pub(crate) ends: Ends,
 }
 
 impl Building {
     /// A tower of which only the name and the ends are known yet.
-    pub(super) fn of(deck: &Deck) -> Result<Self, Diagnostic> {
+    pub(crate) fn of(deck: &Deck) -> Result<Self, Diagnostic> {
         let description = TowerDescription {
             name: deck.title.clone(),
             ..TowerDescription::default()
@@ -34,9 +34,9 @@ impl Building {
 
 /// Heights of a tower's flexible base and its top above ground or sea level, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Ends {
-    pub(super) base_m: f64,
-    pub(super) top_m: f64,
+pub(crate) struct Ends {
+    pub(crate) base_m: f64,
+    pub(crate) top_m: f64,
 }
 
 impl Ends {
@@ -58,7 +58,7 @@ impl Ends {
     }
 
     /// The height at a fraction of the flexible length, m; exact at both ends.
-    pub(super) fn at(self, fraction: f64) -> f64 {
+    pub(crate) fn at(self, fraction: f64) -> f64 {
         if fraction == 1.0 {
             return self.top_m;
         }

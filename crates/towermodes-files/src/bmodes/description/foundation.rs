@@ -7,8 +7,8 @@ use towermodes::{
     FloatingPlatform, Foundation, Inertia, Place, ReferredMatrix, StiffnessFoundation,
 };
 
+use super::super::records::deck::{Deck, HubConnection, MatrixValue, Offshore};
 use super::building::{Building, MAIN};
-use super::deck::{Deck, HubConnection, MatrixValue, Offshore};
 use super::matrix::{about_base, asymmetry, symmetrized, without_axial_and_torsion};
 use super::notes::Notes;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
@@ -16,7 +16,7 @@ use crate::note::Note;
 use crate::places::TABLE;
 
 /// Sets the foundation: how the base is held.
-pub(super) fn foundation(
+pub(crate) fn foundation(
     deck: &Deck,
     building: &mut Building,
     notes: &mut Notes,

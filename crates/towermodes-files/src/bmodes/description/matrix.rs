@@ -2,7 +2,7 @@
 
 use towermodes::space::{SpatialMatrix, transform_matrix};
 
-use super::deck::MatrixValue;
+use super::super::records::deck::MatrixValue;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// Entries that should be equal may differ by this fraction of the larger: matrices are results of
@@ -16,11 +16,11 @@ const NOISE: f64 = 1e-3;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Asymmetry {
     /// From 1.
-    pub(super) row: usize,
+    pub(crate) row: usize,
     /// From 1; greater than `row`.
-    pub(super) column: usize,
-    pub(super) upper: f64,
-    pub(super) lower: f64,
+    pub(crate) column: usize,
+    pub(crate) upper: f64,
+    pub(crate) lower: f64,
 }
 
 impl Asymmetry {
