@@ -5,9 +5,10 @@ use towermodes_design::calibration::{CalibrationError, Problem, calibrate};
 use towermodes_files::{MeasuredFile, read_measured, write_calibration_json};
 
 use crate::args::{CalibrateArguments, FoundFormat, Prescribed};
-use crate::failure::{Failure, note, warn};
+use crate::failure::Failure;
 use crate::found::{check_output, study_source, write_tower};
 use crate::input::tower_input;
+use crate::messages::{note, warn};
 use crate::output::{check_not_inputs, deliver};
 use crate::progress::Progress;
 use crate::studies::calibration::{document, located, problem};
@@ -18,12 +19,11 @@ pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
     check_output(&arguments.found, &arguments.input, &arguments.measured)?;
     let output = arguments.found.output();
     let file = study_source(&arguments.measured, &arguments.input)?;
-    let file = read_measured(&file).map_err(Failure::Input)?;
+    let file = read_measured(&file)?;
     let mut input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
-    let tower = input.tower().map_err(Failure::Input)?;
-    let options = arguments.options(Prescribed::of(&mut input));
-    let options = options.map_err(Failure::Usage)?;
+    let tower = input.tower()?;
+    let options = arguments.options(Prescribed::of(&mut input))?;
     note(&input.notes);
     warn(tower.warnings(), &input);
     let problem = problem_of(&input.description, &file, &arguments.free())?;
@@ -53,11 +53,11 @@ fn problem_of(
     free: &[&str],
 ) -> Result<Problem, Failure> {
     let free = free.iter().map(|name| Change::parse(name, base));
-    let free = free.collect::<Result<_, _>>().map_err(Failure::NoChange)?;
-    let problem = problem(base, file, free).map_err(Failure::Input)?;
+    let free = free.collect::<Result<_, _>>()?;
+    let problem = problem(base, file, free)?;
     match problem.unknowns.is_empty() {
         false => Ok(problem),
-        true => Err(Failure::WrongStudy(format!(
+        true => Err(Failure::usage(format!(
             "{}: no number is to be fitted; add for example \"foundation.rocking\" = {{}} to [calibrate.unknowns], or give --free NAME",
             file.source.name
         ))),
@@ -67,15 +67,15 @@ fn problem_of(
 /// Errors that the file explains name it, with the line.
 fn failure(error: CalibrationError, file: &MeasuredFile) -> Failure {
     match error {
-        CalibrationError::Tower(error) => Failure::Tower(error),
-        CalibrationError::Solve(error) => Failure::Unsolved(error),
+        CalibrationError::Tower(error) => Failure::from(error),
+        CalibrationError::Solve(error) => Failure::from(error),
         error => {
             let is_usage = error.is_usage();
             match located(&error, file) {
-                Some(error) if is_usage => Failure::Input(error),
-                Some(error) => Failure::Unreached(error),
-                None if is_usage => Failure::WrongStudy(format!("{}: {error}", file.source.name)),
-                None => Failure::Calibration(error.to_string()),
+                Some(error) if is_usage => Failure::from(error),
+                Some(error) => Failure::unreached(error),
+                None if is_usage => Failure::usage(format!("{}: {error}", file.source.name)),
+                None => Failure::failed(error),
             }
         }
     }

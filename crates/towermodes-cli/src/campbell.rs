@@ -2,23 +2,26 @@
 
 pub(crate) mod coupled;
 
+use towermodes::number;
 use towermodes::turbine::Turbine;
 use towermodes::{Options, Rotor, Solution, Tower};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{
-    Assessment, Campbell, CampbellOptions, ChosenRotor, assess, reach_hz, solve_to_reach,
+    Assessment, Campbell, CampbellOptions, ChosenRotor, NotChecked, assess, reach_hz,
+    solve_to_reach,
 };
 use towermodes_analysis::soil_band::{SoilBand, soil_band};
 use towermodes_files::{
-    Note, NoteKind, RotorNotes, TowerInput, write_campbell_csv, write_campbell_json,
+    FileFormat, Note, NoteKind, RotorNotes, TowerInput, write_campbell_csv, write_campbell_json,
     write_coupled_campbell_csv, write_coupled_campbell_json,
 };
 
 use self::coupled::{Answer, Coupled, answer_of, coupled_of};
 use crate::args::{CampbellArguments, Format, Prescribed, RotorArguments};
 use crate::explained::explained;
-use crate::failure::{Failure, note, warn};
+use crate::failure::Failure;
 use crate::input::tower_input;
+use crate::messages::{note, warn};
 use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::progress::solve;
 use crate::table;
@@ -28,22 +31,21 @@ use crate::table;
 pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
-    let format = arguments.destination.format().map_err(Failure::Ending)?;
-    arguments.check(format).map_err(Failure::Usage)?;
+    let format = arguments.destination.format()?;
+    arguments.check(format)?;
     let mut input = tower_input(&arguments.input)?;
     arguments.turbine.hold_generator(&mut input);
     check_not_inputs(input.files(), output)?;
-    let tower = input.tower().map_err(Failure::Input)?;
+    let tower = input.tower()?;
     let reason = match answer_of(&input, &arguments.turbine, arguments.is_of_tower_alone())? {
         Answer::Turbine(turbine) => {
             return run_coupled(arguments, format, input, (&tower, &turbine));
         }
         Answer::Tower(reason) => reason,
     };
-    let factors = arguments.soil.factors(&input.description);
-    let factors = factors.map_err(Failure::Usage)?;
+    let factors = arguments.soil.factors(&input.description)?;
     let prescribed = Prescribed::of(&mut input);
-    let mut options = arguments.options(prescribed).map_err(Failure::Usage)?;
+    let mut options = arguments.options(prescribed)?;
     let is_given = arguments.has_modes();
     let solved = solved_to_reach(&input, &tower, &arguments.rotor, &mut options, is_given);
     let (solution, chosen) = explained(solved, (&tower, &input))?;
@@ -161,7 +163,7 @@ fn band(
     let band = soil_band(&input.description, solution, factors, of_rotor, |tower| {
         solve(tower, options)
     });
-    band.map_err(|error| Failure::Refused(error.to_string()))
+    band.map_err(Failure::failed)
 }
 
 /// Solves for the modes that the options ask for and, if no number was given, for as many more as
@@ -169,7 +171,7 @@ fn band(
 /// command line in place of its data; without operating speeds it has the ends of the diagram.
 ///
 /// # Errors
-/// [`Failure::Unsolved`].
+/// Of [`solve`].
 pub(crate) fn solved_to_reach(
     input: &TowerInput,
     tower: &Tower,
@@ -180,7 +182,7 @@ pub(crate) fn solved_to_reach(
     let chosen = match arguments.rotor(input) {
         Some(chosen) => chosen,
         None => {
-            let solution = solve(tower, options).map_err(Failure::Unsolved)?;
+            let solution = solve(tower, options)?;
             let given = arguments.given();
             given.without_speeds(input.blades, &solution, input.tip_radius_m())
         }
@@ -192,14 +194,14 @@ pub(crate) fn solved_to_reach(
             solve_to_reach(options, reach_hz, |options| solve(tower, options))
         }
     };
-    Ok((solution.map_err(Failure::Unsolved)?, chosen))
+    Ok((solution?, chosen))
 }
 
 /// The Campbell diagram of a solved tower, and of its blade if the files have one, with the notes
 /// on it.
 ///
 /// # Errors
-/// [`Failure::Campbell`].
+/// Of [`assess`].
 pub(crate) fn campbell_of(
     input: &TowerInput,
     (tower, solution): (&Tower, &Solution),
@@ -212,7 +214,7 @@ pub(crate) fn campbell_of(
         ..arguments.options()
     };
     let assessment = assess(tower, solution, blade, &chosen.rotor, &options);
-    let Assessment { campbell, remarks } = assessment.map_err(Failure::Campbell)?;
+    let Assessment { campbell, remarks } = assessment?;
     let mut notes = notes_on(input, chosen);
     notes.extend(remarks.iter().map(|remark| Note::new(remark.to_string())));
     Ok((campbell, notes))
@@ -244,10 +246,13 @@ fn assumed_blades(chosen: &ChosenRotor) -> Option<Note> {
 /// An error if a pair fails, or if nothing is checked.
 fn judged(campbell: &Campbell, input: &TowerInput) -> Result<(), Failure> {
     if !campbell.not_checked.is_empty() {
-        return Err(Failure::NotChecked {
-            reasons: campbell.not_checked.clone(),
-            format: input.format,
-        });
+        let reasons: Vec<String> = campbell
+            .not_checked
+            .iter()
+            .map(ToString::to_string)
+            .collect();
+        let hint = for_verdicts(&campbell.not_checked, input.format);
+        return Err(Failure::failed(format!("not checked: {}", reasons.join("; "))).hint_of(hint));
     }
     let margins = campbell.margins.iter();
     match margins
@@ -255,9 +260,38 @@ fn judged(campbell: &Campbell, input: &TowerInput) -> Result<(), Failure> {
         .count()
     {
         0 => Ok(()),
-        failures => Err(Failure::Resonant {
-            failures,
-            margin: campbell.margin,
-        }),
+        failures => Err(Failure::failed(format!(
+            "{} within the {} % margin in operation",
+            pairs(failures), number::percent(campbell.margin)
+        ))
+        .hint("see the lines with FAIL above; change the operating speeds ([rotor] rpm or --rpm), the stiffness of the tower or the RNA mass")),
     }
 }
+
+/// "1 pair of excitation and natural frequency is".
+fn pairs(count: usize) -> String {
+    match count {
+        1 => "1 pair of excitation and natural frequency is".to_owned(),
+        n => format!("{n} pairs of excitation and natural frequency are"),
+    }
+}
+
+/// What is needed for verdicts, for each reason why there are none.
+fn for_verdicts(reasons: &[NotChecked], format: FileFormat) -> String {
+    const WHOLE: &str = "a file with the whole structure gives verdicts; --to toml of convert writes what was read as a tower file, to which the missing parts can be added";
+    let speeds = match format {
+        FileFormat::Toml => NO_ROTOR,
+        _ => "give --rpm LOWEST,HIGHEST",
+    };
+    match reasons {
+        [NotChecked::PartsMissing(_)] => WHOLE.to_owned(),
+        [NotChecked::SpeedsUnknown] => speeds.to_owned(),
+        _ => format!("{WHOLE}; the operating speeds are needed too: {speeds}"),
+    }
+}
+
+/// The rotor data of a tower file, or the option in their place.
+const NO_ROTOR: &str = "give --rpm LOWEST,HIGHEST, or add to the tower file:
+  [rotor]
+  blades = 3
+  rpm = [6.9, 12.1]  # lowest and highest operating speed";

@@ -7,8 +7,9 @@ use towermodes_analysis::agreement::{AgreementLimits, agree, examine, omit_one_s
 use towermodes_files::{FileFormat, NOTHING_LEFT_OUT, Note, TowerInput, write_result_json};
 
 use crate::args::{CheckArguments, ReportFormat};
-use crate::failure::{Failure, note, warn};
+use crate::failure::Failure;
 use crate::input::{input_of, tower_input};
+use crate::messages::{note, warn};
 use crate::output::deliver;
 use crate::table;
 
@@ -22,8 +23,8 @@ pub(crate) fn run(arguments: &CheckArguments) -> Result<(), Failure> {
 
 fn of_one(arguments: &CheckArguments) -> Result<(), Failure> {
     let input = tower_input(&arguments.input)?;
-    let tower = input.tower().map_err(Failure::Input)?;
-    let examination = examine(&input.description).map_err(Failure::Tower)?;
+    let tower = input.tower()?;
+    let examination = examine(&input.description)?;
     let mut result = Vec::new();
     match arguments.format {
         ReportFormat::Table => {
@@ -42,14 +43,13 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
         .iter()
         .all(|file| *file == Path::new("-"))
     {
-        return Err(Failure::Usage(
+        return Err(Failure::usage(
             "standard input (-) can be only one of the two files",
         ));
     }
     let mut first = input_of(&arguments.input.file, reading)?;
     let mut second = input_of(other, reading)?;
-    let checked = reading.check(&[first.format, second.format]);
-    checked.map_err(Failure::Usage)?;
+    reading.check(&[first.format, second.format])?;
     let gravity_is_implied = [&first, &second].map(|input| input.format == FileFormat::ElastoDyn);
     let descriptions = [&mut first.description, &mut second.description];
     let omitted = omit_one_sided(descriptions, gravity_is_implied);
@@ -57,7 +57,7 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     first.notes.extend(omitted);
     note(&notes_of_both(&first, &second));
     // Errors have a position in the file.
-    let tower_of = |input: &TowerInput| input.tower().map_err(Failure::Input);
+    let tower_of = |input: &TowerInput| input.tower().map_err(Failure::from);
     let towers = [tower_of(&first)?, tower_of(&second)?];
     let limits = AgreementLimits::default();
     let agreement = agree(&first.description, &second.description, &limits);
@@ -66,7 +66,7 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
         for (tower, input) in towers.iter().zip([&first, &second]) {
             warn(tower.warnings(), input);
         }
-        Failure::Refused(error.to_string())
+        Failure::failed(error.to_string())
     })?;
     let mut result = Vec::new();
     match arguments.format {
@@ -78,7 +78,10 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     }
     deliver(&result, None)?;
     match agreement.verdict {
-        Verdict::Fail => Err(Failure::Disagree),
+        Verdict::Fail => {
+            Err(Failure::failed("the two models do not agree")
+                .hint("see the lines with fail above"))
+        }
         _ => Ok(()),
     }
 }

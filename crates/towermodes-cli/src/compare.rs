@@ -8,8 +8,9 @@ use towermodes_files::{write_comparison_csv, write_result_json};
 
 use crate::args::{CompareArguments, Format};
 use crate::explained::explained;
-use crate::failure::{Failure, note, warn};
+use crate::failure::Failure;
 use crate::input::tower;
+use crate::messages::{note, warn};
 use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::progress::Progress;
 use crate::side_by_side::columns_in_words;
@@ -26,8 +27,8 @@ const LONG: Duration = Duration::from_secs(1);
 pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
-    let format = arguments.destination.format().map_err(Failure::Ending)?;
-    arguments.check().map_err(Failure::Usage)?;
+    let format = arguments.destination.format()?;
+    arguments.check()?;
     let (tower, input) = tower(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
     let columns = arguments.columns();
@@ -44,7 +45,7 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
         },
     );
     drop((workspace, progress));
-    let comparison = explained(comparison.map_err(Failure::Unsolved), (&tower, &input))?;
+    let comparison = explained(comparison, (&tower, &input))?;
     let mut result = Vec::new();
     match format {
         Format::Table => result.extend(table::comparison(&tower, &comparison).into_bytes()),

@@ -5,18 +5,19 @@ use towermodes_files::{write_convergence_csv, write_result_json};
 
 use crate::args::{ConvergeArguments, Format};
 use crate::explained::explained;
-use crate::failure::{Failure, note, warn};
+use crate::failure::Failure;
 use crate::input::tower;
+use crate::messages::{note, warn};
 use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::progress::Progress;
 use crate::{table, terminal};
 
 /// Reads the tower, solves it on finer and finer meshes and prints the errors.
 pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
-    let fineness = arguments.fineness().map_err(Failure::Usage)?;
+    let fineness = arguments.fineness()?;
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
-    let format = arguments.destination.format().map_err(Failure::Ending)?;
+    let format = arguments.destination.format()?;
     let (tower, input) = tower(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
     let progress = Progress::of_weighted(fineness.iter().copied().map(said));
@@ -25,7 +26,7 @@ pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
         progress.done();
     });
     drop((workspace, progress));
-    let convergence = explained(done.map_err(Failure::Unsolved), (&tower, &input))?;
+    let convergence = explained(done, (&tower, &input))?;
     let width = match output {
         None => terminal::width(),
         Some(_) => terminal::WIDTH_OF_FILES,

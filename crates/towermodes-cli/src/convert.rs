@@ -3,12 +3,13 @@
 use std::fs;
 use std::path::Path;
 
-use towermodes_files::{ConvertError, ConvertOptions, convert};
+use towermodes_files::{ConvertOptions, convert};
 
 use crate::args::{ConvertArguments, Target};
 use crate::explained::explained;
-use crate::failure::{Failure, note, report};
+use crate::failure::Failure;
 use crate::input::tower_input;
+use crate::messages::{note, report};
 use crate::output::{check_not_input, check_not_inputs, deliver, deliver_both};
 
 /// Reads any tower and writes it in another format; data that the format cannot store are reported
@@ -16,16 +17,16 @@ use crate::output::{check_not_input, check_not_inputs, deliver, deliver_both};
 pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     let output = arguments.output();
     check_not_input(&arguments.input.file, output)?;
-    let to = arguments.to().map_err(Failure::Ending)?;
-    let to = to.ok_or(Failure::Usage(NO_FORMAT))?;
-    arguments.check(to).map_err(Failure::Usage)?;
+    let to = arguments.to()?;
+    let to = to.ok_or(Failure::usage(NO_FORMAT))?;
+    arguments.check(to)?;
     let input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
     let options = options(arguments, to);
-    let converted = convert(&input, to.format(), &options).map_err(failure);
+    let converted = convert(&input, to.format(), &options);
     let converted = match (converted, input.tower()) {
         (Err(failure), Ok(tower)) => explained(Err(failure), (&tower, &input)),
-        (converted, _) => converted,
+        (converted, _) => converted.map_err(Failure::from),
     }?;
     note(&input.notes);
     note(&converted.notes);
@@ -57,18 +58,6 @@ fn options(arguments: &ConvertArguments, to: Target) -> ConvertOptions {
     }
 }
 
-fn failure(error: ConvertError) -> Failure {
-    match error {
-        ConvertError::Input(error) => Failure::Input(error),
-        ConvertError::Shapes(error) => Failure::TowerFile(error),
-        ConvertError::TowerFile(error) => Failure::tower_file(&error),
-        ConvertError::NoSectionsFile => Failure::Usage(
-            "a BModes deck consists of two files: give --output PATH for the main file",
-        ),
-        error => Failure::Refused(error.to_string()),
-    }
-}
-
 /// Neither the option nor the file extension gives a format.
 const NO_FORMAT: &str =
     "the format of the output is not known: give --to toml, bmodes, elastodyn or windio";
@@ -83,7 +72,7 @@ fn check_is_own(companion: &Path, deck: &Path) -> Result<(), Failure> {
     if is_own_sections(&old) {
         return Ok(());
     }
-    Err(Failure::Refused(format!(
+    Err(Failure::failed(format!(
         "the section file {} already exists and was not written by this program; give --output another name or move that file",
         companion.display()
     )))

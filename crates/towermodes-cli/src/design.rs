@@ -7,9 +7,10 @@ use towermodes_report::figures::{self, DesignedMode};
 use towermodes_report::svg::Figure;
 
 use crate::args::{DesignArguments, FoundFormat};
-use crate::failure::{Failure, note, note_texts, warn};
+use crate::failure::Failure;
 use crate::found::{check_output, study_source, write_tower};
 use crate::input::tower_input;
+use crate::messages::{note, note_texts, warn};
 use crate::output::{check_not_input, check_not_inputs, check_place, deliver};
 use crate::plot::deliver_picture;
 use crate::progress::searching;
@@ -19,7 +20,7 @@ use crate::table;
 /// Finds the lightest tower of a study, and writes it.
 pub(crate) fn run(arguments: &DesignArguments) -> Result<(), Failure> {
     check_output(&arguments.found, &arguments.input, &arguments.study)?;
-    let picture = arguments.picture().map_err(Failure::Usage)?;
+    let picture = arguments.picture()?;
     let written = [arguments.found.output(), picture.map(|(path, _)| path)];
     if let [_, Some(path)] = written {
         check_not_input(&arguments.input.file, Some(path))?;
@@ -27,12 +28,12 @@ pub(crate) fn run(arguments: &DesignArguments) -> Result<(), Failure> {
         check_place(path)?;
     }
     let study = study_source(&arguments.study, &arguments.input)?;
-    let study = read_design_study(&study).map_err(Failure::Input)?;
+    let study = read_design_study(&study)?;
     let input = tower_input(&arguments.input)?;
     for output in written {
         check_not_inputs(input.files(), output)?;
     }
-    let tower = input.tower().map_err(Failure::Input)?;
+    let tower = input.tower()?;
     note(&input.notes);
     warn(tower.warnings(), &input);
     let problem = problem(&study, &input).map_err(refused)?;
@@ -80,16 +81,25 @@ fn figure(before: &TowerDescription, found: &Design) -> Figure {
 
 fn refused(error: StudyError) -> Failure {
     match error {
-        StudyError::Input(error) | StudyError::Window(error) => Failure::Input(error),
-        StudyError::NoRotorSpeeds => Failure::NoRotorSpeeds,
+        StudyError::Input(error) | StudyError::Window(error) => Failure::from(error),
+        StudyError::NoRotorSpeeds => Failure::usage(
+            "the study of the design names multiples of the rotor speed, which the tower file does not contain",
+        )
+        .hint(ROTOR),
     }
 }
+
+/// The rotor data of a tower file, without an option.
+const ROTOR: &str = "add to the tower file:
+  [rotor]
+  blades = 3
+  rpm = [6.9, 12.1]  # lowest and highest operating speed";
 
 /// Errors that a line of the study explains name it.
 fn failure(error: DesignError, study: &DesignStudy, tower: &TowerDescription) -> Failure {
     match (located(&error, study, tower), &error) {
-        (Some(place), DesignError::NoDerivative { .. }) => Failure::Unreached(place),
-        (Some(place), _) => Failure::Input(place),
-        (None, _) => Failure::Design(error),
+        (Some(place), DesignError::NoDerivative { .. }) => Failure::unreached(place),
+        (Some(place), _) => Failure::from(place),
+        (None, _) => Failure::from(error),
     }
 }

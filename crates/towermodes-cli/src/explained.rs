@@ -3,17 +3,18 @@
 use towermodes::Tower;
 use towermodes_files::TowerInput;
 
-use crate::failure::{Failure, note, warn};
+use crate::failure::Failure;
+use crate::messages::{note, warn};
 
 /// Prints the notes and warnings of a tower before the error of its computation. A soil that is a
 /// million times too soft is a warning; the error says only that the tower buckles.
 pub(crate) fn explained<T>(
-    result: Result<T, Failure>,
+    result: Result<T, impl Into<Failure>>,
     (tower, input): (&Tower, &TowerInput),
 ) -> Result<T, Failure> {
     if result.is_err() {
         note(&input.notes);
         warn(tower.warnings(), input);
     }
-    result
+    result.map_err(Into::into)
 }

@@ -1,5 +1,6 @@
 //! `towermodes explore`.
 
+use std::io;
 use std::sync::OnceLock;
 use std::time::Instant;
 
@@ -8,8 +9,9 @@ use towermodes_explore::{Exploration, Explorer, Reporter, State};
 use towermodes_files::TowerInput;
 
 use crate::args::{ExploreArguments, Prescribed, ReadingArguments};
-use crate::failure::{Failure, hear, note, warn};
+use crate::failure::Failure;
 use crate::input::{input_of, set_numbers};
+use crate::messages::{hear, note, warn};
 use crate::output::deliver;
 use crate::report::page_of;
 
@@ -18,15 +20,12 @@ pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     let file = file(arguments)?;
     let mut changed = file.clone();
     set_numbers(&mut changed, &arguments.input.reading)?;
-    let tower = changed.tower().map_err(Failure::Input)?;
+    let tower = changed.tower()?;
     let state = State::between(&file, &changed);
     note(&changed.notes);
     warn(tower.warnings(), &changed);
     let explorer = Explorer::new(exploration(file, arguments)?);
-    let failed = |error| Failure::Server {
-        port: arguments.port,
-        error,
-    };
+    let failed = |error| not_served(arguments.port, &error);
     let server = Server::bind(arguments.port.unwrap_or(0)).map_err(failed)?;
     let address = server.address() + &state.fragment();
     deliver(format!("{address}\n").as_bytes(), None)?;
@@ -44,7 +43,7 @@ fn file(arguments: &ExploreArguments) -> Result<TowerInput, Failure> {
     let mut reading: ReadingArguments = given.clone();
     reading.settings.clear();
     let file = input_of(&arguments.input.file, &reading)?;
-    given.check(&[file.format]).map_err(Failure::Usage)?;
+    given.check(&[file.format])?;
     Ok(file)
 }
 
@@ -53,7 +52,7 @@ fn exploration(file: TowerInput, arguments: &ExploreArguments) -> Result<Explora
     let prescribed = Prescribed::of(&mut file.clone());
     Ok(Exploration {
         input: file,
-        options: arguments.options(prescribed).map_err(Failure::Usage)?,
+        options: arguments.options(prescribed)?,
         covers_excitations: !arguments.has_modes(),
         rotor: arguments.rotor.given(),
         campbell: arguments.rotor.options(),
@@ -64,6 +63,17 @@ fn exploration(file: TowerInput, arguments: &ExploreArguments) -> Result<Explora
         report: reporter(),
         clock,
     })
+}
+
+/// The page cannot be served.
+fn not_served(port: Option<u16>, error: &io::Error) -> Failure {
+    match port {
+        Some(port) => Failure::failed(format!("port {port} cannot be used: {error}"))
+            .hint("without --port the program takes any port that is free"),
+        None => Failure::failed(format!(
+            "the page cannot be served on this machine: {error}"
+        )),
+    }
 }
 
 /// Milliseconds since it was first asked.

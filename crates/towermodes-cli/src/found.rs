@@ -7,7 +7,8 @@ use towermodes::TowerDescription;
 use towermodes_files::{ReadError, Source, TowerInput, rewritten};
 
 use crate::args::{FoundArguments, InputArguments};
-use crate::failure::{Failure, note, report};
+use crate::failure::Failure;
+use crate::messages::{note, report};
 use crate::output::{check_not_input, check_place, replace};
 
 /// Refuses an output that cannot be written or would overwrite an input, before anything is
@@ -17,7 +18,7 @@ pub(crate) fn check_output(
     tower: &InputArguments,
     study: &Path,
 ) -> Result<(), Failure> {
-    found.check().map_err(Failure::Usage)?;
+    found.check()?;
     check_not_input(&tower.file, found.output())?;
     check_not_input(study, found.output())?;
     found.output().map_or(Ok(()), check_place)
@@ -28,14 +29,14 @@ pub(crate) fn study_source(study: &Path, tower: &InputArguments) -> Result<Sourc
     let stdin = Path::new("-");
     let source = match study == stdin {
         true if tower.file == stdin => {
-            return Err(Failure::Usage(
+            return Err(Failure::usage(
                 "only one of the two files can be standard input (-)",
             ));
         }
         true => Source::from_stdin(),
         false => Source::from_path(study),
     };
-    source.map_err(ReadError::from).map_err(Failure::Input)
+    source.map_err(ReadError::from).map_err(Failure::from)
 }
 
 /// Writes a tower with changed numbers, in the text of its old file where that is possible.

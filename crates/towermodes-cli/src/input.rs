@@ -20,7 +20,7 @@ pub(crate) fn input(file: &Path, reading: &ReadingArguments) -> Result<Input, Fa
     } else {
         read(file, &options)
     };
-    let mut input = input.map_err(Failure::Input)?;
+    let mut input = input?;
     // The command refuses settings of a blade.
     if let Input::Tower(tower) = &mut input {
         set_numbers(tower, reading)?;
@@ -34,14 +34,13 @@ pub(crate) fn set_numbers(
     reading: &ReadingArguments,
 ) -> Result<(), Failure> {
     let set = tower.set(&reading.settings, SETTING);
-    set.map_err(Failure::Setting)
+    set.map_err(Failure::from)
 }
 
 /// Reads a tower from a file or from standard input; a rotating blade is an error.
 pub(crate) fn tower_input(arguments: &InputArguments) -> Result<TowerInput, Failure> {
     let input = input_of(&arguments.file, &arguments.reading)?;
-    let checked = arguments.reading.check(&[input.format]);
-    checked.map_err(Failure::Usage)?;
+    arguments.reading.check(&[input.format])?;
     Ok(input)
 }
 
@@ -49,7 +48,7 @@ pub(crate) fn tower_input(arguments: &InputArguments) -> Result<TowerInput, Fail
 pub(crate) fn input_of(file: &Path, reading: &ReadingArguments) -> Result<TowerInput, Failure> {
     match input(file, reading)? {
         Input::Tower(tower) => Ok(*tower),
-        Input::Blade(_) => Err(Failure::Usage(
+        Input::Blade(_) => Err(Failure::usage(
             "this is a deck of a rotating blade; it can be used only with solve",
         )),
     }
@@ -58,6 +57,6 @@ pub(crate) fn input_of(file: &Path, reading: &ReadingArguments) -> Result<TowerI
 /// The tower of a file with the data of its reader.
 pub(crate) fn tower(arguments: &InputArguments) -> Result<(Tower, TowerInput), Failure> {
     let input = tower_input(arguments)?;
-    let Reading { tower, input } = input.check().map_err(Failure::Input)?;
+    let Reading { tower, input } = input.check()?;
     Ok((tower, input))
 }

@@ -21,6 +21,7 @@ mod explore;
 mod failure;
 mod found;
 mod input;
+mod messages;
 mod output;
 mod parameters;
 mod plot;

@@ -1,17 +1,18 @@
 //! `towermodes parameters`.
 
-use towermodes::Parameter;
+use towermodes::{Parameter, ParameterError};
 use towermodes_files::{TowerInput, write_parameters_csv, write_parameters_json};
 
 use crate::args::{Format, ParametersArguments};
-use crate::failure::{Failure, note};
+use crate::failure::Failure;
 use crate::input::tower_input;
+use crate::messages::note;
 use crate::output::{check_not_inputs, deliver};
 use crate::table;
 
 /// Lists the numbers of a tower by name.
 pub(crate) fn run(arguments: &ParametersArguments) -> Result<(), Failure> {
-    let format = arguments.destination.format().map_err(Failure::Ending)?;
+    let format = arguments.destination.format()?;
     let input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), arguments.destination.output())?;
     let listed = listed(&input, arguments)?;
@@ -35,11 +36,15 @@ fn listed(input: &TowerInput, arguments: &ParametersArguments) -> Result<Vec<Par
     for filter in arguments.unmatched(&names) {
         // The name of a number that is not listed, such as an entry below a diagonal.
         let found = Parameter::parse_every(filter, &input.description);
-        for parameter in found.map_err(Failure::NoParameter)? {
+        for parameter in found.map_err(no_number)? {
             if !listed.contains(&parameter) {
                 listed.push(parameter);
             }
         }
     }
     Ok(listed)
+}
+
+fn no_number(error: ParameterError) -> Failure {
+    Failure::usage(error).hint("without a filter the command lists all numbers")
 }

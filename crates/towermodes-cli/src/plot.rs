@@ -17,15 +17,16 @@ use crate::args::{PictureFile, PictureFormat, PlotArguments, Prescribed, What};
 use crate::campbell::coupled::{Answer, Coupled, answer_of, coupled_of};
 use crate::campbell::{campbell_of, solved_to_reach};
 use crate::explained::explained;
-use crate::failure::{Failure, note, warn};
+use crate::failure::Failure;
 use crate::input::tower_input;
+use crate::messages::{note, warn};
 use crate::output::{check_not_input, check_not_inputs, check_terminal, deliver_bytes};
 use crate::progress::solve;
 
 /// Reads the tower, solves it if necessary, and writes the picture as SVG or PNG.
 pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
-    arguments.check().map_err(Failure::Usage)?;
-    let format = arguments.format().map_err(Failure::Usage)?;
+    arguments.check()?;
+    let format = arguments.format()?;
     let output = arguments.output();
     let (what, example) = match format {
         PictureFormat::Svg(..) => ("an SVG", "picture.svg"),
@@ -36,7 +37,7 @@ pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
     let mut input = tower_input(&arguments.input)?;
     arguments.turbine.hold_generator(&mut input);
     check_not_inputs(input.files(), output)?;
-    let tower = input.tower().map_err(Failure::Input)?;
+    let tower = input.tower()?;
     let drawn = drawn(&mut input, &tower, arguments);
     let drawn = explained(drawn, (&tower, &input))?;
     let (notes, warnings) = (drawn.notes, drawn.warnings);
@@ -48,9 +49,7 @@ pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
     let figure = titled(drawn.figure, &tower, &words);
     let picture = match format {
         PictureFormat::Svg(look) => figure.to_svg(look).into_bytes(),
-        PictureFormat::Png(theme, scale) => {
-            raster::png(&figure, theme, scale).map_err(Failure::Picture)?
-        }
+        PictureFormat::Png(theme, scale) => raster::png(&figure, theme, scale)?,
     };
     note(&input.notes);
     note(&notes);
@@ -72,7 +71,7 @@ pub(crate) fn deliver_picture(
     let figure = titled(figure, tower, &words);
     let picture = match format {
         PictureFile::Svg => figure.to_svg(Look::Standalone).into_bytes(),
-        PictureFile::Png => raster::png(&figure, Theme::Light, 2.0).map_err(Failure::Picture)?,
+        PictureFile::Png => raster::png(&figure, Theme::Light, 2.0)?,
     };
     deliver_bytes(&picture, Some(path))
 }
@@ -126,7 +125,7 @@ fn drawn(
 
 fn options(input: &mut TowerInput, arguments: &PlotArguments) -> Result<Options, Failure> {
     let prescribed = Prescribed::of(input);
-    arguments.options(prescribed).map_err(Failure::Usage)
+    arguments.options(prescribed).map_err(Failure::from)
 }
 
 fn shapes(
@@ -135,7 +134,7 @@ fn shapes(
     arguments: &PlotArguments,
 ) -> Result<Drawn, Failure> {
     let options = options(input, arguments)?;
-    let solution = solve(tower, &options).map_err(Failure::Unsolved)?;
+    let solution = solve(tower, &options)?;
     let figure = figures::shapes(&input.description, tower, &solution);
     Ok(Drawn::new(figure, &solution.warnings).computed(computed_by(&solution)))
 }

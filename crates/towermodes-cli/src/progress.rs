@@ -12,7 +12,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use towermodes::{Options, Solution, SolveError, Stage, Tower, Workspace, solve_certain};
 use towermodes_report::wording::printable;
 
-use crate::failure::report;
+use crate::messages::report;
 use crate::terminal::NOT_SHOWN;
 
 /// Shorter computations show no progress.

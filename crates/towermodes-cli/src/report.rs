@@ -18,8 +18,9 @@ use towermodes_report::report::{
 use crate::args::{Arguments, Command, PageFormat, Prescribed, ReportArguments};
 use crate::campbell::notes_on;
 use crate::explained::explained;
-use crate::failure::{Failure, note_texts, warn};
+use crate::failure::Failure;
 use crate::input::tower_input;
+use crate::messages::{note_texts, warn};
 use crate::output::{check_not_input, check_not_inputs, check_terminal, deliver};
 use crate::progress::solve;
 use crate::side_by_side::all_methods;
@@ -28,7 +29,7 @@ use crate::side_by_side::all_methods;
 pub(crate) fn run(arguments: &ReportArguments, words: &[OsString]) -> Result<(), Failure> {
     let output = arguments.output();
     check_not_input(&arguments.input.file, output)?;
-    let format = arguments.format().map_err(Failure::Ending)?;
+    let format = arguments.format()?;
     let what = match format {
         PageFormat::Html => "a page of HTML",
         PageFormat::Md => "a report",
@@ -36,11 +37,11 @@ pub(crate) fn run(arguments: &ReportArguments, words: &[OsString]) -> Result<(),
     check_terminal(arguments.asked_output(), what, "report.html")?;
     let mut input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
-    let tower = input.tower().map_err(Failure::Input)?;
+    let tower = input.tower()?;
     let content = content(&mut input, tower.clone(), arguments, words);
     let content = explained(content, (&tower, &input))?;
     let text = match format {
-        PageFormat::Html => html(&content).map_err(|error| Failure::Refused(error.to_string()))?,
+        PageFormat::Html => html(&content).map_err(Failure::failed)?,
         PageFormat::Md => markdown(&content),
     };
     note_texts(&content.circumstances.notes);
@@ -52,13 +53,13 @@ pub(crate) fn run(arguments: &ReportArguments, words: &[OsString]) -> Result<(),
 pub(crate) fn page_of(mut input: TowerInput, words: &[String]) -> Result<String, Failure> {
     let words: Vec<OsString> = words.iter().map(OsString::from).collect();
     let parsed = Arguments::try_parse_from(&words);
-    let parsed = parsed.map_err(|error| Failure::Refused(error.to_string()))?;
+    let parsed = parsed.map_err(Failure::failed)?;
     let Command::Report(arguments) = parsed.command else {
-        return Err(Failure::Usage("this is not the command report"));
+        return Err(Failure::usage("this is not the command report"));
     };
-    let tower = input.tower().map_err(Failure::Input)?;
+    let tower = input.tower()?;
     let content = content(&mut input, tower, &arguments, &words)?;
-    html(&content).map_err(|error| Failure::Refused(error.to_string()))
+    html(&content).map_err(Failure::failed)
 }
 
 /// The content of the report.
@@ -69,13 +70,12 @@ fn content(
     words: &[OsString],
 ) -> Result<ReportContent, Failure> {
     let prescribed = Prescribed::of(input);
-    let options = arguments.options(prescribed).map_err(Failure::Usage)?;
+    let options = arguments.options(prescribed)?;
     let rotor = arguments.rotor.rotor(input);
-    let soil_factors = arguments.soil.factors(&input.description);
-    let soil_factors = soil_factors.map_err(Failure::Usage)?;
+    let soil_factors = arguments.soil.factors(&input.description)?;
     // On a monopile the ElastoDyn tower is the part above it.
     let shapes_from_m = input.joint_m.unwrap_or(tower.base_m());
-    let shapes_tower = input.tower_for_shapes().map_err(Failure::Input)?;
+    let shapes_tower = input.tower_for_shapes()?;
     let notes_on_shapes = input.note_on_shapes();
     let request = ReportRequest {
         description: input.description.clone(),
@@ -85,7 +85,7 @@ fn content(
         rotor: rotor.map(|chosen| chosen.rotor),
         blades: arguments.rotor.given().blades.or(input.blades),
         blade: input.blade.clone(),
-        turbine: input.whole_turbine().map_err(Failure::Input)?,
+        turbine: input.whole_turbine()?,
         campbell: arguments.rotor.options(),
         soil_factors: soil_factors.map(<[f64]>::to_vec),
         sensitivities: arguments.sensitivities,
@@ -96,9 +96,9 @@ fn content(
         notes_on_shapes: notes_on_shapes.iter().map(Note::to_string).collect(),
     };
     ReportContent::compute(request, &mut WithProgress).map_err(|error| match error {
-        ContentError::Solve(error) => Failure::Unsolved(error),
-        ContentError::Campbell(error) => Failure::Campbell(error),
-        error => Failure::Refused(error.to_string()),
+        ContentError::Solve(error) => Failure::from(error),
+        ContentError::Campbell(error) => Failure::from(error),
+        error => Failure::failed(error.to_string()),
     })
 }
 

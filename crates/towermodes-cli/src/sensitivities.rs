@@ -7,8 +7,9 @@ use towermodes_report::figures;
 
 use crate::args::{Format, Prescribed, SensitivitiesArguments};
 use crate::explained::explained;
-use crate::failure::{Failure, note, warn};
+use crate::failure::Failure;
 use crate::input::tower_input;
+use crate::messages::{note, warn};
 use crate::output::{check_not_input, check_not_inputs, check_place, deliver};
 use crate::plot::deliver_picture;
 use crate::progress::Progress;
@@ -18,17 +19,17 @@ use crate::table;
 pub(crate) fn run(arguments: &SensitivitiesArguments) -> Result<(), Failure> {
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
-    let format = arguments.destination.format().map_err(Failure::Ending)?;
-    let picture = arguments.picture().map_err(Failure::Usage)?;
+    let format = arguments.destination.format()?;
+    let picture = arguments.picture()?;
     if let Some((path, _)) = picture {
         check_not_input(&arguments.input.file, Some(path))?;
         check_place(path)?;
     }
     let mut input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
-    let tower = input.tower().map_err(Failure::Input)?;
+    let tower = input.tower()?;
     let prescribed = Prescribed::of(&mut input);
-    let options = arguments.options(prescribed).map_err(Failure::Usage)?;
+    let options = arguments.options(prescribed)?;
     let changes = changes(&arguments.names, &input.description)?;
     let tolerances = tolerances(&arguments.tolerances, &input.description)?;
     let influences = influences_of(&input.description, changes.as_deref(), &options);
@@ -87,17 +88,14 @@ fn changes(
     }
     let mut changes = Vec::new();
     for name in names {
-        let change = Change::parse(name, description).map_err(Failure::NoChange)?;
+        let change = Change::parse(name, description)?;
         // A pattern lists its numbers one by one.
         match name.contains('*') && !name.contains('(') {
             false => changes.push(change),
             true => {
                 let each = change.parameters().iter().map(ToString::to_string);
                 let each = each.map(|name| Change::parse(&name, description));
-                changes.extend(
-                    each.collect::<Result<Vec<_>, _>>()
-                        .map_err(Failure::NoChange)?,
-                );
+                changes.extend(each.collect::<Result<Vec<_>, _>>()?);
             }
         }
     }
@@ -114,13 +112,13 @@ fn tolerances(
         .filter_map(|(name, tolerance)| Some((name.clone()?, *tolerance)));
     let named: Vec<(String, Tolerance)> = named.collect();
     let of_others = of_others.map(|(_, tolerance)| *tolerance);
-    Tolerances::new(of_others, &named, description).map_err(Failure::NoChange)
+    Tolerances::new(of_others, &named, description).map_err(Failure::from)
 }
 
 fn failure(error: SensitivityError) -> Failure {
     match error {
-        SensitivityError::Tower(error) => Failure::Tower(error),
-        SensitivityError::Solve(error) => Failure::Unsolved(error),
-        error => Failure::NoSensitivity(error),
+        SensitivityError::Tower(error) => Failure::from(error),
+        SensitivityError::Solve(error) => Failure::from(error),
+        error => Failure::from(error),
     }
 }

@@ -32,6 +32,6 @@ pub(crate) fn man(of: Option<&str>) -> Result<(), Failure> {
     let mut page = Vec::new();
     let man = clap_mangen::Man::new(page_of);
     man.render(&mut page)
-        .map_err(|error| Failure::Unwritable("the manual page".into(), error))?;
+        .map_err(|error| Failure::unwritable("the manual page", error))?;
     deliver(&page, None)
 }

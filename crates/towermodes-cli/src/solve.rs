@@ -11,8 +11,9 @@ use towermodes_report::terminal::{blade_shapes, shapes};
 
 use crate::args::{Prescribed, SolveArguments, SolveFormat};
 use crate::explained::explained;
-use crate::failure::{Failure, note, warn};
+use crate::failure::Failure;
 use crate::input::input;
+use crate::messages::{note, warn};
 use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::progress::solve;
 use crate::sensitivities::influences_of;
@@ -24,8 +25,8 @@ pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     for file in &arguments.files {
         check_not_input(file, arguments.output())?;
     }
-    let format = arguments.format().map_err(Failure::Ending)?;
-    arguments.check(format).map_err(Failure::Usage)?;
+    let format = arguments.format()?;
+    arguments.check(format)?;
     let [file] = &arguments.files[..] else {
         return several::run(arguments, format);
     };
@@ -42,21 +43,18 @@ fn of_tower(
     format: SolveFormat,
 ) -> Result<Vec<u8>, Failure> {
     check_not_inputs(input.files(), arguments.output())?;
-    let checked = arguments.reading.check(&[input.format]);
-    checked.map_err(Failure::Usage)?;
+    arguments.reading.check(&[input.format])?;
     let prescribed = Prescribed::of(&mut input);
     let borders_m = prescribed.borders_m.clone();
     let has_own_heights = borders_m.is_some();
-    let checked = arguments.check_heights(format, has_own_heights);
-    checked.map_err(Failure::Usage)?;
-    let options = arguments.options(prescribed, format);
-    let mut options = options.map_err(Failure::Usage)?;
-    let tower = input.tower().map_err(Failure::Input)?;
+    arguments.check_heights(format, has_own_heights)?;
+    let mut options = arguments.options(prescribed, format)?;
+    let tower = input.tower()?;
     let nodes = OutNodes::of_tower(&tower, borders_m, arguments.points(), input.layout);
     if format == SolveFormat::Bmodes {
         options.heights_m = nodes.heights_m();
     }
-    let solution = solve(&tower, &options).map_err(Failure::Unsolved);
+    let solution = solve(&tower, &options);
     let solution = explained(solution, (&tower, &input))?;
     let mut result = Vec::new();
     match format {
@@ -83,10 +81,9 @@ fn of_blade(
     format: SolveFormat,
 ) -> Result<Vec<u8>, Failure> {
     check_not_inputs(input.files(), arguments.output())?;
-    arguments.check_for_blade().map_err(Failure::Usage)?;
-    let checked = arguments.reading.check(&[FileFormat::Bmodes]);
-    checked.map_err(Failure::Usage)?;
-    let blade = Blade::new(input.description.clone()).map_err(Failure::Blade)?;
+    arguments.check_for_blade()?;
+    arguments.reading.check(&[FileFormat::Bmodes])?;
+    let blade = Blade::new(input.description.clone())?;
     let nodes = OutNodes::of_blade(&blade, input.layout);
     let radii_m = match format {
         SolveFormat::Bmodes => nodes.heights_m(),
@@ -99,7 +96,7 @@ fn of_blade(
     notes.extend(blade.warnings().iter().map(of_tip));
     let solution = solve_blade(&blade, modes, &radii_m).map_err(|error| {
         note(&notes);
-        Failure::Unsolved(error)
+        Failure::from(error)
     })?;
     let mut result = Vec::new();
     match format {

@@ -19,8 +19,8 @@ use planned::Planned;
 /// Solves rows of a table or a study and writes them as one slice, or reads slices that are there;
 /// or solves none, but differentiates.
 pub(crate) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
-    arguments.check().map_err(Failure::Usage)?;
-    let format = arguments.slice_format().map_err(Failure::Ending)?;
+    arguments.check()?;
+    let format = arguments.slice_format()?;
     picture::check(arguments)?;
     let planned = Planned::of(arguments)?;
     if arguments.first_order {
@@ -40,8 +40,7 @@ pub(crate) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     if !arguments.summary && arguments.plot.is_none() {
         return Ok(());
     }
-    let slices = Slices::open(&planned.sweep, &planned.source, &paths);
-    let slices = slices.map_err(Failure::Slice)?;
+    let slices = Slices::open(&planned.sweep, &planned.source, &paths)?;
     if arguments.summary {
         summarize(&planned, &slices)?;
     }
@@ -51,8 +50,8 @@ pub(crate) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
 /// Prints the results in numbers, with the resonance check of the base's rotor if it has one.
 fn summarize(planned: &Planned, slices: &Slices<'_>) -> Result<(), Failure> {
     let check = planned.sweep.margin_check();
-    let summary = slices.summary(check.as_ref()).map_err(Failure::Slice)?;
-    let tower = planned.input.tower().map_err(Failure::Input)?;
+    let summary = slices.summary(check.as_ref())?;
+    let tower = planned.input.tower()?;
     let text = table::sweep_summary(&tower, &summary, check.as_ref());
     deliver(text.as_bytes(), None)
 }

@@ -11,7 +11,7 @@ use crate::table;
 
 /// Runs the verification manual and prints it; an error if a value is outside its tolerance.
 pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
-    let format = arguments.format().map_err(Failure::Ending)?;
+    let format = arguments.format()?;
     let mut cases = manual();
     cases.retain(|case| arguments.has(case.chapter.name));
     let progress = Progress::of(cases.iter().map(|case| case.name.to_string()));
@@ -35,9 +35,10 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     deliver(&result, arguments.output())?;
     match verification.failures {
         0 => Ok(()),
-        failures => Err(Failure::Unverified {
-            failures,
-            values: verification.values,
-        }),
+        failures => Err(Failure::failed(format!(
+            "{failures} of {} values are outside their tolerance",
+            verification.values
+        ))
+        .hint("see the lines with FAIL above")),
     }
 }

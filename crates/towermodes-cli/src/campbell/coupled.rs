@@ -38,7 +38,7 @@ pub(crate) enum Answer {
 /// `alone` is whether options are given that only the tower alone has.
 ///
 /// # Errors
-/// [`Failure::Input`] at the place of what no turbine can have; [`Failure::Usage`] for options of a
+/// At the place of what no turbine can have; wrong usage for options of a
 /// turbine without one.
 pub(crate) fn answer_of(
     input: &TowerInput,
@@ -48,13 +48,13 @@ pub(crate) fn answer_of(
     if arguments.uncoupled {
         return Ok(Answer::Tower(Vec::new()));
     }
-    let turbine = input.whole_turbine().map_err(Failure::Input)?;
+    let turbine = input.whole_turbine()?;
     match (turbine, arguments.is_given()) {
-        (None, true) => Err(Failure::Usage(
+        (None, true) => Err(Failure::usage(
             "--generator, --limit and --speeds apply only to a turbine with flexible blades; the input has none",
         )),
         (None, false) => Ok(Answer::Tower(without_turbine(input))),
-        (Some(_), true) if alone => Err(Failure::Usage(
+        (Some(_), true) if alone => Err(Failure::usage(
             "--generator, --limit and --speeds apply to the turbine with flexible blades, --method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits and --soil-factor to the tower with a rigid rotor; omit one or the other",
         )),
         (Some(_), false) if alone => Ok(Answer::Tower(vec![Note::new(
@@ -76,7 +76,7 @@ fn without_turbine(input: &TowerInput) -> Vec<Note> {
 /// Solves a turbine at its rotor speeds, and its tower with the machine as a rigid body.
 ///
 /// # Errors
-/// [`Failure::Unsolved`], [`Failure::Coupled`].
+/// Of the solver, of [`coupled_campbell`].
 pub(crate) fn coupled_of(
     input: &TowerInput,
     (tower, turbine): (&Tower, &Turbine),
@@ -103,7 +103,7 @@ pub(crate) fn coupled_of(
             progress.done();
         }
     });
-    let diagram = diagram.map_err(Failure::Coupled)?;
+    let diagram = diagram?;
     let remarks = diagram.remarks(turbine);
     let remarks = remarks.iter().map(|remark| Note::new(remark.to_string()));
     Ok(Coupled {

@@ -12,8 +12,9 @@ use towermodes_files::{
 };
 
 use crate::args::{DeckArguments, ReadingArguments};
-use crate::failure::{Failure, note, warn};
+use crate::failure::Failure;
 use crate::input::input_of;
+use crate::messages::{note, warn};
 
 /// A deck and the mode shapes of its tower.
 pub(super) struct Judged {
@@ -31,13 +32,12 @@ pub(super) fn judged(arguments: &DeckArguments) -> Result<Judged, Failure> {
         Some(from) => of_description(from, &arguments.reading)?,
         None => {
             if !arguments.reading.settings.is_empty() {
-                return Err(Failure::Usage(
+                return Err(Failure::usage(
                     "--set applies only to the file of --from; without it the modes are those of the deck",
                 ));
             }
-            let checked = arguments.reading.check(&[FileFormat::ElastoDyn]);
-            checked.map_err(Failure::Usage)?;
-            let tower = deck.input.tower_for_shapes().map_err(Failure::Input)?;
+            arguments.reading.check(&[FileFormat::ElastoDyn])?;
+            let tower = deck.input.tower_for_shapes()?;
             (tower, None, notes_for_shapes(&deck.input))
         }
     };
@@ -53,7 +53,7 @@ pub(super) fn judged(arguments: &DeckArguments) -> Result<Judged, Failure> {
     let shapes = tower_shapes(&tower, &solve, from_m);
     let shapes = shapes.map_err(|error| {
         warn(tower.warnings(), input.as_ref().unwrap_or(&deck.input));
-        Failure::TowerFile(MakeError::Shapes(error))
+        Failure::from(MakeError::Shapes(error))
     })?;
     note(&torsion_notes(&shapes));
     Ok(Judged {
@@ -69,9 +69,8 @@ fn of_description(
     reading: &ReadingArguments,
 ) -> Result<(Tower, Option<TowerInput>, Vec<Note>), Failure> {
     let input = input_of(from, reading)?;
-    let checked = reading.check(&[FileFormat::ElastoDyn, input.format]);
-    checked.map_err(Failure::Usage)?;
-    let tower = input.tower_for_shapes().map_err(Failure::Input)?;
+    reading.check(&[FileFormat::ElastoDyn, input.format])?;
+    let tower = input.tower_for_shapes()?;
     let notes = notes_for_shapes(&input);
     Ok((tower, Some(input), notes))
 }
@@ -90,11 +89,9 @@ fn read_deck(arguments: &DeckArguments) -> Result<ElastoDynDeck, Failure> {
         without_rna: own.without_rna || arguments.from.is_some(),
         ..own
     };
-    let source = Source::from_path(&arguments.deck)
-        .map_err(ReadError::from)
-        .map_err(Failure::Input)?;
+    let source = Source::from_path(&arguments.deck).map_err(ReadError::from)?;
     let beside = SiblingFiles::of(&arguments.deck);
-    read_elastodyn(source, &beside, &options).map_err(Failure::Input)
+    read_elastodyn(source, &beside, &options).map_err(Failure::from)
 }
 
 /// Where the flexible tower of the deck begins in another description, m, if that is of the same
@@ -105,8 +102,8 @@ fn flexible_base(deck: &ElastoDynDeck, tower: &Tower, from: &Path) -> Result<f64
         .tower
         .model(deck.main.tower_length_m(), deck.main.tower_nodes, 0.0);
     let same = same_tower(&model, tower).map_err(|error| match error {
-        OtherTower::Rows(error) => Failure::TowerFile(MakeError::Rows(error)),
-        error => Failure::Refused(format!("{name} is not the tower of the deck: {error}")),
+        OtherTower::Rows(error) => Failure::failed(error),
+        error => Failure::failed(format!("{name} is not the tower of the deck: {error}")),
     })?;
     if same.is_noticeable() {
         note(&[Note::new(format!(

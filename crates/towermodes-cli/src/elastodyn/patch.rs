@@ -7,7 +7,8 @@ use towermodes_files::encoded_as;
 
 use super::deck::{Judged, judged};
 use crate::args::PatchArguments;
-use crate::failure::{Failure, report};
+use crate::failure::Failure;
+use crate::messages::report;
 use crate::output::{back_up, deliver, replace};
 use crate::table;
 
@@ -17,7 +18,7 @@ pub(crate) fn run(arguments: &PatchArguments) -> Result<(), Failure> {
     let Judged { deck, shapes, .. } = &judged;
     let old = &deck.tower_source;
     let new = patched(&old.text, &deck.coefficient_spans, &shapes.coefficients())
-        .map_err(|error| Failure::Refused(error.to_string()))?;
+        .map_err(Failure::failed)?;
     if arguments.diff {
         let diff = unified_diff(&old.name, &old.name, &old.text, &new);
         return deliver(diff.as_bytes(), None);
@@ -35,7 +36,7 @@ pub(crate) fn run(arguments: &PatchArguments) -> Result<(), Failure> {
         return Ok(());
     }
     let path = Path::new(&old.name);
-    let bytes = std::fs::read(path).map_err(|e| Failure::Unwritable(old.name.clone(), e))?;
+    let bytes = std::fs::read(path).map_err(|e| Failure::unwritable(old.name.clone(), e))?;
     if arguments.backup {
         let backup = back_up(path, &bytes)?;
         report(&format!("{}: backup written\n", backup.display()));

@@ -6,8 +6,9 @@ use towermodes_files::{Note, TowerInput};
 use super::deck::notes_for_shapes;
 use crate::args::TowerArguments;
 use crate::explained::explained;
-use crate::failure::{Failure, note, report};
+use crate::failure::Failure;
 use crate::input::tower_input;
+use crate::messages::{note, report};
 use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::table;
 
@@ -16,14 +17,14 @@ pub(crate) fn run(arguments: &TowerArguments) -> Result<(), Failure> {
     check_not_input(&arguments.input.file, arguments.output())?;
     let input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), arguments.output())?;
-    let tower = input.tower_for_shapes().map_err(Failure::Input)?;
+    let tower = input.tower_for_shapes()?;
     let mut options = arguments.options();
     // On a monopile the ElastoDyn tower is the part above it.
     options.from_m = options.from_m.or(input.joint_m);
-    let made = make_tower_file(&tower, &options).map_err(Failure::TowerFile);
+    let made = make_tower_file(&tower, &options);
     let made = explained(made, (&tower, &input))?;
     let text = write_tower_file(&made.content, options.has_concentrated_masses)
-        .map_err(|error| Failure::tower_file(&error))?;
+        .map_err(Failure::failed)?;
     note(&notes_for_shapes(&input));
     note(&made.notes);
     note(&surrounded_base(&input, options.from_m));

@@ -1,7 +1,7 @@
 //! `towermodes elastodyn validate`.
 
 use towermodes_analysis::Verdict;
-use towermodes_analysis::elastodyn::{MakeError, ValidationLimits, validate_shapes};
+use towermodes_analysis::elastodyn::{ValidationLimits, validate_shapes};
 use towermodes_files::write_result_json;
 
 use super::deck::judged;
@@ -18,8 +18,8 @@ pub(crate) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
     let nodes = main.tower_nodes;
     let model = file.model(flexible_m, nodes, judged.deck.rna.mass_kg);
     let limits = ValidationLimits::default();
-    let validation = validate_shapes(&model, &file.modes(), &judged.shapes, &limits)
-        .map_err(|error| Failure::TowerFile(MakeError::Model(error)))?;
+    let validation =
+        validate_shapes(&model, &file.modes(), &judged.shapes, &limits).map_err(Failure::failed)?;
     let mut result = Vec::new();
     match arguments.format {
         ReportFormat::Table => {
@@ -39,6 +39,9 @@ pub(crate) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
         .count()
     {
         0 => Ok(()),
-        failures => Err(Failure::Unfit { failures }),
+        failures => Err(Failure::failed(format!(
+            "{failures} of 4 mode shapes in the file do not match the tower"
+        ))
+        .hint("towermodes elastodyn patch replaces them by the computed shapes")),
     }
 }

@@ -32,14 +32,14 @@ pub(super) fn stiffness(
     let options = options(input, arguments)?;
     let description = &input.description;
     if !description.stands_in_soil() {
-        return Err(Failure::Usage(
+        return Err(Failure::usage(
             "--what soil needs soil: the base of the tower is clamped or floats, and there are no soil springs",
         ));
     }
-    let solution = solve(tower, &options).map_err(Failure::Unsolved)?;
+    let solution = solve(tower, &options)?;
     let each = |tower: &Tower| solve(tower, &options);
     let band = soil_band(description, &solution, &factors(), None, each);
-    let band = band.map_err(|error| Failure::Refused(error.to_string()))?;
+    let band = band.map_err(Failure::failed)?;
     let figure = figures::soil(&band, rotor(input, arguments).as_ref());
     let failed = band.failed.iter();
     let failed = failed.map(|at| format!("with soil x {:.3}: {}", at.factor, at.reason));
@@ -55,16 +55,16 @@ pub(super) fn scour(
     let options = options(input, arguments)?;
     let description = &input.description;
     let Some(diameter_m) = pile_diameter_m(input) else {
-        return Err(Failure::Usage(
+        return Err(Failure::usage(
             "--what scour needs soil in layers around the pile: [ground] in the tower file",
         ));
     };
-    let solution = solve(tower, &options).map_err(Failure::Unsolved)?;
+    let solution = solve(tower, &options)?;
     let step_m = DEEPEST_DIAMETERS * diameter_m / (DEPTHS - 1) as f64;
     let depths_m: Vec<f64> = (0..DEPTHS).map(|step| step as f64 * step_m).collect();
     let each = |tower: &Tower| solve(tower, &options);
     let Some(curve) = scour_curve(description, &solution, &depths_m, each) else {
-        return Err(Failure::Refused(
+        return Err(Failure::failed(
             "the tower has no soil in layers".to_owned(),
         ));
     };

@@ -43,14 +43,13 @@ fn solved(tower: &Tower, options: &Options, fineness: &[Fineness]) -> Result<Con
     let convergence = converge_with(tower, options, fineness, &mut workspace, |_| {
         progress.done();
     });
-    convergence.map_err(Failure::Unsolved)
+    convergence.map_err(Failure::from)
 }
 
 /// The difference of each method from the reference solution.
 pub(super) fn error(tower: &Tower, arguments: &PlotArguments) -> Result<Drawn, Failure> {
     let segments = arguments.segments().first().copied();
-    let comparison = all_methods(tower, &arguments.study_options(), segments);
-    let comparison = comparison.map_err(Failure::Unsolved)?;
+    let comparison = all_methods(tower, &arguments.study_options(), segments)?;
     let figure = figures::error(&comparison);
     let drawn = Drawn::new(figure, &comparison.warnings);
     Ok(drawn.computed(compared_segments(&comparison)))

@@ -7,12 +7,13 @@ use std::path::Path;
 
 use towermodes::{Solution, Tower, Warning, solve_certain};
 use towermodes_files::{
-    FileFormat, Input, ReadError, SolvedFile, TowerInput, write_several_csv, write_several_json,
+    FileFormat, Input, SolvedFile, TowerInput, write_several_csv, write_several_json,
 };
 
 use crate::args::{Prescribed, SolveArguments, SolveFormat};
-use crate::failure::{Failure, note_texts, warning_text};
+use crate::failure::Failure;
 use crate::input::input;
+use crate::messages::{note_texts, warning_text};
 use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::progress::Progress;
 use crate::table;
@@ -20,8 +21,7 @@ use crate::terminal;
 
 /// Reads and solves the files and prints one result; messages go to standard error.
 pub(super) fn run(arguments: &SolveArguments, format: SolveFormat) -> Result<(), Failure> {
-    let checked = arguments.check_for_several(format);
-    checked.map_err(Failure::Usage)?;
+    arguments.check_for_several(format)?;
     let read: Vec<_> = arguments
         .files
         .iter()
@@ -46,11 +46,11 @@ pub(super) fn run(arguments: &SolveArguments, format: SolveFormat) -> Result<(),
     }
     match failed {
         None => Ok(()),
-        Some(code) => Err(Failure::Several {
-            failed: arguments.files.len() - solved.len(),
-            files: arguments.files.len(),
-            code,
-        }),
+        Some(code) => {
+            let (failed, files) = (arguments.files.len() - solved.len(), arguments.files.len());
+            let has = if failed == 1 { "has" } else { "have" };
+            Err(Failure::failed(format!("{failed} of {files} files {has} no result")).code(code))
+        }
     }
 }
 
@@ -67,7 +67,7 @@ fn tower_of(file: &Path, arguments: &SolveArguments) -> Result<TowerInput, Failu
     let tower = match input(file, &arguments.reading)? {
         Input::Tower(tower) => *tower,
         Input::Blade(_) => {
-            return Err(Failure::Usage(
+            return Err(Failure::usage(
                 "this is a deck of a rotating blade, whose modes are not those of a tower; solve it in its own command",
             ));
         }
@@ -85,10 +85,9 @@ fn check_overwriting(
         check_not_input(file, arguments.output())?;
         match input {
             Ok(tower) => check_not_inputs(tower.files(), arguments.output())?,
-            Err(Failure::Input(ReadError::Mistakes { source_file, .. })) => {
-                check_not_input(Path::new(&source_file.name), arguments.output())?;
-            }
-            Err(_) => {}
+            Err(failure) => failure
+                .file()
+                .map_or(Ok(()), |file| check_not_input(file, arguments.output()))?,
         }
     }
     Ok(())
@@ -103,7 +102,7 @@ fn check_reading(
     let formats: Vec<FileFormat> = inputs.map(|input| input.format).collect();
     match formats.is_empty() {
         true => Ok(()),
-        false => arguments.reading.check(&formats).map_err(Failure::Usage),
+        false => arguments.reading.check(&formats).map_err(Failure::from),
     }
 }
 
@@ -122,14 +121,13 @@ fn solved(
     progress: &Progress,
 ) -> Result<Solved, Failure> {
     let prescribed = Prescribed::of(&mut input);
-    let options = arguments.options(prescribed, format);
-    let options = options.map_err(Failure::Usage)?;
-    let tower = input.tower().map_err(Failure::Input)?;
+    let options = arguments.options(prescribed, format)?;
+    let tower = input.tower()?;
     let solution = solve_certain(&tower, &options, &mut progress.workspace());
     let solution = solution.map_err(|error| {
         // They may explain the error.
         note_texts(&messages(file, &input, tower.warnings()));
-        Failure::Unsolved(error)
+        Failure::from(error)
     })?;
     Ok(Solved {
         tower,

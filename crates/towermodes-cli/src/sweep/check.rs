@@ -7,7 +7,8 @@ use towermodes_sweep::Slices;
 
 use super::planned::Planned;
 use crate::args::SweepArguments;
-use crate::failure::{Failure, note_texts, report};
+use crate::failure::Failure;
+use crate::messages::{note_texts, report};
 
 /// The ranges of missing rows that are named.
 const MOST_RANGES: usize = 10;
@@ -18,14 +19,16 @@ pub(super) fn run(
     rows: Range<u64>,
     arguments: &SweepArguments,
 ) -> Result<(), Failure> {
-    let slices = Slices::open(&planned.sweep, &planned.source, &arguments.slices);
-    let slices = slices.map_err(Failure::Slice)?;
+    let slices = Slices::open(&planned.sweep, &planned.source, &arguments.slices)?;
     let mut failed = 0;
-    let read = slices.each(&mut |results| failed += results.failures.len() as u64);
-    read.map_err(Failure::Slice)?;
+    slices.each(&mut |results| failed += results.failures.len() as u64)?;
     let missing = slices.missing(rows.clone());
     if !missing.is_empty() {
-        return Err(Failure::MissingRows(listed(&missing)));
+        let missing = listed(&missing);
+        return Err(
+            Failure::failed(format!("the slices do not have the rows {missing}"))
+                .hint("--rows FIRST..END with --output computes a slice of them"),
+        );
     }
     let files = counted(arguments.slices.len() as u64, "slice");
     report(&format!(

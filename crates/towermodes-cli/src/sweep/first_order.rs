@@ -5,7 +5,8 @@ use towermodes_sweep::{FirstOrderError, SweepSource};
 
 use super::planned::Planned;
 use crate::args::{SweepArguments, SweepFormat};
-use crate::failure::{Failure, note_texts};
+use crate::failure::Failure;
+use crate::messages::note_texts;
 use crate::output::deliver;
 use crate::studies::first_order::document;
 use crate::table;
@@ -13,7 +14,7 @@ use crate::table;
 /// Differentiates at the means of the distributions, and prints what follows.
 pub(super) fn run(planned: &Planned, arguments: &SweepArguments) -> Result<(), Failure> {
     let SweepSource::Sampled { sampling, .. } = &planned.source else {
-        return Err(Failure::Usage(
+        return Err(Failure::usage(
             "--first-order needs a study with distributions in [sweep.vary]; the rows of a table have none",
         ));
     };
@@ -28,7 +29,7 @@ pub(super) fn run(planned: &Planned, arguments: &SweepArguments) -> Result<(), F
             write_first_order_json(&document, &mut result)?;
         }
         false => {
-            let tower = planned.input.tower().map_err(Failure::Input)?;
+            let tower = planned.input.tower()?;
             let correlated = !sampling.correlations.is_empty();
             let text = table::first_order(&tower, &found, check.as_ref(), correlated);
             result.extend(text.into_bytes());
@@ -39,7 +40,7 @@ pub(super) fn run(planned: &Planned, arguments: &SweepArguments) -> Result<(), F
 
 fn failure(error: FirstOrderError) -> Failure {
     match error {
-        FirstOrderError::Sensitivity(error) => Failure::NoSensitivity(error),
-        error => Failure::WrongStudy(format!("--first-order: {error}")),
+        FirstOrderError::Sensitivity(error) => Failure::from(error),
+        error => Failure::usage(format!("--first-order: {error}")),
     }
 }

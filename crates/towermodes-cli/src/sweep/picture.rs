@@ -35,7 +35,7 @@ pub(super) fn run(
     let Some(file) = arguments.picture() else {
         return Ok(());
     };
-    let tower = planned.input.tower().map_err(Failure::Input)?;
+    let tower = planned.input.tower()?;
     deliver_picture(figure(planned, slices)?, &tower, file)
 }
 
@@ -67,8 +67,8 @@ fn figure(planned: &Planned, slices: &Slices<'_>) -> Result<Figure, Failure> {
             added = add(&mut columns, slices, &results, selection);
         }
     });
-    read.map_err(Failure::Slice)?;
-    added.map_err(Failure::Table)?;
+    read?;
+    added?;
     if let Some(check) = &check {
         columns.bands = bands(check, counts.counts(), slices.source().is_independent());
     }

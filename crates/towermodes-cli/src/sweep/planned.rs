@@ -11,8 +11,9 @@ use towermodes_files::{
 use towermodes_sweep::{Base, Sweep, SweepSource, Table, rows_within};
 
 use crate::args::{ReadingArguments, SweepArguments};
-use crate::failure::{Failure, note, warn};
+use crate::failure::Failure;
 use crate::input::set_numbers;
+use crate::messages::{note, warn};
 
 /// A sweep that can begin.
 pub(super) struct Planned {
@@ -31,11 +32,11 @@ impl Planned {
             None => of_study(arguments)?,
         };
         // Errors have a position in the file.
-        let tower = input.tower().map_err(Failure::Input)?;
+        let tower = input.tower()?;
         note(&input.notes);
         warn(tower.warnings(), &input);
         check_settings(&arguments.reading, &changes, &input.description)?;
-        let sweep = Sweep::new(Base::from(&input), changes, &results).map_err(Failure::Sweep)?;
+        let sweep = Sweep::new(Base::from(&input), changes, &results)?;
         Ok(Self {
             input,
             sweep,
@@ -47,7 +48,7 @@ impl Planned {
     pub(super) fn rows(&self, arguments: &SweepArguments) -> Result<Range<u64>, Failure> {
         let count = self.source.rows();
         match arguments.rows {
-            Some(asked) => rows_within(asked.start..asked.end, count).map_err(Failure::Slice),
+            Some(asked) => rows_within(asked.start..asked.end, count).map_err(Failure::from),
             None => Ok(0..count),
         }
     }
@@ -59,11 +60,11 @@ type Parts = (TowerInput, Vec<Change>, SweepSource, SweepResults);
 fn of_table(table: &Path, arguments: &SweepArguments) -> Result<Parts, Failure> {
     let reading = &arguments.reading;
     let input = tower_of(&arguments.file, &reading.options(), reading)?;
-    reading.check(&[input.format]).map_err(Failure::Usage)?;
+    reading.check(&[input.format])?;
     let table = open(table, &input.description, arguments)?;
     let changes = table.changes().to_vec();
     let names = changes.iter().map(Change::name);
-    ReadingArguments::check_columns(&reading.options(), names).map_err(Failure::Usage)?;
+    ReadingArguments::check_columns(&reading.options(), names)?;
     let results = arguments.results(SweepResults::default());
     Ok((input, changes, SweepSource::Table(Box::new(table)), results))
 }
@@ -73,7 +74,7 @@ fn of_study(arguments: &SweepArguments) -> Result<Parts, Failure> {
     let study = study_of(&arguments.file)?;
     let reading = &arguments.reading;
     if reading.options() != ReadOptions::default() {
-        return Err(Failure::Usage(
+        return Err(Failure::usage(
             "with a study, the options for reading its tower are keys of [sweep.reading]",
         ));
     }
@@ -89,17 +90,17 @@ fn of_study(arguments: &SweepArguments) -> Result<Parts, Failure> {
         }
         SweepRows::Sampled { sampling, .. } => {
             if !arguments.ignore.is_empty() {
-                return Err(Failure::Usage("--ignore applies only to a table of values"));
+                return Err(Failure::usage("--ignore applies only to a table of values"));
             }
-            let changes = study.changes(&input.description).map_err(Failure::Input)?;
+            let changes = study.changes(&input.description)?;
             let source = SweepSource::sampled(sampling.clone());
-            let source = source.map_err(|error| Failure::Input(study.undrawn(error)))?;
+            let source = source.map_err(|error| Failure::from(study.undrawn(error)))?;
             (changes, source)
         }
     };
     let names = changes.iter().map(Change::name);
     ReadingArguments::check_columns(&study.reading, names)
-        .map_err(|problem| Failure::WrongStudy(as_keys(problem)))?;
+        .map_err(|problem| Failure::usage(as_keys(problem)))?;
     Ok((input, changes, source, results))
 }
 
@@ -111,9 +112,9 @@ fn check_reading(
 ) -> Result<(), Failure> {
     let names = reading.settings.iter().map(Setting::name);
     ReadingArguments::check_names(given, names)
-        .map_err(|problem| Failure::WrongStudy(as_keys(problem)))?;
+        .map_err(|problem| Failure::usage(as_keys(problem)))?;
     ReadingArguments::check_options(given, &[input.format])
-        .map_err(|problem| Failure::WrongStudy(as_keys(problem)))
+        .map_err(|problem| Failure::usage(as_keys(problem)))
 }
 
 /// A message in which the options of readers are keys of a study: `--tower-height` is
@@ -151,11 +152,12 @@ fn check_settings(
             let parameter = all
                 .filter(|of| change.parameters().contains(of))
                 .map(|of| of.to_string());
-            return Err(Failure::Overwritten {
-                setting: setting.name().to_owned(),
-                column: change.name().to_owned(),
-                parameter: parameter.take(1).collect(),
-            });
+            return Err(Failure::usage(format!(
+                "--set {} has no effect: the column `{}` sets {} in each row; remove one of them",
+                setting.name(),
+                change.name(),
+                parameter.take(1).collect::<String>()
+            )));
         }
     }
     Ok(())
@@ -167,14 +169,14 @@ fn study_of(file: &Path) -> Result<SweepStudy, Failure> {
         true => Source::from_stdin(),
         false => Source::from_path(file),
     };
-    let source = source.map_err(ReadError::from).map_err(Failure::Input)?;
+    let source = source.map_err(ReadError::from)?;
     // A study is TOML; any other tower file needs a table.
     if !matches!(recognize(&source), None | Some(FileFormat::Toml)) {
-        return Err(Failure::Usage(
+        return Err(Failure::usage(
             "give a table of values after the tower file, or a study: a TOML file with [sweep]",
         ));
     }
-    read_sweep_study(&source).map_err(Failure::Input)
+    read_sweep_study(&source).map_err(Failure::from)
 }
 
 /// The tower that is varied.
@@ -185,10 +187,10 @@ fn tower_of(
 ) -> Result<TowerInput, Failure> {
     let input = match file == Path::new("-") {
         true => crate::input::input(file, reading)?,
-        false => read(file, options).map_err(Failure::Input)?,
+        false => read(file, options)?,
     };
     let Input::Tower(tower) = input else {
-        return Err(Failure::Usage(
+        return Err(Failure::usage(
             "this is a deck of a rotating blade; only towers can be swept",
         ));
     };
@@ -204,5 +206,5 @@ fn open(
     base: &TowerDescription,
     arguments: &SweepArguments,
 ) -> Result<Table, Failure> {
-    Table::open(path, base, &arguments.ignore).map_err(Failure::Table)
+    Table::open(path, base, &arguments.ignore).map_err(Failure::from)
 }

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
-use crate::failure::report;
+use crate::messages::report;
 use crate::progress::{Log, QUIET, duration};
 
 /// The progress line, or lines of a log if standard error is not a terminal.

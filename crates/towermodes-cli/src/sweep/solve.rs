@@ -8,7 +8,8 @@ use towermodes_sweep::{RowRemarks, Slice, SliceError, SliceFormat, Solved};
 use super::planned::Planned;
 use super::progress::SweepProgress;
 use crate::args::SweepArguments;
-use crate::failure::{Failure, note_texts, report};
+use crate::failure::Failure;
+use crate::messages::{note_texts, report};
 use crate::output::{Streamed, check_not_inputs};
 
 /// Solves the rows into a file or to standard output.
@@ -35,7 +36,7 @@ pub(super) fn run(
     drop(progress);
     let solved = match solved {
         Err(SliceError::Output(error)) => return Streamed::failed(out.name().to_owned(), error),
-        solved => solved.map_err(Failure::Slice)?,
+        solved => solved?,
     };
     let name = out.name().to_owned();
     out.finish()?;
