@@ -2,10 +2,7 @@
 
 use std::path::Path;
 
-use towermodes::Tower;
-use towermodes_files::{
-    Input, ReadError, Reading, SiblingFiles, Source, TowerInput, read, read_source,
-};
+use towermodes_files::{Input, ReadError, SiblingFiles, Source, TowerInput, read, read_source};
 
 use crate::args::{InputArguments, ReadingArguments};
 use crate::failure::{Failure, SETTING};
@@ -52,11 +49,4 @@ pub(crate) fn input_of(file: &Path, reading: &ReadingArguments) -> Result<TowerI
             "this is a deck of a rotating blade; it can be used only with solve",
         )),
     }
-}
-
-/// The tower of a file with the data of its reader.
-pub(crate) fn tower(arguments: &InputArguments) -> Result<(Tower, TowerInput), Failure> {
-    let input = tower_input(arguments)?;
-    let Reading { tower, input } = input.check()?;
-    Ok((tower, input))
 }

@@ -7,42 +7,27 @@
 //! computation, a check or the output failed; 2 wrong usage or wrong input.
 
 mod args;
-mod calibrate;
-mod campbell;
-mod check;
-mod compare;
-mod converge;
-mod convert;
-mod damping;
-mod design;
-mod elastodyn;
+mod commands;
 mod explained;
-mod explore;
 mod failure;
 mod found;
 mod input;
 mod messages;
 mod output;
-mod parameters;
-mod plot;
 mod progress;
-mod reference;
-mod report;
-mod sensitivities;
-mod shell;
+mod recipe;
 mod side_by_side;
-mod solve;
 pub mod studies;
-mod sweep;
 pub mod table;
 mod terminal;
-mod verify;
 
 use std::ffi::OsString;
+use std::path::Path;
 
 use clap::Parser;
+use clap::error::ErrorKind;
 
-use args::{Arguments, Command};
+use commands::Arguments;
 
 /// Runs the program with the arguments of a command line, the name of the program first, and
 /// returns its exit code.
@@ -56,36 +41,25 @@ pub fn run(command_line: impl IntoIterator<Item = impl Into<OsString>>) -> u8 {
     let words: Vec<OsString> = command_line.into_iter().map(Into::into).collect();
     let arguments = match Arguments::try_parse_from(&words) {
         Ok(arguments) => arguments,
-        Err(error) => return args::report(&error, &words),
+        Err(error) => return report(&error, &words),
     };
-    match done(arguments.command, &words) {
+    match arguments.command.run(&words) {
         Ok(()) => 0,
         Err(failure) => failure.report(),
     }
 }
 
-fn done(command: Command, words: &[OsString]) -> Result<(), failure::Failure> {
-    match command {
-        Command::Solve(arguments) => solve::run(&arguments),
-        Command::Parameters(arguments) => parameters::run(&arguments),
-        Command::Sensitivities(arguments) => sensitivities::run(&arguments),
-        Command::Sweep(arguments) => sweep::run(&arguments),
-        Command::Design(arguments) => design::run(&arguments),
-        Command::Calibrate(arguments) => calibrate::run(&arguments),
-        Command::Compare(arguments) => compare::run(&arguments),
-        Command::Converge(arguments) => converge::run(&arguments),
-        Command::Plot(arguments) => plot::run(&arguments),
-        Command::Report(arguments) => report::run(&arguments, words),
-        Command::Campbell(arguments) => campbell::run(&arguments),
-        Command::Damping(arguments) => damping::run(&arguments),
-        Command::Explore(arguments) => explore::run(&arguments),
-        Command::Convert(arguments) => convert::run(&arguments),
-        Command::Check(arguments) => check::run(&arguments),
-        Command::Elastodyn(arguments) => elastodyn::run(&arguments),
-        Command::Verify(arguments) => verify::run(&arguments),
-        Command::Completions { shell } => shell::completions(shell),
-        Command::Schema { of } => shell::schema(&of),
-        Command::Reference => reference::run(),
-        Command::Man { of } => shell::man(of.as_deref()),
+/// Prints the help or the error of the command line. If a file is given instead of a command, the
+/// message shows the `solve` command for it. Returns the exit code.
+fn report(error: &clap::Error, command_line: &[OsString]) -> u8 {
+    let _ = error.print();
+    let file = command_line.get(1);
+    let file = file.filter(|name| Path::new(name).is_file());
+    if let (ErrorKind::InvalidSubcommand, Some(file)) = (error.kind(), file) {
+        anstream::eprintln!(
+            "\nto solve it: towermodes solve {}",
+            Path::new(file).display()
+        );
     }
+    u8::try_from(error.exit_code()).unwrap_or(2)
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 
 use serde_json::Value;
-use towermodes_files::{ResultKind, generated_schema, generated_schema_of};
+use towermodes_files::generated_schema_of;
 use towermodes_verify::Verification;
 
 fn root() -> PathBuf {
@@ -240,13 +240,13 @@ const OTHERS: [(&str, &[&str]); 8] = [
 /// `TOWERMODES_BLESS=1` writes the files again after a wanted change of a result.
 #[test]
 fn the_schemas_are_made_from_the_types_of_the_results() {
-    let files = ResultKind::ALL.map(|kind| {
-        let path = format!("crates/towermodes-files/schemas/{}.json", kind.name());
-        (kind.name(), path, generated_schema(kind))
+    let files = towermodes_files::RESULTS.iter().map(|kind| {
+        let path = format!("crates/towermodes-files/schemas/{}.json", kind.name);
+        (kind.name, path, kind.generated_schema())
     });
     let verification = generated_schema_of::<Verification>("towermodes verification", "verify");
     let path = "crates/towermodes-verify/schema.json".to_owned();
-    for (name, path, generated) in files.into_iter().chain([("verify", path, verification)]) {
+    for (name, path, generated) in files.chain([("verify", path, verification)]) {
         let generated = generated.expect("a schema");
         if std::env::var_os("TOWERMODES_BLESS").is_some() {
             std::fs::write(root().join(&path), &generated).expect("the file is written");

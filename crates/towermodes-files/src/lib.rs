@@ -75,10 +75,12 @@ pub use note::{Note, NoteKind, RotorNotes};
 pub use read::{Input, NOTHING_LEFT_OUT, Reading, read, read_source, read_tower};
 pub use recognize::recognize;
 pub use resolver::{FileResolver, InMemory, SiblingFiles};
+#[cfg(feature = "schema")]
+pub use result::generated_schema_of;
 pub use result::{
     CalibrationDocument, CorrelatedInputs, DesignDocument, DesignedFrequency, DesignedLimit,
     DesignedOther, DesignedVariable, FirstOrderDocument, FittedDirection, FittedFrequency,
-    FittedNumber, FittedShare, InputEffect, MarginProbability, ResultError, ResultKind,
+    FittedNumber, FittedShare, InputEffect, MarginProbability, RESULTS, ResultError, ResultKind,
     ScatteredInput, ScatteredMode, SolvedFile, write_blade_csv, write_blade_json,
     write_calibration_json, write_campbell_csv, write_campbell_json, write_comparison_csv,
     write_convergence_csv, write_coupled_campbell_csv, write_coupled_campbell_json, write_csv,
@@ -87,8 +89,6 @@ pub use result::{
     write_result_json, write_sensitivities_csv, write_sensitivities_json, write_several_csv,
     write_several_json,
 };
-#[cfg(feature = "schema")]
-pub use result::{generated_schema, generated_schema_of};
 pub use sampling::{
     Correlation, CorrelationError, Distribution, MAX_CORRELATED, MAX_ROWS, MAX_SOBOL_DIMENSIONS,
     Sampling, SamplingError, SamplingKind, Varied,

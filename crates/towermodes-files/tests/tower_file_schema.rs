@@ -25,7 +25,7 @@ fn names(text: &str, key: &str) -> bool {
 
 #[test]
 fn the_help_and_the_book_name_each_key() {
-    let help = text("crates/towermodes-cli/src/args/tower-file.txt");
+    let help = text("crates/towermodes-cli/src/commands/solve/tower-file.txt");
     let book = text("book/src/tower-file.md");
     for table in tower_file_schema() {
         for key in table.keys {

@@ -6,9 +6,11 @@ use std::path::Path;
 use clap::ValueEnum;
 
 /// An output format that can be selected by the file extension.
-pub(crate) trait Ending: ValueEnum + Copy + PartialEq + 'static {
+pub(crate) trait Ending: ValueEnum + Copy + PartialEq + Send + Sync + 'static {
     /// File extensions, without the dot, and their formats.
     const ENDINGS: &'static [(&'static str, Self)];
+    /// The format if neither says one.
+    const DEFAULT: Self;
     /// The option that selects the format.
     const OPTION: &'static str = "--format";
 
@@ -98,7 +100,8 @@ mod tests {
     use std::path::Path;
 
     use super::{Ending, EndingError};
-    use crate::args::{Format, PageFormat, SolveFormat, Target, VerifyFormat};
+    use crate::args::Format;
+    use crate::commands::{PageFormat, SolveFormat, Target, VerifyFormat};
 
     fn asked<F: Ending>(option: Option<F>, output: &str) -> Result<Option<F>, EndingError> {
         F::asked(option, Some(Path::new(output)))

@@ -3,30 +3,21 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 
-use super::file_of;
+use super::output::{TextFormat, file_of};
 
 /// What is printed, and where the tower is written.
 #[derive(Debug, Args)]
 pub(crate) struct FoundArguments {
     /// Format of the printed result
-    #[arg(long, short, value_enum, default_value_t = FoundFormat::Table)]
-    pub(crate) format: FoundFormat,
+    #[arg(long, short, value_enum, default_value_t = TextFormat::Table)]
+    pub(crate) format: TextFormat,
 
     /// Write the tower with the numbers found to this file, in TOML; of a tower file in TOML only
     /// the numbers are changed, and its comments are kept
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
-}
-
-/// The format of the printed result.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum FoundFormat {
-    /// Human-readable tables.
-    Table,
-    /// All results.
-    Json,
 }
 
 impl FoundArguments {

@@ -7,44 +7,20 @@ use towermodes_analysis::influence::Tolerance;
 use towermodes_files::{Setting, SettingError};
 
 /// A method by its name, with its one-line description in the help.
-pub(super) fn method_parser() -> impl TypedValueParser<Value = Method> {
+pub(crate) fn method_parser() -> impl TypedValueParser<Value = Method> {
     let value = |method: Method| PossibleValue::new(method.name()).help(method.description());
     PossibleValuesParser::new(Method::ALL.map(value))
         .map(|name| Method::named(&name).unwrap_or_default())
 }
 
-/// A result that has a JSON schema.
-pub(super) fn schema_parser() -> PossibleValuesParser {
-    PossibleValuesParser::new([
-        PossibleValue::new("solve"),
-        PossibleValue::new("solve-several").help("result of `solve` for several files"),
-        PossibleValue::new("blade").help("result of `solve` for a rotating blade"),
-        PossibleValue::new("parameters"),
-        PossibleValue::new("sensitivities"),
-        PossibleValue::new("design"),
-        PossibleValue::new("calibrate"),
-        PossibleValue::new("first-order").help("result of `sweep --first-order`"),
-        PossibleValue::new("compare"),
-        PossibleValue::new("converge"),
-        PossibleValue::new("campbell"),
-        PossibleValue::new("campbell-turbine")
-            .help("result of `campbell` for a turbine with flexible blades"),
-        PossibleValue::new("damping"),
-        PossibleValue::new("check").help("result of `check` for two files"),
-        PossibleValue::new("check-one").help("result of `check` for one file"),
-        PossibleValue::new("validate").help("result of `elastodyn validate`"),
-        PossibleValue::new("verify"),
-    ])
-}
-
 /// A number of a tower that is set by name.
-pub(super) fn setting_parser(text: &str) -> Result<Setting, String> {
+pub(crate) fn setting_parser(text: &str) -> Result<Setting, String> {
     text.parse()
         .map_err(|error: SettingError| error.to_string())
 }
 
 /// A tolerance: `2%`, `NAME=2%` or `NAME=AMOUNT`.
-pub(super) fn tolerance_parser(text: &str) -> Result<(Option<String>, Tolerance), String> {
+pub(crate) fn tolerance_parser(text: &str) -> Result<(Option<String>, Tolerance), String> {
     let (name, value) = match text.rsplit_once('=') {
         Some((name, value)) => (Some(name.trim().to_owned()), value),
         None => (None, text),
@@ -69,7 +45,7 @@ pub(super) fn tolerance_parser(text: &str) -> Result<(Option<String>, Tolerance)
 }
 
 /// The position of a hinge as a fraction of the segment length.
-pub(super) fn hinge_parser(text: &str) -> Result<f64, String> {
+pub(crate) fn hinge_parser(text: &str) -> Result<f64, String> {
     let position = text.parse().ok().filter(|k: &f64| *k > 0.0 && *k < 0.5);
     position.ok_or_else(|| {
         "must be greater than 0 and less than 0.5 (the middle of the segment)".into()
@@ -77,7 +53,7 @@ pub(super) fn hinge_parser(text: &str) -> Result<f64, String> {
 }
 
 /// A whole number from `least` to `most`; the message gives both limits.
-pub(super) fn number_parser(
+pub(crate) fn number_parser(
     least: usize,
     most: usize,
 ) -> impl Fn(&str) -> Result<usize, String> + Clone + Send + Sync {
@@ -89,7 +65,7 @@ pub(super) fn number_parser(
 }
 
 /// A height in m.
-pub(super) fn height_parser(text: &str) -> Result<f64, String> {
+pub(crate) fn height_parser(text: &str) -> Result<f64, String> {
     let height_m = text
         .parse()
         .ok()
@@ -98,14 +74,14 @@ pub(super) fn height_parser(text: &str) -> Result<f64, String> {
 }
 
 /// A positive number.
-pub(super) fn positive_parser(text: &str) -> Result<f64, String> {
+pub(crate) fn positive_parser(text: &str) -> Result<f64, String> {
     let number = text.parse().ok();
     let number = number.filter(|number: &f64| number.is_finite() && *number > 0.0);
     number.ok_or_else(|| "must be a number greater than 0".into())
 }
 
 /// The loss factor of a part: `soil=0.02`.
-pub(super) fn loss_factor_parser(text: &str) -> Result<(String, f64), String> {
+pub(crate) fn loss_factor_parser(text: &str) -> Result<(String, f64), String> {
     let (part, value) = text
         .rsplit_once('=')
         .filter(|(part, _)| !part.trim().is_empty())
@@ -119,13 +95,13 @@ pub(super) fn loss_factor_parser(text: &str) -> Result<(String, f64), String> {
 }
 
 /// A damping ratio in percent of critical.
-pub(super) fn damping_parser(text: &str) -> Result<f64, String> {
+pub(crate) fn damping_parser(text: &str) -> Result<f64, String> {
     let percent = text.parse().ok().filter(|p| (0.0..=100.0).contains(p));
     percent.ok_or_else(|| "must be a number from 0 to 100 (percent of critical damping)".into())
 }
 
 /// A set and a subset, both counted from 1.
-pub(super) fn subset_parser(text: &str) -> Result<(usize, usize), String> {
+pub(crate) fn subset_parser(text: &str) -> Result<(usize, usize), String> {
     let parsed = text.split_once(',').and_then(|(set, subset)| {
         let number = |text: &str| text.trim().parse().ok().filter(|n: &usize| *n > 0);
         Some((number(set)?, number(subset)?))
@@ -134,7 +110,7 @@ pub(super) fn subset_parser(text: &str) -> Result<(usize, usize), String> {
 }
 
 /// A version of OpenFAST, for example 4.2.
-pub(super) fn openfast_parser(text: &str) -> Result<(u32, u32), String> {
+pub(crate) fn openfast_parser(text: &str) -> Result<(u32, u32), String> {
     let text = text.strip_prefix('v').unwrap_or(text);
     let mut parts = text.split('.').map(|part| part.parse::<u32>().ok());
     let parsed = match (parts.next(), parts.next()) {
@@ -151,27 +127,27 @@ pub(super) fn openfast_parser(text: &str) -> Result<(u32, u32), String> {
 }
 
 /// Pixels per unit of the drawing.
-pub(super) fn scale_parser(text: &str) -> Result<f64, String> {
+pub(crate) fn scale_parser(text: &str) -> Result<f64, String> {
     let scale = text.parse().ok();
     let scale = scale.filter(|scale: &f64| scale.is_finite() && *scale > 0.0);
     scale.ok_or_else(|| "must be a number greater than 0, for example 2".into())
 }
 
 /// A margin in percent.
-pub(super) fn margin_parser(text: &str) -> Result<f64, String> {
+pub(crate) fn margin_parser(text: &str) -> Result<f64, String> {
     let percent = text.parse().ok().filter(|p: &f64| *p > 0.0 && *p < 100.0);
     percent.ok_or_else(|| "must be a number between 0 and 100 (percent), for example 5".into())
 }
 
 /// A frequency in Hz above 0.
-pub(super) fn frequency_parser(text: &str) -> Result<f64, String> {
+pub(crate) fn frequency_parser(text: &str) -> Result<f64, String> {
     let hz = text.trim().parse().ok();
     let hz = hz.filter(|hz: &f64| *hz > 0.0 && hz.is_finite());
     hz.ok_or_else(|| "must be a frequency above 0 Hz, for example 3.5".into())
 }
 
 /// The lowest and the highest rotor speed, or one constant speed, in rpm.
-pub(super) fn speeds_parser(text: &str) -> Result<(f64, f64), String> {
+pub(crate) fn speeds_parser(text: &str) -> Result<(f64, f64), String> {
     let speed = |text: &str| {
         let rpm = text.trim().parse().ok();
         rpm.filter(|rpm| (0.0..=FASTEST_RPM).contains(rpm))

@@ -13,20 +13,20 @@ pub(crate) enum PictureFile {
 
 impl PictureFile {
     /// The message for another file extension.
-    pub(super) const UNKNOWN: &str =
+    pub(crate) const UNKNOWN: &str =
         "unknown file extension for a picture; use --plot FILE.svg or FILE.png";
 
     /// The path of a picture with its format, if a picture is requested.
     ///
     /// # Errors
     /// The message for an unknown file extension.
-    pub(super) fn requested(path: Option<&Path>) -> Result<Option<(&Path, Self)>, &'static str> {
+    pub(crate) fn requested(path: Option<&Path>) -> Result<Option<(&Path, Self)>, &'static str> {
         let with_format = |path| Ok((path, Self::of(path).ok_or(Self::UNKNOWN)?));
         path.map(with_format).transpose()
     }
 
     /// By the file extension.
-    pub(super) fn of(path: &Path) -> Option<Self> {
+    pub(crate) fn of(path: &Path) -> Option<Self> {
         let ending = path.extension()?.to_ascii_lowercase();
         match ending.to_str() {
             Some("svg") => Some(Self::Svg),

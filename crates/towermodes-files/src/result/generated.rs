@@ -4,84 +4,8 @@ use schemars::generate::SchemaSettings;
 use schemars::transform::RecursiveTransform;
 use schemars::{JsonSchema, Schema};
 use serde_json::Value;
-use towermodes_analysis::agreement::{Agreement, Examination};
-use towermodes_analysis::elastodyn::ShapeValidation;
-use towermodes_analysis::study::{Comparison, Convergence};
 
-use super::blade::BladeDocument;
-use super::calibration::CalibrationDocument;
-use super::campbell::CampbellDocument;
-use super::coupled_campbell::CoupledCampbellDocument;
-use super::damping::DampingDocument;
-use super::design::DesignDocument;
-use super::first_order::FirstOrderDocument;
-use super::parameters::ParametersDocument;
-use super::sensitivities::SensitivitiesDocument;
-use super::several::SeveralDocument;
-use super::solution::SolutionDocument;
-use super::{ResultError, ResultKind, write_result_json};
-
-/// The JSON schema of a result, made from its type: [`ResultKind::json_schema`] must equal it.
-///
-/// # Errors
-/// [`ResultError`] if the schema cannot be written.
-pub fn generated_schema(kind: ResultKind) -> Result<String, ResultError> {
-    match kind {
-        ResultKind::Solution => {
-            generated_schema_of::<SolutionDocument<'static>>("towermodes solution", "solve")
-        }
-        ResultKind::Several => generated_schema_of::<SeveralDocument<'static>>(
-            "towermodes solutions of several files",
-            "solve FILE FILE",
-        ),
-        ResultKind::Blade => generated_schema_of::<BladeDocument<'static>>(
-            "towermodes blade solution",
-            "solve BLADE",
-        ),
-        ResultKind::Campbell => {
-            generated_schema_of::<CampbellDocument<'static>>("towermodes campbell", "campbell")
-        }
-        ResultKind::CoupledCampbell => generated_schema_of::<CoupledCampbellDocument<'static>>(
-            "towermodes campbell of a turbine",
-            "campbell TURBINE",
-        ),
-        ResultKind::Damping => {
-            generated_schema_of::<DampingDocument<'static>>("towermodes damping", "damping")
-        }
-        ResultKind::Parameters => generated_schema_of::<ParametersDocument<'static>>(
-            "towermodes parameters",
-            "parameters",
-        ),
-        ResultKind::Sensitivities => generated_schema_of::<SensitivitiesDocument<'static>>(
-            "towermodes sensitivities",
-            "sensitivities",
-        ),
-        ResultKind::Design => generated_schema_of::<DesignDocument>("towermodes design", "design"),
-        ResultKind::Calibration => {
-            generated_schema_of::<CalibrationDocument>("towermodes calibration", "calibrate")
-        }
-        ResultKind::FirstOrder => generated_schema_of::<FirstOrderDocument>(
-            "towermodes sweep to first order",
-            "sweep --first-order",
-        ),
-        ResultKind::Comparison => {
-            generated_schema_of::<Comparison>("towermodes comparison", "compare")
-        }
-        ResultKind::Convergence => {
-            generated_schema_of::<Convergence>("towermodes convergence", "converge")
-        }
-        ResultKind::Agreement => {
-            generated_schema_of::<Agreement>("towermodes check", "check FILE OTHER")
-        }
-        ResultKind::Examination => {
-            generated_schema_of::<Examination>("towermodes check of one file", "check FILE")
-        }
-        ResultKind::ShapeValidation => generated_schema_of::<ShapeValidation>(
-            "towermodes elastodyn validate",
-            "elastodyn validate",
-        ),
-    }
-}
+use super::{ResultError, write_result_json};
 
 /// The JSON schema of a type, with a title and the command whose result it describes.
 ///

@@ -39,9 +39,9 @@ pub use first_order::{
     ScatteredMode, write_first_order_json,
 };
 #[cfg(feature = "schema")]
-pub use generated::{generated_schema, generated_schema_of};
+pub use generated::generated_schema_of;
 pub use parameters::{write_parameters_csv, write_parameters_json};
-pub use schema::ResultKind;
+pub use schema::{RESULTS, ResultKind};
 pub use sensitivities::{write_sensitivities_csv, write_sensitivities_json};
 pub use several::{SolvedFile, write_several_csv, write_several_json};
 pub use solution::{write_json, write_json_with_sensitivities};

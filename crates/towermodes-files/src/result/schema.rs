@@ -1,112 +1,68 @@
-//! The JSON schemas of the results, as files that are part of the program.
+//! The results that are written as JSON, with their schemas as files that are part of the program.
 //!
-//! They are generated from the types of the results ([`generated_schema`](super::generated_schema),
-//! feature `schema`), and a test compares both: the program needs no generator.
+//! The schemas are generated from the types of the results (feature `schema`), and a test compares
+//! both: the program needs no generator.
+
+#[cfg(feature = "schema")]
+use super::generated::generated_schema_of;
 
 /// A result that is written as JSON.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ResultKind {
-    /// Of `towermodes solve`.
-    Solution,
-    /// Of `towermodes solve` for several files.
-    Several,
-    /// Of `towermodes solve` for a rotating blade.
-    Blade,
-    /// Of `towermodes parameters`.
-    Parameters,
-    /// Of `towermodes sensitivities`.
-    Sensitivities,
-    /// Of `towermodes design`.
-    Design,
-    /// Of `towermodes calibrate`.
-    Calibration,
-    /// Of `towermodes sweep --first-order`.
-    FirstOrder,
-    /// Of `towermodes campbell`.
-    Campbell,
-    /// Of `towermodes campbell` for a turbine with flexible blades.
-    CoupledCampbell,
-    /// Of `towermodes damping`.
-    Damping,
-    /// Of `towermodes compare`.
-    Comparison,
-    /// Of `towermodes converge`.
-    Convergence,
-    /// Of `towermodes check` for two descriptions.
-    Agreement,
-    /// Of `towermodes check` for one description.
-    Examination,
-    /// Of `towermodes elastodyn validate`.
-    ShapeValidation,
+#[derive(Debug, Clone, Copy)]
+pub struct ResultKind {
+    /// Its name for `towermodes schema`.
+    pub name: &'static str,
+    /// The command that writes it.
+    pub command: &'static str,
+    /// The title of its schema.
+    pub title: &'static str,
+    /// Its JSON schema (draft 2020-12), indented, with a newline at the end.
+    pub json_schema: &'static str,
+    #[cfg(feature = "schema")]
+    generated: fn(&str, &str) -> Result<String, super::ResultError>,
 }
 
+#[cfg(feature = "schema")]
 impl ResultKind {
-    /// All kinds.
-    pub const ALL: [Self; 16] = [
-        Self::Solution,
-        Self::Several,
-        Self::Blade,
-        Self::Parameters,
-        Self::Sensitivities,
-        Self::Design,
-        Self::Calibration,
-        Self::FirstOrder,
-        Self::Campbell,
-        Self::CoupledCampbell,
-        Self::Damping,
-        Self::Comparison,
-        Self::Convergence,
-        Self::Agreement,
-        Self::Examination,
-        Self::ShapeValidation,
-    ];
-
-    /// Its name for `towermodes schema`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Solution => "solve",
-            Self::Several => "solve-several",
-            Self::Blade => "blade",
-            Self::Parameters => "parameters",
-            Self::Sensitivities => "sensitivities",
-            Self::Design => "design",
-            Self::Calibration => "calibrate",
-            Self::FirstOrder => "first-order",
-            Self::Campbell => "campbell",
-            Self::CoupledCampbell => "campbell-turbine",
-            Self::Damping => "damping",
-            Self::Comparison => "compare",
-            Self::Convergence => "converge",
-            Self::Agreement => "check",
-            Self::Examination => "check-one",
-            Self::ShapeValidation => "validate",
-        }
+    /// The schema made from the type of the result: [`json_schema`](Self::json_schema) must equal
+    /// it.
+    ///
+    /// # Errors
+    /// [`ResultError`](super::ResultError) if the schema cannot be written.
+    pub fn generated_schema(&self) -> Result<String, super::ResultError> {
+        (self.generated)(self.title, self.command)
     }
+}
 
-    /// The kind with a name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|kind| kind.name() == name)
-    }
+/// Type, name, command and title of each result; its schema is `schemas/NAME.json`.
+macro_rules! results {
+    ($($document:ty: $name:literal, $command:literal, $title:literal;)*) => {
+        /// All results.
+        pub static RESULTS: &[ResultKind] = &[$(ResultKind {
+            name: $name,
+            command: $command,
+            title: $title,
+            json_schema: include_str!(concat!("../../schemas/", $name, ".json")),
+            #[cfg(feature = "schema")]
+            generated: generated_schema_of::<$document>,
+        }),*];
+    };
+}
 
-    /// Its JSON schema (draft 2020-12), indented, with a newline at the end.
-    pub fn json_schema(self) -> &'static str {
-        match self {
-            Self::Solution => include_str!("../../schemas/solve.json"),
-            Self::Several => include_str!("../../schemas/solve-several.json"),
-            Self::Blade => include_str!("../../schemas/blade.json"),
-            Self::Parameters => include_str!("../../schemas/parameters.json"),
-            Self::Sensitivities => include_str!("../../schemas/sensitivities.json"),
-            Self::Design => include_str!("../../schemas/design.json"),
-            Self::Calibration => include_str!("../../schemas/calibrate.json"),
-            Self::FirstOrder => include_str!("../../schemas/first-order.json"),
-            Self::Campbell => include_str!("../../schemas/campbell.json"),
-            Self::CoupledCampbell => include_str!("../../schemas/campbell-turbine.json"),
-            Self::Damping => include_str!("../../schemas/damping.json"),
-            Self::Comparison => include_str!("../../schemas/compare.json"),
-            Self::Convergence => include_str!("../../schemas/converge.json"),
-            Self::Agreement => include_str!("../../schemas/check.json"),
-            Self::Examination => include_str!("../../schemas/check-one.json"),
-            Self::ShapeValidation => include_str!("../../schemas/validate.json"),
-        }
-    }
+results! {
+    super::solution::SolutionDocument<'_>: "solve", "solve", "towermodes solution";
+    super::several::SeveralDocument<'_>: "solve-several", "solve FILE FILE", "towermodes solutions of several files";
+    super::blade::BladeDocument<'_>: "blade", "solve BLADE", "towermodes blade solution";
+    super::parameters::ParametersDocument<'_>: "parameters", "parameters", "towermodes parameters";
+    super::sensitivities::SensitivitiesDocument<'_>: "sensitivities", "sensitivities", "towermodes sensitivities";
+    super::design::DesignDocument: "design", "design", "towermodes design";
+    super::calibration::CalibrationDocument: "calibrate", "calibrate", "towermodes calibration";
+    super::first_order::FirstOrderDocument: "first-order", "sweep --first-order", "towermodes sweep to first order";
+    super::campbell::CampbellDocument<'_>: "campbell", "campbell", "towermodes campbell";
+    super::coupled_campbell::CoupledCampbellDocument<'_>: "campbell-turbine", "campbell TURBINE", "towermodes campbell of a turbine";
+    super::damping::DampingDocument<'_>: "damping", "damping", "towermodes damping";
+    towermodes_analysis::study::Comparison: "compare", "compare", "towermodes comparison";
+    towermodes_analysis::study::Convergence: "converge", "converge", "towermodes convergence";
+    towermodes_analysis::agreement::Agreement: "check", "check FILE OTHER", "towermodes check";
+    towermodes_analysis::agreement::Examination: "check-one", "check FILE", "towermodes check of one file";
+    towermodes_analysis::elastodyn::ShapeValidation: "validate", "elastodyn validate", "towermodes elastodyn validate";
 }

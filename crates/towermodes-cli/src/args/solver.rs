@@ -1,0 +1,201 @@
+//! How a tower is solved: from the command line, else from the file, else the default.
+
+use clap::{Arg, Args};
+use towermodes::elements::GAUSS_HINGE_POSITION;
+use towermodes::{DEFAULT_MODES, DEFAULT_POINTS, MAX_SEGMENTS, Method, Options};
+use towermodes_files::TowerInput;
+
+use super::parsers::{hinge_parser, method_parser, number_parser};
+use super::words::{flag, valued};
+
+/// Method, mesh and model of commands that solve a tower by one method.
+#[derive(Debug, Args)]
+pub(crate) struct SolverArguments {
+    /// Method of computation [default: rmje-exact; bmodes for BModes decks]
+    #[arg(long, value_parser = method_parser())]
+    pub(crate) method: Option<Method>,
+
+    /// Number of segments (bmodes and spectral: elements) [default: same as solve]
+    #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_SEGMENTS))]
+    pub(crate) segments: Option<usize>,
+
+    #[command(flatten)]
+    pub(crate) model: ModelArguments,
+}
+
+impl SolverArguments {
+    /// Whether any of these options is given.
+    pub(crate) fn is_given(&self) -> bool {
+        self.method.is_some() || self.segments.is_some() || self.model.is_given()
+    }
+
+    /// Whether the number of modes is given.
+    pub(crate) fn has_modes(&self) -> bool {
+        self.model.modes.is_some()
+    }
+
+    /// The options that are given as words of a command line.
+    pub(crate) fn words(&self) -> Vec<String> {
+        [
+            valued("--method", self.method.map(Method::name)),
+            valued("--segments", self.segments),
+            self.model.words(),
+        ]
+        .concat()
+    }
+
+    /// The options of the library; the command line has priority over the file.
+    ///
+    /// # Errors
+    /// The message for an option that does not apply to the method.
+    pub(crate) fn options(&self, prescribed: Prescribed) -> Result<Options, &'static str> {
+        prescribed.options(self.method, self.segments, &self.model)
+    }
+
+    /// The same without mode shapes.
+    ///
+    /// # Errors
+    /// As [`options`](Self::options).
+    pub(crate) fn frequencies(&self, prescribed: Prescribed) -> Result<Options, &'static str> {
+        let options = self.options(prescribed)?;
+        Ok(Options {
+            points: 2,
+            ..options
+        })
+    }
+}
+
+/// Options that hold for all methods.
+#[derive(Debug, Args)]
+pub(crate) struct ModelArguments {
+    /// Number of modes, from the lowest [default: 8; BModes decks: the number in the deck]
+    #[arg(long, value_name = "K", value_parser = number_parser(1, usize::MAX))]
+    pub(crate) modes: Option<usize>,
+
+    /// Neglect the rotary inertia of the sections in bending (with shear = false this is an
+    /// Euler-Bernoulli beam)
+    #[arg(long)]
+    no_rotary_inertia: bool,
+
+    /// Hinge position of --method cardanic: distance from each end as a fraction of the segment
+    /// length [default: 0.2113249, the Gauss points]
+    #[arg(long, value_name = "FRACTION", value_parser = hinge_parser)]
+    hinges: Option<f64>,
+
+    /// Also solve models whose estimated cost is more than 4 GiB of memory or ten minutes; memory
+    /// may run out
+    #[arg(long)]
+    no_limits: bool,
+}
+
+/// The help of `--modes` for commands that check resonance: the default depends on the rotor.
+pub(crate) fn up_to_excitations(modes: Arg) -> Arg {
+    modes.help(
+        "Number of modes, from the lowest [default: 8, or up to 40 if the highest excitation frequency needs more; \
+         BModes decks: at least the number in the deck]",
+    )
+}
+
+impl ModelArguments {
+    /// Whether any of these options is given.
+    pub(crate) fn is_given(&self) -> bool {
+        self.modes.is_some() || self.no_rotary_inertia || self.hinges.is_some() || self.no_limits
+    }
+
+    /// The options that are given as words of a command line.
+    pub(crate) fn words(&self) -> Vec<String> {
+        [
+            valued("--modes", self.modes),
+            flag("--no-rotary-inertia", self.no_rotary_inertia),
+            valued("--hinges", self.hinges),
+            flag("--no-limits", self.no_limits),
+        ]
+        .concat()
+    }
+
+    /// Checks that the options apply to the method.
+    ///
+    /// # Errors
+    /// The message for an option that does not.
+    pub(crate) fn check(&self, method: Method) -> Result<(), &'static str> {
+        if self.hinges.is_some() && method != Method::Cardanic {
+            return Err(
+                "--hinges applies only to --method cardanic; the joint positions of the other methods are fixed",
+            );
+        }
+        Ok(())
+    }
+
+    /// Checks that the options apply to a rotating blade.
+    ///
+    /// # Errors
+    /// The message for an option that does not.
+    pub(crate) fn check_for_blade(&self) -> Result<(), &'static str> {
+        if self.no_rotary_inertia {
+            return Err(
+                "--no-rotary-inertia applies only to towers; the blade model includes rotary inertia",
+            );
+        }
+        if self.no_limits {
+            return Err("--no-limits applies only to towers");
+        }
+        self.check(Method::Bmodes)
+    }
+
+    /// The default options with these changed.
+    pub(crate) fn options(&self) -> Options {
+        Options {
+            modes: self.modes.unwrap_or(DEFAULT_MODES),
+            rotary_inertia: !self.no_rotary_inertia,
+            hinge_position: self.hinges.unwrap_or(GAUSS_HINGE_POSITION),
+            limits: !self.no_limits,
+            ..Options::default()
+        }
+    }
+}
+
+/// Solver options that a file contains.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Prescribed {
+    /// The method of the format.
+    pub(crate) method: Option<Method>,
+    /// The number of modes.
+    pub(crate) modes: Option<usize>,
+    /// The boundaries of its finite elements, m.
+    pub(crate) borders_m: Option<Vec<f64>>,
+}
+
+impl Prescribed {
+    /// The options in an input; takes the element boundaries out of it.
+    pub(crate) fn of(input: &mut TowerInput) -> Self {
+        Self {
+            method: input.method,
+            modes: input.modes,
+            borders_m: input.borders_m.take(),
+        }
+    }
+
+    /// The options of the library; the command line has priority.
+    ///
+    /// # Errors
+    /// The message for an option that does not apply to the method.
+    pub(crate) fn options(
+        self,
+        method: Option<Method>,
+        segments: Option<usize>,
+        model: &ModelArguments,
+    ) -> Result<Options, &'static str> {
+        let method = method.or(self.method).unwrap_or_default();
+        model.check(method)?;
+        let own_elements = method == Method::Bmodes && segments.is_none();
+        let options = model.options();
+        Ok(Options {
+            method,
+            segments,
+            borders_m: self.borders_m.filter(|_| own_elements),
+            modes: model.modes.or(self.modes).unwrap_or(options.modes),
+            points: DEFAULT_POINTS,
+            ..options
+        })
+    }
+}

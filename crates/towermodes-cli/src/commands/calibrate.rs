@@ -1,0 +1,155 @@
+//! `towermodes calibrate`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use towermodes::{Change, TowerDescription};
+use towermodes_design::calibration::{CalibrationError, Problem, calibrate};
+use towermodes_files::{MeasuredFile, read_measured, write_calibration_json};
+
+use crate::args::{FoundArguments, InputArguments, Prescribed, SolverArguments, TextFormat};
+use crate::failure::Failure;
+use crate::found::{check_output, study_source, write_tower};
+use crate::input::tower_input;
+use crate::messages::{note, warn};
+use crate::output::{check_not_inputs, deliver};
+use crate::progress::Progress;
+use crate::studies::calibration::{document, located, problem};
+use crate::table;
+
+const EXAMPLES: &str = "Examples:
+  towermodes calibrate tower.toml measured.toml
+  towermodes calibrate tower.toml measured.toml --output fitted.toml
+  towermodes calibrate tower.toml measured.toml --free rna.mass
+  towermodes calibrate tower.toml measured.toml --format json
+
+MEASURED is a TOML file with [[measured]] for each frequency and with the numbers to be fitted; for example:
+  [calibrate.unknowns]
+  \"rna.mass\" = { prior = [350e3, 5e3] }
+  \"foundation.rocking\" = { bounds = [1e9, 1e12] }
+
+  [[measured]]
+  mode = \"fore-aft 1\"
+  frequency = 0.2585
+  deviation = 0.001
+
+A prior has mean and standard deviation, a measurement frequency and standard deviation in Hz. The fit explains the measurements; it does not validate the model. `towermodes parameters FILE` lists the names of the numbers.
+
+Exit codes: 0 the numbers are fitted, 1 the measurements do not determine them, the computation or the output failed, 2 wrong usage or wrong input.";
+
+/// The arguments of `calibrate`.
+#[derive(Debug, Args)]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES)]
+pub(crate) struct CalibrateArguments {
+    #[command(flatten)]
+    input: InputArguments,
+
+    /// What was measured and what is to be fitted: a TOML file with [[measured]]
+    measured: PathBuf,
+
+    /// Fit only these numbers, with the priors and bounds that MEASURED has for them [default: all
+    /// of [calibrate.unknowns]]
+    #[arg(long, value_name = "NAME,...")]
+    free: Vec<String>,
+
+    #[command(flatten)]
+    solver: SolverArguments,
+
+    #[command(flatten)]
+    found: FoundArguments,
+}
+
+impl CalibrateArguments {
+    /// The names of `--free`, separated by commas outside parentheses.
+    pub(crate) fn free(&self) -> Vec<&str> {
+        let names = self.free.iter().flat_map(|names| separated(names));
+        names.filter(|name| !name.is_empty()).collect()
+    }
+}
+
+fn separated(names: &str) -> Vec<&str> {
+    let mut depth = 0_i32;
+    let is_end = |c: char| {
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        c == ',' && depth <= 0
+    };
+    names.split(is_end).map(str::trim).collect()
+}
+
+/// Fits numbers of a tower to measured frequencies, and writes the fitted tower.
+pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
+    check_output(&arguments.found, &arguments.input, &arguments.measured)?;
+    let output = arguments.found.output();
+    let file = study_source(&arguments.measured, &arguments.input)?;
+    let file = read_measured(&file)?;
+    let mut input = tower_input(&arguments.input)?;
+    check_not_inputs(input.files(), output)?;
+    let tower = input.tower()?;
+    let options = arguments.solver.frequencies(Prescribed::of(&mut input))?;
+    note(&input.notes);
+    warn(tower.warnings(), &input);
+    let problem = problem_of(&input.description, &file, &arguments.free())?;
+    let progress = Progress::of_one();
+    let mut workspace = progress.workspace();
+    let done = calibrate(&problem, &options, &mut workspace);
+    drop((workspace, progress));
+    let fit = done.map_err(|error| failure(error, &file))?;
+    let mut result = Vec::new();
+    match arguments.found.format {
+        TextFormat::Json => write_calibration_json(&document(&input, &fit), &mut result)?,
+        TextFormat::Table => {
+            let text = table::calibration(&input.description.name, &fit);
+            result.extend(text.into_bytes());
+        }
+    }
+    if let Some(output) = output {
+        write_tower(&input, &fit.description, output)?;
+    }
+    deliver(&result, None)
+}
+
+/// The problem of a file, with the unknowns of the command line if there are some.
+fn problem_of(
+    base: &TowerDescription,
+    file: &MeasuredFile,
+    free: &[&str],
+) -> Result<Problem, Failure> {
+    let free = free.iter().map(|name| Change::parse(name, base));
+    let free = free.collect::<Result<_, _>>()?;
+    let problem = problem(base, file, free)?;
+    match problem.unknowns.is_empty() {
+        false => Ok(problem),
+        true => Err(Failure::usage(format!(
+            "{}: no number is to be fitted; add for example \"foundation.rocking\" = {{}} to [calibrate.unknowns], or give --free NAME",
+            file.source.name
+        ))),
+    }
+}
+
+/// Errors that the file explains name it, with the line.
+fn failure(error: CalibrationError, file: &MeasuredFile) -> Failure {
+    match error {
+        CalibrationError::Tower(error) => Failure::from(error),
+        CalibrationError::Solve(error) => Failure::from(error),
+        error => {
+            let is_usage = error.is_usage();
+            match located(&error, file) {
+                Some(error) if is_usage => Failure::from(error),
+                Some(error) => Failure::unreached(error),
+                None if is_usage => Failure::usage(format!("{}: {error}", file.source.name)),
+                None => Failure::failed(error),
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::separated;
+
+    #[test]
+    fn commas_in_parentheses_do_not_separate() {
+        let names = separated("a.b, add(c, d),e");
+        assert_eq!(names, ["a.b", "add(c, d)", "e"]);
+    }
+}

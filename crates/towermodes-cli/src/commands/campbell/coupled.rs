@@ -1,0 +1,123 @@
+//! `towermodes campbell` for a turbine with flexible blades.
+
+use towermodes::turbine::Turbine;
+use towermodes::{Options, Tower, Warning};
+use towermodes_analysis::resonance::ChosenRotor;
+use towermodes_analysis::whirl::{
+    AgainstRigid, CoupledCampbell, CoupledOptions, RotorSpeeds, coupled_campbell, coupled_limit_hz,
+};
+use towermodes_files::{Note, TowerInput};
+
+use super::{assumed_blades, solved_to_reach};
+use crate::args::{RotorArguments, TurbineArguments};
+use crate::failure::Failure;
+use crate::progress::Progress;
+
+/// Speeds that are usually added where curves come close, for the progress.
+const USUALLY_ADDED: usize = 10;
+
+/// The coupled diagram of a turbine, with what it is compared with.
+pub(crate) struct Coupled {
+    pub(crate) diagram: CoupledCampbell,
+    pub(crate) against: Vec<AgainstRigid>,
+    /// The notes of the reader on the turbine and the rotor, and the limits of the diagram.
+    pub(crate) notes: Vec<Note>,
+    /// Possible mistakes in the input of the tower.
+    pub(crate) warnings: Vec<Warning>,
+}
+
+/// Which diagram is shown.
+pub(crate) enum Diagram {
+    /// That of the whole turbine.
+    Turbine(Box<Turbine>),
+    /// That of the tower with a rigid rotor, with a note on why, if a user could expect the other.
+    Tower(Vec<Note>),
+}
+
+/// The diagram of the turbine if the input has one, unless options ask for that of the tower alone;
+/// `alone` is whether options are given that only the tower alone has.
+///
+/// # Errors
+/// At the place of what no turbine can have; wrong usage for options of a
+/// turbine without one.
+pub(crate) fn diagram_of(
+    input: &TowerInput,
+    arguments: &TurbineArguments,
+    alone: bool,
+) -> Result<Diagram, Failure> {
+    if arguments.uncoupled {
+        return Ok(Diagram::Tower(Vec::new()));
+    }
+    let turbine = input.whole_turbine()?;
+    match (turbine, arguments.is_given()) {
+        (None, true) => Err(Failure::usage(
+            "--generator, --limit and --speeds apply only to a turbine with flexible blades; the input has none",
+        )),
+        (None, false) => Ok(Diagram::Tower(without_turbine(input))),
+        (Some(_), true) if alone => Err(Failure::usage(
+            "--generator, --limit and --speeds apply to the turbine with flexible blades, --method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits and --soil-factor to the tower with a rigid rotor; omit one or the other",
+        )),
+        (Some(_), false) if alone => Ok(Diagram::Tower(vec![Note::new(
+            "the rotor is rigid in this diagram, because of options that apply to the tower alone (--method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits, --soil-factor); without them the diagram is that of the turbine with flexible blades".to_owned(),
+        )])),
+        (Some(turbine), _) => Ok(Diagram::Turbine(Box::new(turbine))),
+    }
+}
+
+/// Why the rotor is rigid in the diagram, where the files describe one that could turn.
+fn without_turbine(input: &TowerInput) -> Vec<Note> {
+    let Some(reason) = &input.turbine_missing else {
+        return Vec::new();
+    };
+    let rigid = "so the diagram is that of the tower with a rigid rotor".to_owned();
+    vec![reason.clone(), Note::new(rigid)]
+}
+
+/// Solves a turbine at its rotor speeds, and its tower with the machine as a rigid body.
+///
+/// # Errors
+/// Of the solver, of [`coupled_campbell`].
+pub(crate) fn coupled_of(
+    input: &TowerInput,
+    (tower, turbine): (&Tower, &Turbine),
+    rotor: &RotorArguments,
+    arguments: &TurbineArguments,
+) -> Result<Coupled, Failure> {
+    let mut options = Options::default();
+    let (rigid, chosen) = solved_to_reach(input, tower, rotor, &mut options, false)?;
+    let common = rotor.options();
+    let usual_hz = coupled_limit_hz(&chosen.rotor, &common, &rigid, turbine);
+    let speeds = arguments.speeds.unwrap_or(common.speeds);
+    let options = CoupledOptions {
+        margin: common.margin,
+        multiples: common.multiples,
+        speeds: RotorSpeeds::Equal(speeds),
+        speeds_are_known: chosen.speeds_are_known,
+        ..CoupledOptions::up_to(arguments.limit.unwrap_or(usual_hz))
+    };
+    let names = (0..speeds + USUALLY_ADDED).map(|k| format!("rotor speed {}", k + 1));
+    let progress = Progress::of(names);
+    let mut is_first = true;
+    let diagram = coupled_campbell(turbine, &chosen.rotor, &options, |_| {
+        if !std::mem::take(&mut is_first) {
+            progress.done();
+        }
+    });
+    let diagram = diagram?;
+    let remarks = diagram.remarks(turbine);
+    let remarks = remarks.iter().map(|remark| Note::new(remark.to_string()));
+    Ok(Coupled {
+        against: diagram.against(&rigid),
+        notes: notes(input, &chosen).into_iter().chain(remarks).collect(),
+        diagram,
+        warnings: rigid.warnings,
+    })
+}
+
+/// The notes on the rotor's speeds and on the turbine; those on a blade alone do not apply.
+fn notes(input: &TowerInput, chosen: &ChosenRotor) -> Vec<Note> {
+    let speeds = input.rotor_notes.speeds.iter();
+    let speeds = speeds.filter(|_| !chosen.speeds_are_given);
+    let notes = speeds.chain(&input.turbine_notes).cloned();
+    notes.chain(assumed_blades(chosen)).collect()
+}

@@ -1,0 +1,130 @@
+//! `towermodes check`.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use towermodes_analysis::Verdict;
+use towermodes_analysis::agreement::{AgreementLimits, agree, examine, omit_one_sided};
+use towermodes_files::{FileFormat, NOTHING_LEFT_OUT, Note, TowerInput, write_result_json};
+
+use crate::args::{InputArguments, TextFormat};
+use crate::failure::Failure;
+use crate::input::{input_of, tower_input};
+use crate::messages::{note, warn};
+use crate::output::deliver;
+use crate::table;
+
+const EXAMPLES: &str = "Examples:
+  towermodes check tower.toml
+  towermodes check IEA-15-240-RWT.yaml IEA_15MW_RWT_Tower_st.dat --part tower --tower-base 15
+  towermodes check tower.toml Tower.dat --format json
+
+With two files: FAIL if mass, mass per length or a frequency differs by more than 0.5 %, the height of the centre of mass by more than 0.5 % of the height range that both models cover, or EI or the tower-top flexibility by more than 1 %; WARN above half of these limits. If the heights of the tower bases or of the tower tops differ: WARN, or FAIL if more than 1 % of the height of the longer tower is outside the height range of the other.
+
+Exit codes: 0 verdict pass or warn; 1 verdict fail, or the computation or the output failed; 2 wrong usage or wrong input.";
+
+/// The arguments of `check`.
+#[derive(Debug, Args)]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES)]
+pub(crate) struct CheckArguments {
+    #[command(flatten)]
+    input: InputArguments,
+
+    /// Second model of the same tower, in any format; without it the command summarises the first
+    other: Option<PathBuf>,
+
+    /// Format of the result
+    #[arg(long, short, value_enum, default_value_t = TextFormat::Table)]
+    format: TextFormat,
+}
+
+/// Compares two models of the same tower, or summarises one.
+pub(crate) fn run(arguments: &CheckArguments) -> Result<(), Failure> {
+    match &arguments.other {
+        None => of_one(arguments),
+        Some(other) => of_two(arguments, other),
+    }
+}
+
+fn of_one(arguments: &CheckArguments) -> Result<(), Failure> {
+    let input = tower_input(&arguments.input)?;
+    let tower = input.tower()?;
+    let examination = examine(&input.description)?;
+    let mut result = Vec::new();
+    match arguments.format {
+        TextFormat::Table => {
+            result.extend(table::examination(&tower, &examination).into_bytes());
+        }
+        TextFormat::Json => write_result_json(&examination, &mut result)?,
+    }
+    note(&input.notes);
+    warn(tower.warnings(), &input);
+    deliver(&result, None)
+}
+
+fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
+    let reading = &arguments.input.reading;
+    if [&arguments.input.file, other]
+        .iter()
+        .all(|file| *file == Path::new("-"))
+    {
+        return Err(Failure::usage(
+            "standard input (-) can be only one of the two files",
+        ));
+    }
+    let mut first = input_of(&arguments.input.file, reading)?;
+    let mut second = input_of(other, reading)?;
+    reading.check(&[first.format, second.format])?;
+    let gravity_is_implied = [&first, &second].map(|input| input.format == FileFormat::ElastoDyn);
+    let descriptions = [&mut first.description, &mut second.description];
+    let omitted = omit_one_sided(descriptions, gravity_is_implied);
+    let omitted = omitted.iter().map(|omitted| Note::new(omitted.to_string()));
+    first.notes.extend(omitted);
+    note(&notes_of_both(&first, &second));
+    // Errors have a position in the file.
+    let tower_of = |input: &TowerInput| input.tower().map_err(Failure::from);
+    let towers = [tower_of(&first)?, tower_of(&second)?];
+    let limits = AgreementLimits::default();
+    let agreement = agree(&first.description, &second.description, &limits);
+    let agreement = agreement.map_err(|error| {
+        // They may explain the error.
+        for (tower, input) in towers.iter().zip([&first, &second]) {
+            warn(tower.warnings(), input);
+        }
+        Failure::failed(error.to_string())
+    })?;
+    let mut result = Vec::new();
+    match arguments.format {
+        TextFormat::Table => {
+            let names = [&arguments.input.file, other].map(|path| path.display().to_string());
+            result.extend(table::agreement(&names, &agreement).into_bytes());
+        }
+        TextFormat::Json => write_result_json(&agreement, &mut result)?,
+    }
+    deliver(&result, None)?;
+    match agreement.verdict {
+        Verdict::Fail => {
+            Err(Failure::failed("the two models do not agree")
+                .hint("see the lines with fail above"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The notes of two files, each once. That a file has no data to omit is reported only if neither
+/// file has.
+fn notes_of_both(first: &TowerInput, second: &TowerInput) -> Vec<Note> {
+    let is_on_nothing = |note: &&Note| note.message == NOTHING_LEFT_OUT;
+    let neither_has = [first, second]
+        .iter()
+        .all(|input| input.notes.iter().any(|n| is_on_nothing(&n)));
+    let more = second
+        .notes
+        .iter()
+        .filter(|note| !first.notes.contains(note));
+    let notes = first.notes.iter().chain(more);
+    notes
+        .filter(|note| neither_has || !is_on_nothing(note))
+        .cloned()
+        .collect()
+}

@@ -1,0 +1,149 @@
+//! `towermodes design`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use towermodes::TowerDescription;
+use towermodes_design::design::{Design, DesignError, design};
+use towermodes_files::{DesignStudy, read_design_study, write_design_json};
+use towermodes_report::figures::{self, DesignedMode};
+use towermodes_report::svg::Figure;
+
+use super::plot::deliver_picture;
+use crate::args::{FoundArguments, InputArguments, PictureFile, TextFormat};
+use crate::failure::Failure;
+use crate::found::{check_output, study_source, write_tower};
+use crate::input::tower_input;
+use crate::messages::{note, note_texts, warn};
+use crate::output::{check_not_input, check_not_inputs, check_place, deliver};
+use crate::progress::searching;
+use crate::studies::design::{StudyError, document, located, options, problem, warnings};
+use crate::table;
+
+const EXAMPLES: &str = "Examples:
+  towermodes design tower.toml design.toml
+  towermodes design tower.toml design.toml --output lighter.toml
+  towermodes design tower.toml design.toml --format json
+  towermodes design tower.toml design.toml --plot before-after.svg
+
+A study is a TOML file with [design]; for example:
+  [design.variables]
+  \"stations[*].wall\" = { between = [0.012, 0.060], each = \"can\", order = \"falling\", step = 0.001 }
+  \"scale(stations[*].diameter)\" = { between = [0.8, 1.2] }
+
+  [design.frequencies]
+  \"fore-aft 1\" = { between = \"1P-3P\", margin = 0.1 }
+  \"side-side 1\" = { min = 0.25 }
+
+  [design.limits]
+  diameter_to_wall = 200
+  cone_angle = 3
+
+The lightest tower within these limits is found from exact derivatives, proved to be a minimum by its KKT residual (0 at an exact minimum) and solved once more. If no tower meets the limits, the message gives the nearest one. `towermodes parameters FILE` lists the names of the numbers.
+
+Exit codes: 0 the tower is found, 1 no tower meets the limits, the computation or the output failed, 2 wrong usage or wrong input.";
+
+/// The arguments of `design`.
+#[derive(Debug, Args)]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES)]
+pub(crate) struct DesignArguments {
+    #[command(flatten)]
+    input: InputArguments,
+
+    /// What is chosen and what is to be reached: a TOML file with [design]
+    study: PathBuf,
+
+    #[command(flatten)]
+    found: FoundArguments,
+
+    /// Draw the tower before and after, with the bands of its frequencies (.svg or .png)
+    #[arg(long, value_name = "PATH")]
+    plot: Option<PathBuf>,
+}
+
+/// Finds the lightest tower of a study, and writes it.
+pub(crate) fn run(arguments: &DesignArguments) -> Result<(), Failure> {
+    check_output(&arguments.found, &arguments.input, &arguments.study)?;
+    let picture = PictureFile::requested(arguments.plot.as_deref())?;
+    let written = [arguments.found.output(), picture.map(|(path, _)| path)];
+    if let [_, Some(path)] = written {
+        check_not_input(&arguments.input.file, Some(path))?;
+        check_not_input(&arguments.study, Some(path))?;
+        check_place(path)?;
+    }
+    let study = study_source(&arguments.study, &arguments.input)?;
+    let study = read_design_study(&study)?;
+    let input = tower_input(&arguments.input)?;
+    for output in written {
+        check_not_inputs(input.files(), output)?;
+    }
+    let tower = input.tower()?;
+    note(&input.notes);
+    warn(tower.warnings(), &input);
+    let problem = problem(&study, &input).map_err(refused)?;
+    let options = options(&study, &input);
+    let (mut workspace, line) = searching();
+    let found = design(&input.description, &problem, &options, &mut workspace);
+    drop(line);
+    let found = found.map_err(|error| failure(error, &study, &input.description))?;
+    let warnings = warnings(&found);
+    let mut result = Vec::new();
+    match arguments.found.format {
+        TextFormat::Json => {
+            let document = document(&input, &problem, &found, &warnings);
+            write_design_json(&document, &mut result)?;
+        }
+        TextFormat::Table => {
+            let text = table::design(&input.description.name, &problem, &found);
+            result.extend(text.into_bytes());
+        }
+    }
+    note_texts(&warnings);
+    if let Some(file) = picture {
+        deliver_picture(figure(&input.description, &found), &tower, file)?;
+    }
+    if let Some(output) = arguments.found.output() {
+        write_tower(&input, &found.tower, output)?;
+    }
+    deliver(&result, None)
+}
+
+/// The tower before and after.
+fn figure(before: &TowerDescription, found: &Design) -> Figure {
+    let labels = found.reached.iter().map(|of| of.goal.mode.label());
+    let labels: Vec<String> = labels.collect();
+    let modes = found.reached.iter().zip(&labels);
+    let modes = modes.map(|(of, label)| DesignedMode {
+        label,
+        band_hz: [of.goal.min_hz, of.goal.max_hz],
+        before_hz: of.before_hz,
+        after_hz: of.after_hz,
+    });
+    let modes: Vec<DesignedMode<'_>> = modes.collect();
+    figures::design([before, &found.tower], found.mass_kg, &modes)
+}
+
+fn refused(error: StudyError) -> Failure {
+    match error {
+        StudyError::Input(error) | StudyError::Window(error) => Failure::from(error),
+        StudyError::NoRotorSpeeds => Failure::usage(
+            "the study of the design names multiples of the rotor speed, which the tower file does not contain",
+        )
+        .hint(ROTOR),
+    }
+}
+
+/// The rotor data of a tower file, without an option.
+const ROTOR: &str = "add to the tower file:
+  [rotor]
+  blades = 3
+  rpm = [6.9, 12.1]  # lowest and highest operating speed";
+
+/// Errors that a line of the study explains name it.
+fn failure(error: DesignError, study: &DesignStudy, tower: &TowerDescription) -> Failure {
+    match (located(&error, study, tower), &error) {
+        (Some(place), DesignError::NoDerivative { .. }) => Failure::unreached(place),
+        (Some(place), _) => Failure::from(place),
+        (None, _) => Failure::from(error),
+    }
+}

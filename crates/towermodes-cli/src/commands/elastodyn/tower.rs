@@ -1,0 +1,45 @@
+//! `towermodes elastodyn tower`.
+
+use towermodes_files::elastodyn::{make_tower_file, write_tower_file};
+use towermodes_files::{Note, TowerInput};
+
+use super::arguments::TowerArguments;
+use super::deck::notes_for_shapes;
+use crate::explained::explained;
+use crate::failure::Failure;
+use crate::input::tower_input;
+use crate::messages::{note, report};
+use crate::output::{check_not_input, check_not_inputs, deliver};
+use crate::table;
+
+/// Reads any tower and writes the tower file; the quality of the fits goes to standard error.
+pub(crate) fn run(arguments: &TowerArguments) -> Result<(), Failure> {
+    check_not_input(&arguments.input.file, arguments.output())?;
+    let input = tower_input(&arguments.input)?;
+    check_not_inputs(input.files(), arguments.output())?;
+    let tower = input.tower_for_shapes()?;
+    let mut options = arguments.options();
+    // On a monopile the ElastoDyn tower is the part above it.
+    options.from_m = options.from_m.or(input.joint_m);
+    let made = make_tower_file(&tower, &options);
+    let made = explained(made, (&tower, &input))?;
+    let text = write_tower_file(&made.content, options.has_concentrated_masses)
+        .map_err(Failure::failed)?;
+    note(&notes_for_shapes(&input));
+    note(&made.notes);
+    note(&surrounded_base(&input, options.from_m));
+    report(&table::fits(&tower, &made.made));
+    deliver(text.as_bytes(), arguments.output())
+}
+
+/// A note if the tower begins in soil or water, which is unlikely for ElastoDyn.
+fn surrounded_base(input: &TowerInput, from_m: Option<f64>) -> Vec<Note> {
+    let d = &input.description;
+    let is_surrounded = d.has_soil() || d.water.is_some() || !d.added_mass.is_empty();
+    if from_m.is_some() || !is_surrounded {
+        return Vec::new();
+    }
+    vec![Note::new(
+        "the flexible tower begins at the lowest height, in soil or water; give the tower base of ElastoDyn with --from-height",
+    )]
+}

@@ -1,0 +1,129 @@
+//! `towermodes explore`.
+
+use std::io;
+use std::sync::OnceLock;
+use std::time::Instant;
+
+use clap::Args;
+use towermodes::Options;
+use towermodes_explore::server::Server;
+use towermodes_explore::{Exploration, Explorer, POINTS, Reporter, State};
+use towermodes_files::TowerInput;
+
+use super::report::page_of;
+use crate::args::{
+    InputArguments, Prescribed, ReadingArguments, RotorArguments, SolverArguments,
+    up_to_excitations,
+};
+use crate::failure::Failure;
+use crate::input::{input_of, set_numbers};
+use crate::messages::{hear, note, warn};
+use crate::output::deliver;
+
+const EXAMPLES: &str = "Examples:
+  towermodes explore examples/monopile.toml
+  towermodes explore turbine.yaml --part tower --rpm 5,7.56
+  towermodes explore examples/nrel-5mw.toml --set rna.mass=360000
+
+The program opens a page in the browser and serves it until Ctrl-C ends it. The page changes the numbers of the tower, and solves the tower with each change; the file stays as it is. --set changes numbers from the start; the page can put them back.
+
+The page is served on this machine only, to who knows the token in its address, which the program prints. It needs no network.
+
+Exit codes: 1 the port is taken, or the output failed; 2 wrong usage or wrong input.";
+
+/// The arguments of `explore`.
+#[derive(Debug, Args)]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES, mut_arg("modes", up_to_excitations))]
+pub(crate) struct ExploreArguments {
+    #[command(flatten)]
+    input: InputArguments,
+
+    #[command(flatten)]
+    solver: SolverArguments,
+
+    #[command(flatten)]
+    rotor: RotorArguments,
+
+    /// Port of this machine [default: any that is free]
+    #[arg(long, value_name = "PORT")]
+    port: Option<u16>,
+
+    /// Print the address of the page, and do not open it in the browser
+    #[arg(long)]
+    no_open: bool,
+}
+
+/// Reads the tower, opens the page, and serves it until the program is ended.
+pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
+    let file = file(arguments)?;
+    let mut changed = file.clone();
+    set_numbers(&mut changed, &arguments.input.reading)?;
+    let tower = changed.tower()?;
+    let state = State::between(&file, &changed);
+    note(&changed.notes);
+    warn(tower.warnings(), &changed);
+    let explorer = Explorer::new(exploration(file, arguments)?);
+    let failed = |error| not_served(arguments.port, &error);
+    let server = Server::bind(arguments.port.unwrap_or(0)).map_err(failed)?;
+    let address = server.address() + &state.fragment();
+    deliver(format!("{address}\n").as_bytes(), None)?;
+    let is_opened = !arguments.no_open && open::that_detached(&address).is_ok();
+    hear(match is_opened {
+        true => "the page opens in the browser; Ctrl-C ends the program",
+        false => "open this address in a browser; Ctrl-C ends the program",
+    });
+    server.run(explorer).map_err(failed)
+}
+
+/// The tower of the file, before any number is set: the page can put numbers back.
+fn file(arguments: &ExploreArguments) -> Result<TowerInput, Failure> {
+    let given = &arguments.input.reading;
+    let mut reading: ReadingArguments = given.clone();
+    reading.settings.clear();
+    let file = input_of(&arguments.input.file, &reading)?;
+    given.check(&[file.format])?;
+    Ok(file)
+}
+
+/// What the explorer needs to know.
+fn exploration(file: TowerInput, arguments: &ExploreArguments) -> Result<Exploration, Failure> {
+    let prescribed = Prescribed::of(&mut file.clone());
+    Ok(Exploration {
+        input: file,
+        options: Options {
+            points: POINTS,
+            ..arguments.solver.options(prescribed)?
+        },
+        covers_excitations: !arguments.solver.has_modes(),
+        rotor: arguments.rotor.given(),
+        campbell: arguments.rotor.options(),
+        file: arguments.input.file.to_string_lossy().into_owned(),
+        reading: arguments.input.reading.words(),
+        solving: arguments.solver.words(),
+        rotating: arguments.rotor.words(),
+        report: reporter(),
+        clock,
+    })
+}
+
+/// The page cannot be served.
+fn not_served(port: Option<u16>, error: &io::Error) -> Failure {
+    match port {
+        Some(port) => Failure::failed(format!("port {port} cannot be used: {error}"))
+            .hint("without --port the program takes any port that is free"),
+        None => Failure::failed(format!(
+            "the page cannot be served on this machine: {error}"
+        )),
+    }
+}
+
+/// Milliseconds since it was first asked.
+fn clock() -> f64 {
+    static START: OnceLock<Instant> = OnceLock::new();
+    1e3 * START.get_or_init(Instant::now).elapsed().as_secs_f64()
+}
+
+/// Writes the reports of `towermodes report`.
+fn reporter() -> Reporter {
+    Box::new(|input, words| page_of(input, words).map_err(|failure| failure.to_string()))
+}

@@ -1,0 +1,98 @@
+//! `towermodes plot --what soil` and `--what scour`.
+
+use towermodes::{Rotor, Solution, Tower};
+use towermodes_analysis::soil_band::{scour_curve, soil_band};
+use towermodes_files::{Note, TowerInput};
+use towermodes_report::figures;
+use towermodes_report::wording::computed_by;
+
+use super::{Drawn, PlotArguments, options};
+use crate::failure::Failure;
+use crate::progress::solve;
+
+/// Powers of √2 from a quarter to four.
+fn factors() -> Vec<f64> {
+    (-4..=4)
+        .map(|half| 2_f64.powf(0.5 * f64::from(half)))
+        .collect()
+}
+
+/// The number of depths of scour, with zero.
+const DEPTHS: usize = 9;
+/// The deepest scour in diameters of the pile.
+const DEEPEST_DIAMETERS: f64 = 2.0;
+
+/// First bending frequencies against the stiffness of the soil.
+pub(super) fn stiffness(
+    input: &mut TowerInput,
+    tower: &Tower,
+    arguments: &PlotArguments,
+) -> Result<Drawn, Failure> {
+    let options = options(input, arguments)?;
+    let description = &input.description;
+    if !description.stands_in_soil() {
+        return Err(Failure::usage(
+            "--what soil needs soil: the base of the tower is clamped or floats, and there are no soil springs",
+        ));
+    }
+    let solution = solve(tower, &options)?;
+    let each = |tower: &Tower| solve(tower, &options);
+    let band = soil_band(description, &solution, &factors(), None, each);
+    let band = band.map_err(Failure::failed)?;
+    let figure = figures::soil(&band, rotor(input, arguments).as_ref());
+    let failed = band.failed.iter();
+    let failed = failed.map(|at| format!("with soil x {:.3}: {}", at.factor, at.reason));
+    Ok(drawn(figure, &solution, failed))
+}
+
+/// First bending frequencies against the depth of scour.
+pub(super) fn scour(
+    input: &mut TowerInput,
+    tower: &Tower,
+    arguments: &PlotArguments,
+) -> Result<Drawn, Failure> {
+    let options = options(input, arguments)?;
+    let description = &input.description;
+    let Some(diameter_m) = pile_diameter_m(input) else {
+        return Err(Failure::usage(
+            "--what scour needs soil in layers around the pile: [ground] in the tower file",
+        ));
+    };
+    let solution = solve(tower, &options)?;
+    let step_m = DEEPEST_DIAMETERS * diameter_m / (DEPTHS - 1) as f64;
+    let depths_m: Vec<f64> = (0..DEPTHS).map(|step| step as f64 * step_m).collect();
+    let each = |tower: &Tower| solve(tower, &options);
+    let Some(curve) = scour_curve(description, &solution, &depths_m, each) else {
+        return Err(Failure::failed(
+            "the tower has no soil in layers".to_owned(),
+        ));
+    };
+    let figure = figures::scour(&curve, rotor(input, arguments).as_ref());
+    let failed = curve.failed.iter();
+    let failed = failed.map(|(depth_m, why)| format!("with scour of {depth_m:.2} m: {why}"));
+    Ok(drawn(figure, &solution, failed))
+}
+
+/// The outer diameter of the pile in soil in layers: that of the lowest station, or given beside a
+/// table.
+fn pile_diameter_m(input: &TowerInput) -> Option<f64> {
+    let given = input.description.ground.as_ref()?.pile_diameter_m;
+    let lowest = input.description.stations.first();
+    given.or(lowest.map(|station| station.outer_diameter_m))
+}
+
+/// The rotor whose excitations are drawn; none if it is unknown.
+fn rotor(input: &TowerInput, arguments: &PlotArguments) -> Option<Rotor> {
+    arguments.rotor.rotor(input).map(|chosen| chosen.rotor)
+}
+
+fn drawn(
+    figure: towermodes_report::svg::Figure,
+    solution: &Solution,
+    failed: impl Iterator<Item = String>,
+) -> Drawn {
+    Drawn {
+        notes: failed.map(Note::new).collect(),
+        ..Drawn::new(figure, &solution.warnings).computed(computed_by(solution))
+    }
+}

@@ -1,0 +1,181 @@
+//! `towermodes sensitivities`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use towermodes::{Change, Options, Tower, TowerDescription};
+use towermodes_analysis::influence::{Influences, Tolerance, Tolerances, influences};
+use towermodes_files::{TowerInput, write_sensitivities_csv, write_sensitivities_json};
+use towermodes_report::figures;
+
+use super::plot::deliver_picture;
+use crate::args::parsers::tolerance_parser;
+use crate::args::{
+    Destination, Format, InputArguments, PictureFile, Prescribed, SolverArguments, csv_lines,
+};
+use crate::failure::Failure;
+use crate::output::{check_not_input, check_place};
+use crate::progress::Progress;
+use crate::recipe::{Analysis, Answer};
+use crate::table;
+
+const EXAMPLES: &str = "Examples:
+  towermodes sensitivities tower.toml
+  towermodes sensitivities tower.toml 'stations[*].wall' rna.mass --modes 2
+  towermodes sensitivities tower.toml --tolerance 2% --tolerance rna.mass=10e3
+  towermodes sensitivities tower.toml --plot tornado.svg
+  towermodes sensitivities tower.toml --output sensitivities.json
+
+The table has percent of each frequency per percent of each number; a percent of a height is one percent of the tower's height. With tolerances it has what each tolerance does, and what all do together.
+NAME is a number by its name (towermodes parameters lists them), or a change of several: 'scale(stations[*].wall)'; by default every number.
+
+Exit codes: 0 done, 1 the computation or the output failed, 2 wrong usage or wrong input.";
+
+/// The arguments of `sensitivities`.
+#[derive(Debug, Args)]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES, mut_arg("format", |of| csv_lines(of, "One line per number and mode")))]
+pub(crate) struct SensitivitiesArguments {
+    #[command(flatten)]
+    input: InputArguments,
+
+    /// Numbers or changes of several [default: every number]
+    #[arg(value_name = "NAME")]
+    names: Vec<String>,
+
+    /// Tolerance, plus or minus: 2% of every number but heights, NAME=2% or NAME=AMOUNT of one; may
+    /// be repeated
+    #[arg(long = "tolerance", value_name = "[NAME=]VALUE", value_parser = tolerance_parser)]
+    tolerances: Vec<(Option<String>, Tolerance)>,
+
+    /// List also the numbers that change no listed frequency by more than 0.0001 % per percent
+    #[arg(long)]
+    all: bool,
+
+    /// Draw the influence of the numbers on the lowest mode as a tornado diagram (.svg or .png)
+    #[arg(long, value_name = "PATH")]
+    plot: Option<PathBuf>,
+
+    #[command(flatten)]
+    solver: SolverArguments,
+
+    #[command(flatten)]
+    destination: Destination,
+}
+
+/// Modes in the table by default: more columns do not fit into a terminal.
+const MODES: usize = 4;
+
+/// What is asked for.
+pub(crate) struct Plan {
+    options: Options,
+    /// None for every number.
+    changes: Option<Vec<Change>>,
+    tolerances: Tolerances,
+}
+
+impl Analysis for SensitivitiesArguments {
+    type Plan = Plan;
+
+    fn input(&self) -> &InputArguments {
+        &self.input
+    }
+
+    fn destination(&self) -> &Destination {
+        &self.destination
+    }
+
+    fn check(&self, _: Format) -> Result<(), Failure> {
+        if let Some((path, _)) = PictureFile::requested(self.plot.as_deref())? {
+            check_not_input(&self.input.file, Some(path))?;
+            check_place(path)?;
+        }
+        Ok(())
+    }
+
+    fn plan(&self, input: &mut TowerInput) -> Result<Plan, Failure> {
+        let options = self.solver.frequencies(Prescribed::of(input))?;
+        Ok(Plan {
+            options: Options {
+                modes: self.solver.model.modes.unwrap_or(MODES),
+                ..options
+            },
+            changes: changes(&self.names, &input.description)?,
+            tolerances: tolerances(&self.tolerances, &input.description)?,
+        })
+    }
+
+    /// Differentiates the frequencies of the tower, and shows what each number does.
+    fn answer(
+        &self,
+        tower: &Tower,
+        input: &TowerInput,
+        plan: Plan,
+        format: Format,
+    ) -> Result<Answer, Failure> {
+        let (description, tolerances) = (&input.description, &plan.tolerances);
+        let influences = influences_of(description, plan.changes.as_deref(), &plan.options)?;
+        if let Some(file) = PictureFile::requested(self.plot.as_deref())? {
+            let figure = figures::tornado(description, &influences, tolerances);
+            deliver_picture(figure, tower, file)?;
+        }
+        // What is asked for by name is listed, whatever it does.
+        let all = self.all || !self.names.is_empty();
+        let answer = Answer::of(
+            format,
+            || table::sensitivities(description, &influences, tolerances, all),
+            |json| write_sensitivities_json(input, &influences, tolerances, json),
+            |csv| write_sensitivities_csv(input, &influences, tolerances, csv),
+        )?;
+        Ok(answer.warnings(tower.warnings()))
+    }
+}
+
+/// The influence of changes, or of every number, on the lowest modes; with progress.
+pub(crate) fn influences_of(
+    description: &TowerDescription,
+    changes: Option<&[Change]>,
+    options: &Options,
+) -> Result<Influences, Failure> {
+    let progress = Progress::of_one();
+    let mut workspace = progress.workspace();
+    let done = influences(description, changes, options, &mut workspace);
+    drop((workspace, progress));
+    Ok(done?)
+}
+
+/// The changes that are asked for; none for every number.
+fn changes(
+    names: &[String],
+    description: &TowerDescription,
+) -> Result<Option<Vec<Change>>, Failure> {
+    if names.is_empty() {
+        return Ok(None);
+    }
+    let mut changes = Vec::new();
+    for name in names {
+        let change = Change::parse(name, description)?;
+        // A pattern lists its numbers one by one.
+        match name.contains('*') && !name.contains('(') {
+            false => changes.push(change),
+            true => {
+                let each = change.parameters().iter().map(ToString::to_string);
+                let each = each.map(|name| Change::parse(&name, description));
+                changes.extend(each.collect::<Result<Vec<_>, _>>()?);
+            }
+        }
+    }
+    Ok(Some(changes))
+}
+
+fn tolerances(
+    given: &[(Option<String>, Tolerance)],
+    description: &TowerDescription,
+) -> Result<Tolerances, Failure> {
+    let of_others = given.iter().rev().find(|(name, _)| name.is_none());
+    let named = given
+        .iter()
+        .filter_map(|(name, tolerance)| Some((name.clone()?, *tolerance)));
+    let named: Vec<(String, Tolerance)> = named.collect();
+    let of_others = of_others.map(|(_, tolerance)| *tolerance);
+    Tolerances::new(of_others, &named, description).map_err(Failure::from)
+}

@@ -1,0 +1,234 @@
+//! The arguments of `solve`.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use towermodes::{DEFAULT_POINTS, MAX_DEGREE, MAX_POINTS, Method, Options};
+
+use crate::args::parsers::number_parser;
+use crate::args::{Destination, Ending, Prescribed, ReadingArguments, SolverArguments};
+
+macro_rules! examples {
+    () => {
+        "Examples:
+  towermodes solve tower.toml
+  towermodes solve tower.toml --plot
+  towermodes solve tower.toml --modes 20 --output modes.json
+  towermodes solve tower.toml --method rmje --segments 60
+  towermodes solve tower.toml --method spectral --no-rotary-inertia
+  generate-tower | towermodes solve - --format csv
+  towermodes solve deck.bmi --format bmodes --output deck.out
+  towermodes solve IEA-15-240-RWT.yaml --part tower --no-rna
+  towermodes solve examples/*.toml --output frequencies.csv
+
+Exit codes: 0 done, 1 the computation or the output failed, 2 wrong usage or wrong input."
+    };
+}
+
+/// The tower file format in short, then the examples.
+const LONG_HELP: &str = concat!(include_str!("tower-file.txt"), "\n", examples!());
+
+const SEGMENTS: &str = "Number of segments (bmodes and spectral: elements) [default: 100, plus 2 for each part shorter than 1/50 of the tower height; parts lie between steps, changes of taper or material and point masses; spectral: one per part; BModes decks: the elements of the deck]";
+
+/// The arguments of `solve`.
+#[derive(Debug, Args)]
+#[command(allow_negative_numbers = true, after_help = examples!(), after_long_help = LONG_HELP, mut_arg("segments", |of| of.help(SEGMENTS)))]
+pub(crate) struct SolveArguments {
+    /// Tower file (.toml), BModes deck (.bmi), ElastoDyn main or tower file (.dat, or the .fst that
+    /// refers to it), windIO turbine (.yaml) or HAWC2 _st.dat; the format is detected from content
+    /// and name; use - for standard input. Several files give one table of frequencies, with a
+    /// column for each file
+    #[arg(required = true, value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) reading: ReadingArguments,
+
+    #[command(flatten)]
+    pub(crate) solver: SolverArguments,
+
+    /// Polynomial degree of the elements of --method spectral
+    /// [default: raised until the frequencies converge]
+    #[arg(long, value_name = "P", value_parser = number_parser(2, MAX_DEGREE))]
+    degree: Option<usize>,
+
+    /// Number of equally spaced heights for mode shapes in JSON and BModes output
+    /// [default: 101; BModes output for a BModes deck: the element boundaries of the deck]
+    #[arg(long, value_name = "COUNT", value_parser = number_parser(2, MAX_POINTS))]
+    points: Option<usize>,
+
+    /// Add the derivatives of the frequencies with respect to every number of the tower to the JSON
+    /// result; towermodes sensitivities shows them as a table
+    #[arg(long)]
+    pub(crate) sensitivities: bool,
+
+    /// Draw the mode shapes as text graphics below the table, as wide as the terminal, or 100
+    /// columns if the output is not a terminal
+    #[arg(long)]
+    pub(crate) plot: bool,
+
+    #[command(flatten)]
+    pub(crate) destination: Destination<SolveFormat>,
+}
+
+/// The format of the modes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SolveFormat {
+    /// Human-readable table.
+    Table,
+    /// All results, including mode shapes.
+    Json,
+    /// One line per mode.
+    Csv,
+    /// The layout of a BModes output file.
+    Bmodes,
+}
+
+impl Ending for SolveFormat {
+    const ENDINGS: &'static [(&'static str, Self)] = &[
+        ("json", Self::Json),
+        ("csv", Self::Csv),
+        ("txt", Self::Table),
+    ];
+    const DEFAULT: Self = Self::Table;
+}
+
+impl SolveArguments {
+    /// Checks that --plot and --points apply to the format.
+    ///
+    /// # Errors
+    /// The message for an option that does not apply.
+    pub(crate) fn check(&self, format: SolveFormat) -> Result<(), &'static str> {
+        let has_shapes = matches!(format, SolveFormat::Json | SolveFormat::Bmodes);
+        if self.plot && format != SolveFormat::Table {
+            return Err("--plot applies only to the table; use towermodes plot for a picture file");
+        }
+        if self.sensitivities && format != SolveFormat::Json {
+            return Err(
+                "--sensitivities applies only to --format json; use towermodes sensitivities for a table",
+            );
+        }
+        if self.points.is_some() && !has_shapes {
+            return Err(
+                "--points applies only to --format json and bmodes; the table and CSV contain no mode shapes",
+            );
+        }
+        Ok(())
+    }
+
+    /// Checks that the options apply to several files at once.
+    ///
+    /// # Errors
+    /// The message for an option that applies to one file only.
+    pub(crate) fn check_for_several(&self, format: SolveFormat) -> Result<(), &'static str> {
+        if self.plot {
+            return Err("--plot applies only to one file; solve each file in its own command");
+        }
+        if self.sensitivities {
+            return Err(
+                "--sensitivities applies only to one file; solve each file in its own command",
+            );
+        }
+        if format == SolveFormat::Bmodes {
+            return Err(
+                "--format bmodes applies only to one file, because its layout stores one tower; solve each file in its own command",
+            );
+        }
+        if self
+            .files
+            .iter()
+            .filter(|file| *file == Path::new("-"))
+            .count()
+            > 1
+        {
+            return Err("standard input (-) can be only one of the files");
+        }
+        Ok(())
+    }
+
+    /// Checks that --points is not given where the elements of the file fix the heights.
+    ///
+    /// # Errors
+    /// The message for an option that does not apply.
+    pub(crate) fn check_heights(
+        &self,
+        format: SolveFormat,
+        has_own: bool,
+    ) -> Result<(), &'static str> {
+        if self.points.is_some() && has_own && format == SolveFormat::Bmodes {
+            return Err(
+                "--points does not apply to --format bmodes with a BModes deck: the mode shapes are at the element boundaries of the deck; use --format json for other heights",
+            );
+        }
+        Ok(())
+    }
+
+    /// Checks that the options apply to a rotating blade, which has one method and the elements of
+    /// its deck.
+    ///
+    /// # Errors
+    /// The message for an option that does not apply.
+    pub(crate) fn check_for_blade(&self) -> Result<(), &'static str> {
+        if self
+            .solver
+            .method
+            .is_some_and(|method| method != Method::Bmodes)
+        {
+            return Err("a rotating blade can be solved only with --method bmodes");
+        }
+        if self.solver.segments.is_some() || self.degree.is_some() {
+            return Err(
+                "--segments and --degree do not apply to a rotating blade: its elements are given in the deck",
+            );
+        }
+        if self.points.is_some() {
+            return Err(
+                "--points applies only to towers; mode shapes of a blade are at its element boundaries",
+            );
+        }
+        if self.sensitivities {
+            return Err("--sensitivities applies only to towers");
+        }
+        if !self.reading.settings.is_empty() {
+            return Err("--set applies only to towers; change the deck of a rotating blade itself");
+        }
+        if self.reading.no_rna {
+            return Err(
+                "--no-rna does not apply to a rotating blade; its tip body is given in the deck",
+            );
+        }
+        self.solver.model.check_for_blade()
+    }
+
+    /// The options of the library.
+    ///
+    /// # Errors
+    /// The message for an option that does not apply to the method.
+    pub(crate) fn options(
+        &self,
+        prescribed: Prescribed,
+        format: SolveFormat,
+    ) -> Result<Options, &'static str> {
+        let options = self.solver.options(prescribed)?;
+        if self.degree.is_some() && options.method != Method::Spectral {
+            return Err(
+                "--degree applies only to --method spectral; use --segments for the other methods",
+            );
+        }
+        Ok(Options {
+            degree: self.degree,
+            // Only JSON and the pictures contain mode shapes.
+            points: match (format, self.plot) {
+                (SolveFormat::Json, _) => self.points(),
+                (_, true) => DEFAULT_POINTS,
+                _ => 2,
+            },
+            ..options
+        })
+    }
+
+    /// Number of equally spaced heights of the mode shapes.
+    pub(crate) fn points(&self) -> usize {
+        self.points.unwrap_or(DEFAULT_POINTS)
+    }
+}

@@ -1,0 +1,167 @@
+//! `towermodes solve`.
+
+mod arguments;
+mod several;
+
+pub(crate) use arguments::{SolveArguments, SolveFormat};
+
+use towermodes::{Blade, BladeMode, BladeSolution, Solution, Tower, Warning, solve_blade};
+use towermodes_files::{
+    BladeInput, FileFormat, Input, Note, OutNodes, TowerInput, write_blade_csv, write_blade_json,
+    write_csv, write_json, write_json_with_sensitivities,
+};
+use towermodes_report::terminal::{blade_shapes, shapes};
+
+use super::sensitivities::influences_of;
+use crate::args::Prescribed;
+use crate::explained::explained;
+use crate::failure::Failure;
+use crate::input::input;
+use crate::messages::{note, warn};
+use crate::output::{check_not_input, check_not_inputs, deliver};
+use crate::progress::solve;
+use crate::table;
+use crate::terminal;
+
+/// Reads and solves the tower or the blade and prints the result; warnings go to standard error.
+pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
+    for file in &arguments.files {
+        check_not_input(file, arguments.destination.output())?;
+    }
+    let format = arguments.destination.format()?;
+    arguments.check(format)?;
+    let [file] = &arguments.files[..] else {
+        return several::run(arguments, format);
+    };
+    let result = match input(file, &arguments.reading)? {
+        Input::Tower(tower) => of_tower(*tower, arguments, format)?,
+        Input::Blade(blade) => of_blade(&blade, arguments, format)?,
+    };
+    deliver(&result, arguments.destination.output())
+}
+
+fn of_tower(
+    mut input: TowerInput,
+    arguments: &SolveArguments,
+    format: SolveFormat,
+) -> Result<Vec<u8>, Failure> {
+    check_not_inputs(input.files(), arguments.destination.output())?;
+    arguments.reading.check(&[input.format])?;
+    let prescribed = Prescribed::of(&mut input);
+    let borders_m = prescribed.borders_m.clone();
+    let has_own_heights = borders_m.is_some();
+    arguments.check_heights(format, has_own_heights)?;
+    let mut options = arguments.options(prescribed, format)?;
+    let tower = input.tower()?;
+    let nodes = OutNodes::of_tower(&tower, borders_m, arguments.points(), input.layout);
+    if format == SolveFormat::Bmodes {
+        options.heights_m = nodes.heights_m();
+    }
+    let solution = solve(&tower, &options);
+    let solution = explained(solution, (&tower, &input))?;
+    let mut result = Vec::new();
+    match format {
+        SolveFormat::Table => result.extend(tower_text(&tower, &solution, arguments).into_bytes()),
+        SolveFormat::Json if arguments.sensitivities => {
+            let influences = influences_of(&input.description, None, &options);
+            let influences = explained(influences, (&tower, &input))?;
+            let of_numbers = (&input.description, &influences);
+            let notes = &input.notes;
+            write_json_with_sensitivities(&tower, &solution, of_numbers, notes, &mut result)?;
+        }
+        SolveFormat::Json => write_json(&tower, &solution, &input.notes, &mut result)?,
+        SolveFormat::Csv => write_csv(&solution, &mut result)?,
+        SolveFormat::Bmodes => result = nodes.of_solution(&tower, &solution).into_bytes(),
+    }
+    note(&input.notes);
+    warn(&solution.warnings, &input);
+    Ok(result)
+}
+
+fn of_blade(
+    input: &BladeInput,
+    arguments: &SolveArguments,
+    format: SolveFormat,
+) -> Result<Vec<u8>, Failure> {
+    check_not_inputs(input.files(), arguments.destination.output())?;
+    arguments.check_for_blade()?;
+    arguments.reading.check(&[FileFormat::Bmodes])?;
+    let blade = Blade::new(input.description.clone())?;
+    let nodes = OutNodes::of_blade(&blade, input.layout);
+    let radii_m = match format {
+        SolveFormat::Bmodes => nodes.heights_m(),
+        SolveFormat::Table if arguments.plot => nodes.heights_m(),
+        _ => nodes.borders_m().to_vec(),
+    };
+    let modes = arguments.solver.model.modes.unwrap_or(input.modes);
+    let of_tip = |warning: &Warning| Note::new(format!("tip body: {warning}"));
+    let mut notes = input.notes.clone();
+    notes.extend(blade.warnings().iter().map(of_tip));
+    let solution = solve_blade(&blade, modes, &radii_m).map_err(|error| {
+        note(&notes);
+        Failure::from(error)
+    })?;
+    let mut result = Vec::new();
+    match format {
+        SolveFormat::Table => result.extend(blade_text(&blade, &solution, arguments).into_bytes()),
+        SolveFormat::Json => write_blade_json(&blade, &solution, &notes, &mut result)?,
+        SolveFormat::Csv => write_blade_csv(&solution, &mut result)?,
+        SolveFormat::Bmodes => result = nodes.of_blade_solution(&blade, &solution).into_bytes(),
+    }
+    note(&notes);
+    note(&coarse(&solution));
+    Ok(result)
+}
+
+fn tower_text(tower: &Tower, solution: &Solution, arguments: &SolveArguments) -> String {
+    let table = table::solution(tower, solution);
+    let draw = |width| shapes(tower, solution, width);
+    with_picture(table, draw, arguments)
+}
+
+fn blade_text(blade: &Blade, solution: &BladeSolution, arguments: &SolveArguments) -> String {
+    let table = table::blade(blade, solution);
+    let draw = |width| blade_shapes(blade, solution, width);
+    with_picture(table, draw, arguments)
+}
+
+/// A table, with the mode shapes below it if they are requested and the terminal is wide enough.
+fn with_picture(
+    table: String,
+    draw: impl Fn(usize) -> String,
+    arguments: &SolveArguments,
+) -> String {
+    if !arguments.plot {
+        return table;
+    }
+    match draw(terminal::width_of(arguments.destination.output())).as_str() {
+        "" => table,
+        picture => format!("{table}\n{picture}"),
+    }
+}
+
+/// A relative error above this value gives a note.
+const COARSE: f64 = 0.01;
+
+/// A note if the elements of a deck are too few for its modes.
+fn coarse(solution: &BladeSolution) -> Vec<Note> {
+    let share = |mode: &BladeMode| mode.discretization_error_hz / mode.frequency_hz;
+    let coarse: Vec<&BladeMode> = solution
+        .modes
+        .iter()
+        .filter(|m| share(m) > COARSE)
+        .collect();
+    let Some(first) = coarse.first() else {
+        return Vec::new();
+    };
+    let largest = coarse
+        .iter()
+        .fold(0.0_f64, |most, mode| most.max(share(mode)));
+    vec![Note::new(format!(
+        "the {} elements of the deck are too few: the errors are up to {:.1} % (mode {} and {} more); add elements in el_loc",
+        solution.elements,
+        100.0 * largest,
+        first.number,
+        coarse.len() - 1
+    ))]
+}

@@ -1,0 +1,200 @@
+//! `towermodes solve` for several files: one table with a column for each file.
+//!
+//! A file that fails is reported, and the others are solved. The exit code is that of the worst
+//! failure.
+
+use std::path::Path;
+
+use towermodes::{Solution, Tower, Warning, solve_certain};
+use towermodes_files::{
+    FileFormat, Input, SolvedFile, TowerInput, write_several_csv, write_several_json,
+};
+
+use super::{SolveArguments, SolveFormat};
+use crate::args::Prescribed;
+use crate::failure::Failure;
+use crate::input::input;
+use crate::messages::{note_texts, warning_text};
+use crate::output::{check_not_input, check_not_inputs, deliver};
+use crate::progress::Progress;
+use crate::table;
+use crate::terminal;
+
+/// Reads and solves the files and prints one result; messages go to standard error.
+pub(super) fn run(arguments: &SolveArguments, format: SolveFormat) -> Result<(), Failure> {
+    arguments.check_for_several(format)?;
+    let read: Vec<_> = arguments
+        .files
+        .iter()
+        .map(|file| (name_of(file), tower_of(file, arguments)))
+        .collect();
+    check_overwriting(&read, arguments)?;
+    check_reading(&read, arguments)?;
+    let names = read.iter().map(|(file, _)| file.clone());
+    let progress = Progress::of(names);
+    let solved: Vec<_> = read
+        .into_iter()
+        .map(|(file, input)| {
+            let solved = input.and_then(|input| solved(&file, input, arguments, format, &progress));
+            progress.done();
+            (file, solved)
+        })
+        .collect();
+    drop(progress);
+    let (solved, failed) = reported(solved);
+    if !solved.is_empty() {
+        deliver(
+            &result(&solved, arguments, format)?,
+            arguments.destination.output(),
+        )?;
+    }
+    match failed {
+        None => Ok(()),
+        Some(code) => {
+            let (failed, files) = (arguments.files.len() - solved.len(), arguments.files.len());
+            let has = if failed == 1 { "has" } else { "have" };
+            Err(Failure::failed(format!("{failed} of {files} files {has} no result")).code(code))
+        }
+    }
+}
+
+/// A file name for messages and tables.
+fn name_of(file: &Path) -> String {
+    match file == Path::new("-") {
+        true => "<standard input>".to_owned(),
+        false => file.display().to_string(),
+    }
+}
+
+/// The tower of one file.
+fn tower_of(file: &Path, arguments: &SolveArguments) -> Result<TowerInput, Failure> {
+    let tower = match input(file, &arguments.reading)? {
+        Input::Tower(tower) => *tower,
+        Input::Blade(_) => {
+            return Err(Failure::usage(
+                "this is a deck of a rotating blade, whose modes are not those of a tower; solve it in its own command",
+            ));
+        }
+    };
+    Ok(tower)
+}
+
+/// Refuses an output that is one of the files. It is checked before anything is solved: the result
+/// of the other files must not overwrite a file that belongs to a file with a failure.
+fn check_overwriting(
+    read: &[(String, Result<TowerInput, Failure>)],
+    arguments: &SolveArguments,
+) -> Result<(), Failure> {
+    for (file, (_, input)) in arguments.files.iter().zip(read) {
+        check_not_input(file, arguments.destination.output())?;
+        match input {
+            Ok(tower) => check_not_inputs(tower.files(), arguments.destination.output())?,
+            Err(failure) => failure.file().map_or(Ok(()), |file| {
+                check_not_input(file, arguments.destination.output())
+            })?,
+        }
+    }
+    Ok(())
+}
+
+/// Checks that each reading option applies to at least one of the files.
+fn check_reading(
+    read: &[(String, Result<TowerInput, Failure>)],
+    arguments: &SolveArguments,
+) -> Result<(), Failure> {
+    let inputs = read.iter().filter_map(|(_, input)| input.as_ref().ok());
+    let formats: Vec<FileFormat> = inputs.map(|input| input.format).collect();
+    match formats.is_empty() {
+        true => Ok(()),
+        false => arguments.reading.check(&formats).map_err(Failure::from),
+    }
+}
+
+/// A tower with its solution.
+struct Solved {
+    tower: Tower,
+    solution: Solution,
+    input: TowerInput,
+}
+
+fn solved(
+    file: &str,
+    mut input: TowerInput,
+    arguments: &SolveArguments,
+    format: SolveFormat,
+    progress: &Progress,
+) -> Result<Solved, Failure> {
+    let prescribed = Prescribed::of(&mut input);
+    let options = arguments.options(prescribed, format)?;
+    let tower = input.tower()?;
+    let solution = solve_certain(&tower, &options, &mut progress.workspace());
+    let solution = solution.map_err(|error| {
+        // They may explain the error.
+        note_texts(&messages(file, &input, tower.warnings()));
+        Failure::from(error)
+    })?;
+    Ok(Solved {
+        tower,
+        solution,
+        input,
+    })
+}
+
+/// Prints the failures, the notes and the warnings; returns what was solved and the largest exit
+/// code of a failure.
+fn reported(all: Vec<(String, Result<Solved, Failure>)>) -> (Vec<(String, Solved)>, Option<u8>) {
+    let mut solved = Vec::new();
+    let mut worst = None;
+    for (file, of_file) in all {
+        match of_file {
+            Ok(of_file) => {
+                let warnings = &of_file.solution.warnings;
+                note_texts(&messages(&file, &of_file.input, warnings));
+                solved.push((file, of_file));
+            }
+            Err(failure) => worst = worst.max(Some(failure.report_of(&file))),
+        }
+    }
+    (solved, worst)
+}
+
+/// The notes and warnings on one file, each with the name of the file.
+fn messages(file: &str, input: &TowerInput, warnings: &[Warning]) -> Vec<String> {
+    let notes = input.notes.iter().map(|note| match note.place {
+        Some(_) => note.to_string(),
+        None => format!("{file}: {note}"),
+    });
+    let warnings = warnings.iter();
+    let warnings = warnings.map(|warning| match warning_text(warning, input) {
+        Some(placed) => placed,
+        None => format!("{file}: {warning}"),
+    });
+    notes.chain(warnings).collect()
+}
+
+/// The result in the requested format.
+fn result(
+    solved: &[(String, Solved)],
+    arguments: &SolveArguments,
+    format: SolveFormat,
+) -> Result<Vec<u8>, Failure> {
+    let files: Vec<SolvedFile<'_>> = solved
+        .iter()
+        .map(|(file, solved)| SolvedFile {
+            file,
+            tower: &solved.tower,
+            solution: &solved.solution,
+            notes: &solved.input.notes,
+        })
+        .collect();
+    let mut result = Vec::new();
+    match format {
+        SolveFormat::Json => write_several_json(&files, &mut result)?,
+        SolveFormat::Csv => write_several_csv(&files, &mut result)?,
+        SolveFormat::Table | SolveFormat::Bmodes => {
+            let width = terminal::width_of(arguments.destination.output());
+            result = table::several(&files, width).into_bytes();
+        }
+    }
+    Ok(result)
+}

@@ -1,0 +1,46 @@
+//! The scatter of frequencies to first order, without rows.
+
+use towermodes_files::write_first_order_json;
+use towermodes_sweep::{FirstOrderError, SweepSource};
+
+use super::arguments::{SweepArguments, SweepFormat};
+use super::planned::Planned;
+use crate::failure::Failure;
+use crate::messages::note_texts;
+use crate::output::deliver;
+use crate::studies::first_order::document;
+use crate::table;
+
+/// Differentiates at the means of the distributions, and prints what follows.
+pub(super) fn run(planned: &Planned, arguments: &SweepArguments) -> Result<(), Failure> {
+    let SweepSource::Sampled { sampling, .. } = &planned.source else {
+        return Err(Failure::usage(
+            "--first-order needs a study with distributions in [sweep.vary]; the rows of a table have none",
+        ));
+    };
+    let check = planned.sweep.margin_check();
+    let found = planned.sweep.first_order(sampling, check.as_ref());
+    let found = found.map_err(failure)?;
+    note_texts(&found.doubts());
+    let mut result = Vec::new();
+    match arguments.format == Some(SweepFormat::Json) {
+        true => {
+            let document = document(&planned.input, sampling, &found, check.as_ref());
+            write_first_order_json(&document, &mut result)?;
+        }
+        false => {
+            let tower = planned.input.tower()?;
+            let correlated = !sampling.correlations.is_empty();
+            let text = table::first_order(&tower, &found, check.as_ref(), correlated);
+            result.extend(text.into_bytes());
+        }
+    }
+    deliver(&result, None)
+}
+
+fn failure(error: FirstOrderError) -> Failure {
+    match error {
+        FirstOrderError::Sensitivity(error) => Failure::from(error),
+        error => Failure::usage(format!("--first-order: {error}")),
+    }
+}

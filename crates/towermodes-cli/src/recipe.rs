@@ -1,0 +1,110 @@
+//! What commands have in common that read a tower, compute something and show it: the checks of
+//! options and files, the formats, the messages, the output and the exit code.
+
+use towermodes::{Tower, Warning};
+use towermodes_files::{Note, ResultError, TowerInput};
+
+use crate::args::{Deferred, Destination, Format, InputArguments};
+use crate::explained::explained;
+use crate::failure::Failure;
+use crate::input::tower_input;
+use crate::messages::{note, warn};
+use crate::output::{check_not_input, check_not_inputs, deliver};
+
+/// A command that reads a tower, computes something and shows it.
+pub(crate) trait Analysis {
+    /// What the options ask for.
+    type Plan;
+
+    fn input(&self) -> &InputArguments;
+
+    fn destination(&self) -> &Destination;
+
+    /// Checks the options before a file is read.
+    fn check(&self, _format: Format) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    /// Changes the input by options before it becomes a tower.
+    fn change(&self, _input: &mut TowerInput) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    /// Checks the options against the input.
+    fn plan(&self, input: &mut TowerInput) -> Result<Self::Plan, Failure>;
+
+    /// The result. If it fails, the notes and warnings on the tower are printed before the error.
+    fn answer(
+        &self,
+        tower: &Tower,
+        input: &TowerInput,
+        plan: Self::Plan,
+        format: Format,
+    ) -> Result<Answer, Failure>;
+}
+
+/// A result in its format, with what is said about it.
+pub(crate) struct Answer {
+    result: Vec<u8>,
+    notes: Vec<Note>,
+    warnings: Vec<Warning>,
+    verdict: Result<(), Failure>,
+}
+
+impl Answer {
+    /// A result in one of its formats.
+    pub(crate) fn of(
+        format: Format,
+        table: impl FnOnce() -> String,
+        json: impl FnOnce(&mut Vec<u8>) -> Result<(), ResultError>,
+        csv: impl FnOnce(&mut Vec<u8>) -> Result<(), ResultError>,
+    ) -> Result<Self, Failure> {
+        let mut result = Vec::new();
+        match format {
+            Format::Table => result = table().into_bytes(),
+            Format::Json => json(&mut result)?,
+            Format::Csv => csv(&mut result)?,
+        }
+        Ok(Self {
+            result,
+            notes: Vec::new(),
+            warnings: Vec::new(),
+            verdict: Ok(()),
+        })
+    }
+
+    /// With notes beside those of the reader.
+    pub(crate) fn notes(self, notes: Vec<Note>) -> Self {
+        Self { notes, ..self }
+    }
+
+    pub(crate) fn warnings(self, warnings: &[Warning]) -> Self {
+        let warnings = warnings.to_vec();
+        Self { warnings, ..self }
+    }
+
+    /// With a failure that follows the result.
+    pub(crate) fn verdict(self, verdict: Result<(), Failure>) -> Self {
+        Self { verdict, ..self }
+    }
+}
+
+/// Runs a command.
+pub(crate) fn run<A: Analysis>(arguments: &Deferred<A>) -> Result<(), Failure> {
+    let output = arguments.destination().output();
+    check_not_input(&arguments.input().file, output)?;
+    let format = arguments.destination().format()?;
+    arguments.check(format)?;
+    let mut input = tower_input(arguments.input())?;
+    check_not_inputs(input.files(), output)?;
+    arguments.change(&mut input)?;
+    let tower = input.tower()?;
+    let plan = arguments.plan(&mut input)?;
+    let answer = arguments.answer(&tower, &input, plan, format);
+    let answer = explained(answer, (&tower, &input))?;
+    note(&input.notes);
+    note(&answer.notes);
+    warn(&answer.warnings, &input);
+    deliver(&answer.result, output)?;
+    answer.verdict
+}
