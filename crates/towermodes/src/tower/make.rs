@@ -4,6 +4,7 @@ use super::attachment::Attachment;
 use super::base::Base;
 use super::description::TowerDescription;
 use super::error::TowerError;
+use super::foundation::Foundation;
 use super::ground::{Plan, with_rows};
 use super::immersion::in_environment;
 use super::independent::{self, Motion, Motions};
@@ -103,8 +104,12 @@ impl Tower {
             outfitting_factor: description.outfitting_factor,
             mass_kg,
             ground: None,
-            missing: (!description.missing_parts.is_empty())
-                .then(|| MissingParts::of(&description.missing_parts, &description.foundation)),
+            missing: (!description.missing_parts.is_empty()).then(|| {
+                MissingParts::of(
+                    &description.missing_parts,
+                    description.foundation == Foundation::Clamped,
+                )
+            }),
             warnings: Vec::new(),
         }
     }

@@ -1,7 +1,5 @@
 //! Parts of the structure that the source of a description has and the description lacks.
 
-use super::foundation::Foundation;
-
 /// A part of the structure that the source of a description has, such as a set of files of
 /// OpenFAST, or whose mass the source does not give, and that the description lacks.
 ///
@@ -89,8 +87,8 @@ pub struct MissingParts {
 }
 
 impl MissingParts {
-    /// The parts that a tower on this foundation lacks, each once.
-    pub(super) fn of(parts: &[MissingPart], foundation: &Foundation) -> Self {
+    /// The parts that a tower lacks, each once.
+    pub(super) fn of(parts: &[MissingPart], is_clamped: bool) -> Self {
         let mut parts = parts.to_vec();
         parts.sort_unstable();
         parts.dedup();
@@ -99,7 +97,7 @@ impl MissingParts {
             .any(|part| !part.is_of_rotor_nacelle_assembly());
         Self {
             parts,
-            is_clamped: *foundation == Foundation::Clamped && holds,
+            is_clamped: is_clamped && holds,
         }
     }
 }
@@ -145,8 +143,7 @@ mod tests {
 
     #[test]
     fn the_sentence_names_each_part_once() {
-        let said =
-            |parts: &[MissingPart]| MissingParts::of(parts, &Foundation::Clamped).to_string();
+        let said = |parts: &[MissingPart]| MissingParts::of(parts, true).to_string();
         assert_eq!(
             said(&[Water, Substructure, Water]),
             "clamped at the tower base; the file has a substructure and water, which are not in this model"

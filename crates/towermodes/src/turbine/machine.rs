@@ -3,9 +3,8 @@
 use super::bordered::Bordered;
 use super::description::TurbineDescription;
 use super::gyroscopic::Raise;
-use super::machine_vectors::MachineFactors;
 use crate::beam::{Condensed, TurningBlade, congruent};
-use crate::rotor::Multiblade;
+use crate::rotor::{Multiblade, RotorFactors};
 use crate::scalar::{Complex, Scalar};
 use crate::space::SpatialMatrix;
 use crate::tower::{Inertia, RigidBody, Rna, spatial_inertia};
@@ -37,6 +36,14 @@ pub(super) struct Machine {
     pub(super) rigid: SpatialMatrix,
     /// Inertia of hub and rigid blades about the shaft, kg m².
     pub(super) rotor_inertia: f64,
+}
+
+/// The factors of a machine at a frequency.
+#[derive(Debug, Clone, Default)]
+pub(super) struct MachineFactors {
+    pub(super) rotor: RotorFactors,
+    /// Of the shaft, then of the yaw drive.
+    pub(super) joints: [Bordered; 2],
 }
 
 impl Machine {

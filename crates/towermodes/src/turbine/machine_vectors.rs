@@ -1,18 +1,8 @@
 //! Motions of nacelle, drivetrain and rotor: solutions and products at a frequency.
 
-use super::bordered::Bordered;
-use super::machine::{ABOUT_SHAFT, ABOUT_TOWER, Machine};
-use crate::rotor::RotorFactors;
+use super::machine::{ABOUT_SHAFT, ABOUT_TOWER, Machine, MachineFactors};
 use crate::scalar::{Complex, Scalar};
 use crate::space::SpatialMatrix;
-
-/// The factors of a machine at a frequency.
-#[derive(Debug, Clone, Default)]
-pub(super) struct MachineFactors {
-    pub(super) rotor: RotorFactors,
-    /// Of the shaft, then of the yaw drive.
-    pub(super) joints: [Bordered; 2],
-}
 
 /// A motion or a force in phasors.
 pub(super) type Phasors = [Complex; 6];

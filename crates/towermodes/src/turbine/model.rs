@@ -6,7 +6,7 @@ use super::checked::{Turbine, rotor};
 use super::error::TurbineError;
 use super::gyroscopic::{Gyroscopic, Raise};
 use super::machine::Machine;
-use super::machine_vectors::MachineFactors;
+use super::machine::MachineFactors;
 use super::mesh::TurbineMesh;
 use crate::beam::{BeamRecipe, BeamWorkspace, SpaceBeam, TopWorkspace, assemble_in_space};
 use crate::elements::{Borders, Mesh};
