@@ -20,7 +20,7 @@
 //! # Example
 //! ```
 //! use towermodes::{
-//!     Material, Method, Options, Rna, Rotor, Station, Tower, TowerDescription, solve,
+//!     Material, Method, Options, Rna, Rotor, Solver, Station, Tower, TowerDescription,
 //! };
 //! use towermodes_analysis::agreement::AgreementLimits;
 //! use towermodes_analysis::resonance::{CampbellOptions, StiffnessClass};
@@ -34,24 +34,23 @@
 //!     ..TowerDescription::default()
 //! };
 //! let tower = Tower::new(description.clone())?;
-//! let options = Options { modes: 4, ..Options::default() };
+//! let mut solver = Solver::new(Options { modes: 4, ..Options::default() });
 //!
 //! // compare: 60 lumped segments against the reference beam solution
 //! let lumped = ColumnSpec { method: Method::Lumped, segments: Some(60) };
-//! let comparison = compare(&tower, &options, &[lumped], |_, _| ())?;
+//! let comparison = compare(&tower, &[lumped], &mut solver, |_, _| ())?;
 //! let difference = comparison.columns[0].relative_differences[0];
 //! assert!(difference.is_some_and(|difference| difference.abs() < 1e-3));
 //!
 //! // converge: the error of the paper's element falls with the square of the number of segments
-//! let rmje = Options { method: Method::RmjeExact, ..options.clone() };
 //! let levels = [20, 40, 80].map(Fineness::Segments);
-//! let convergence = converge(&tower, &rmje, &levels, |_| ())?;
+//! let convergence = converge(&tower, &levels, &mut solver, |_| ())?;
 //! let order = convergence.levels[2].orders[0];
 //! assert!(order.is_some_and(|order| (order - 2.0).abs() < 0.1));
 //!
 //! // campbell: the rotor speed range 6.9 to 12.1 rpm and the first bending modes
 //! let rotor = Rotor { blades: 3, lowest_rpm: 6.9, highest_rpm: 12.1 };
-//! let solution = solve(&tower, &options)?;
+//! let solution = solver.solve(&tower)?;
 //! let diagram = campbell(&tower, &solution, None, &rotor, &CampbellOptions::default())?;
 //! assert_eq!(diagram.classes[0].1, StiffnessClass::SoftStiff);
 //!

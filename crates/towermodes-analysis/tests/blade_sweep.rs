@@ -6,7 +6,7 @@ use crate::towers;
 use std::f64::consts::{PI, TAU};
 
 use towermodes::{
-    Blade, BladeDescription, BladeFamily, BladeSection, Options, Rotor, Tower, solve, solve_blade,
+    Blade, BladeDescription, BladeFamily, BladeSection, Options, Rotor, Solver, Tower, solve,
 };
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{
@@ -174,7 +174,7 @@ fn names_do_not_jump_where_lines_veer() {
     let mut turning = blade.clone();
     turning.rotor_speed_rad_per_s = 12.0;
     let turning = Blade::new(turning).expect("a blade");
-    let solution = solve_blade(&turning, 4, &[]).expect("modes");
+    let solution = Solver::default().blade(&turning, 4, &[]).expect("modes");
     for speeds in [5, 13, 25, 50] {
         let lines = blade_lines(&blade, 4, 12.0, speeds);
         for family in [BladeFamily::Flap, BladeFamily::Lag] {

@@ -3,7 +3,7 @@
 use crate::towers;
 
 use towermodes::{
-    Family, Method, Options, Planes, Properties, PropertyStation, Shear, SolveError, Tower,
+    Family, Method, Options, Planes, Properties, PropertyStation, Shear, SolveError, Solver, Tower,
     TowerDescription, Warning,
 };
 use towermodes_analysis::study::{ColumnSpec, Fineness, compare, converge};
@@ -29,7 +29,7 @@ fn rows_are_the_same_modes_in_every_column() {
         let tower = tower(description);
         let mut seen = 0;
         let comparison =
-            compare(&tower, &Options::default(), &all(20), |_, _| seen += 1).expect("solvable");
+            compare(&tower, &all(20), &mut Solver::default(), |_, _| seen += 1).expect("solvable");
         assert_eq!((seen, comparison.columns.len()), (7, 7));
         for column in &comparison.columns {
             for (index, mode) in comparison.modes.iter().enumerate() {
@@ -51,7 +51,7 @@ fn rows_are_the_same_modes_in_every_column() {
 fn a_pair_is_one_row_and_unequal_planes_are_two() {
     let rows = |description| {
         let tower = tower(description);
-        let comparison = compare(&tower, &Options::default(), &[], |_, _| ()).expect("solvable");
+        let comparison = compare(&tower, &[], &mut Solver::default(), |_, _| ()).expect("solvable");
         comparison.modes
     };
     let pairs = rows(reference());
@@ -74,7 +74,13 @@ fn a_mode_that_so_few_segments_do_not_have_is_missing_not_wrong() {
         method: Method::RmjeExact,
         segments: Some(1),
     };
-    let comparison = compare(&tower(reference()), &options, &[spec], |_, _| ()).expect("solvable");
+    let comparison = compare(
+        &tower(reference()),
+        &[spec],
+        &mut Solver::new(options.clone()),
+        |_, _| (),
+    )
+    .expect("solvable");
     let found: Vec<bool> = comparison.columns[0]
         .frequencies_hz
         .iter()
@@ -92,7 +98,13 @@ fn orders(method: Method, options: &Options, segments: [usize; 3]) -> Vec<f64> {
         ..options.clone()
     };
     let fineness = segments.map(Fineness::Segments);
-    let convergence = converge(&tower(reference()), &options, &fineness, |_| ()).expect("solvable");
+    let convergence = converge(
+        &tower(reference()),
+        &fineness,
+        &mut Solver::new(options.clone()),
+        |_| (),
+    )
+    .expect("solvable");
     let last = &convergence.levels[2];
     last.orders
         .iter()
@@ -146,7 +158,13 @@ fn bmodes_converges_to_the_euler_bernoulli_beam_and_to_none_that_shears() {
         ..Options::default()
     };
     let fineness = [Fineness::Segments(20)];
-    let convergence = converge(&tower(reference()), &options, &fineness, |_| ()).expect("solvable");
+    let convergence = converge(
+        &tower(reference()),
+        &fineness,
+        &mut Solver::new(options.clone()),
+        |_| (),
+    )
+    .expect("solvable");
     assert!(!convergence.rotary_inertia);
     assert_close(
         convergence.modes[0].frequency_hz,
@@ -158,7 +176,12 @@ fn bmodes_converges_to_the_euler_bernoulli_beam_and_to_none_that_shears() {
         shear: Shear::Cowper,
         ..reference()
     };
-    let refused = converge(&tower(sheared), &options, &fineness, |_| ());
+    let refused = converge(
+        &tower(sheared),
+        &fineness,
+        &mut Solver::new(options.clone()),
+        |_| (),
+    );
     assert_eq!(refused, Err(SolveError::NoShear));
 }
 
@@ -169,7 +192,13 @@ fn the_spectral_beam_converges_with_its_degree() {
         ..Options::default()
     };
     let fineness = [4, 6, 8, 10].map(Fineness::Degree);
-    let convergence = converge(&tower(reference()), &options, &fineness, |_| ()).expect("solvable");
+    let convergence = converge(
+        &tower(reference()),
+        &fineness,
+        &mut Solver::new(options.clone()),
+        |_| (),
+    )
+    .expect("solvable");
     for pair in convergence.levels.windows(2) {
         let fell = |(coarse, fine): (&Option<f64>, &Option<f64>)| {
             fine.is_some_and(|fine| fine.abs() < 1e-11 || Some(fine) < *coarse)
@@ -246,7 +275,8 @@ fn a_mode_that_a_method_does_not_have_is_not_looked_for_without_end() {
     let options = Options::default();
     let mut most = 0;
     let done = |_: &mut _, options: &Options| most = most.max(options.modes);
-    let comparison = compare(&tower, &options, &all(60), done).expect("solvable");
+    let comparison =
+        compare(&tower, &all(60), &mut Solver::new(options.clone()), done).expect("solvable");
     // Sixteen for each that is followed, at the most doubled once more.
     assert!(most <= 2 * 16 * comparison.modes.len(), "{most}");
     let missing = comparison.columns.iter().filter(|column| {

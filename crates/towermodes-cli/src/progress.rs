@@ -9,7 +9,7 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use towermodes::{Options, Solution, SolveError, Stage, Tower, Workspace, solve_certain};
+use towermodes::{Options, Solution, SolveError, Solver, Stage, Tower};
 use towermodes_report::wording::printable;
 
 use crate::messages::report;
@@ -45,9 +45,9 @@ impl Log {
     }
 }
 
-/// A workspace for a search that solves many towers: a line says how many. On a terminal it is the
+/// A solver for a search that solves many towers: a line says how many. On a terminal it is the
 /// last one and is removed at the end; in a log there is a line from time to time.
-pub(crate) fn searching() -> (Workspace, impl Drop) {
+pub(crate) fn searching(options: Options) -> (Solver, impl Drop) {
     let is_seen = std::io::stderr().is_terminal();
     let target = match is_seen {
         true => ProgressDrawTarget::stderr(),
@@ -59,7 +59,7 @@ pub(crate) fn searching() -> (Workspace, impl Drop) {
     let style = ProgressStyle::with_template("{msg}");
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
     let (mut solved, mut log) = (0_u64, Log::default());
-    let workspace = Workspace::watched(move |now| {
+    let solver = Solver::new(options).watched(move |now| {
         let begins = now.products == 0 && matches!(now.stage, Stage::Modes { .. });
         solved += u64::from(begins);
         let elapsed = begun.elapsed();
@@ -78,7 +78,7 @@ pub(crate) fn searching() -> (Workspace, impl Drop) {
             false => {}
         }
     });
-    (workspace, line)
+    (solver, line)
 }
 
 /// A line that is removed at the end.
@@ -92,7 +92,7 @@ impl Drop for Cleared {
 
 /// The progress line; nothing if standard error is not a terminal.
 pub(crate) struct Progress {
-    line: Option<Line>,
+    line: Option<Arc<Line>>,
 }
 
 impl Progress {
@@ -111,7 +111,7 @@ impl Progress {
         let now = Now::new(pieces.into_iter().collect());
         let is_seen = std::io::stderr().is_terminal();
         Self {
-            line: is_seen.then(|| Line::new(now)),
+            line: is_seen.then(|| Arc::new(Line::new(now))),
         }
     }
 
@@ -122,23 +122,25 @@ impl Progress {
         }
     }
 
-    /// A workspace for the current computation that reports its progress.
-    pub(crate) fn workspace(&self) -> Workspace {
+    /// A solver for the current computation that reports its progress. The line stays until the
+    /// solver is dropped too.
+    pub(crate) fn solver(&self, options: Options) -> Solver {
+        let solver = Solver::new(options);
         let Some(line) = &self.line else {
-            return Workspace::default();
+            return solver;
         };
-        let now = Arc::clone(&line.now);
-        Workspace::watched(move |progress| locked(&now).hear(progress))
+        let line = Arc::clone(line);
+        solver.watched(move |progress| locked(&line.now).hear(progress))
     }
 }
 
 /// Solves a tower with a progress line.
 ///
 /// # Errors
-/// As [`solve_certain`].
+/// As [`Solver::solve_certain`].
 pub(crate) fn solve(tower: &Tower, options: &Options) -> Result<Solution, SolveError> {
-    let progress = Progress::of_one();
-    solve_certain(tower, options, &mut progress.workspace())
+    let mut solver = Progress::of_one().solver(options.clone());
+    solver.solve_certain(tower)
 }
 
 /// The state of the progress.

@@ -15,10 +15,8 @@ pub(crate) fn all_methods(
 ) -> Result<Comparison, SolveError> {
     let segments = segments.unwrap_or(COMPARED_SEGMENTS);
     let progress = Progress::of(columns_in_words(&columns_of(segments)));
-    let mut workspace = progress.workspace();
-    compare_all_methods(tower, options, segments, &mut workspace, |_, _| {
-        progress.done();
-    })
+    let mut solver = progress.solver(options.clone());
+    compare_all_methods(tower, segments, &mut solver, |_, _| progress.done())
 }
 
 /// The names of the computations for the progress line; the reference solution is computed before

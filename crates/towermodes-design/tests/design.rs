@@ -4,9 +4,7 @@ mod towers;
 
 use std::time::Instant;
 
-use towermodes::{
-    Change, Options, Parameter, Rotor, Tower, TowerDescription, Workspace, solve_frequencies,
-};
+use towermodes::{Change, Options, Parameter, Rotor, Solver, Tower, TowerDescription};
 use towermodes_design::design::{
     Design, DesignError, DesignProblem, Goal, Limit, Side, Variable, design, window_hz,
 };
@@ -57,7 +55,7 @@ fn options() -> Options {
 /// The design, with its residual checked.
 fn found(name: &str, base: &TowerDescription, problem: &DesignProblem) -> Design {
     let begin = Instant::now();
-    let found = design(base, problem, &options(), &mut Workspace::default());
+    let found = design(base, problem, &mut Solver::new(options()));
     let seconds = begin.elapsed().as_secs_f64();
     let found = found.unwrap_or_else(|error| panic!("{name}: {error}"));
     // Shown by `cargo test -- --nocapture`.
@@ -95,8 +93,8 @@ fn solved(base: &TowerDescription, names: &[&str], values: &[f64]) -> (f64, f64)
         modes: 2,
         ..options()
     };
-    let mut workspace = Workspace::default();
-    let modes = solve_frequencies(&tower, &options, &mut workspace).expect("modes");
+    let mut solver = Solver::new(options.clone());
+    let modes = solver.frequencies(&tower).expect("modes");
     let first = modes
         .modes
         .iter()
@@ -493,15 +491,15 @@ fn a_bare_tower_has_a_closed_form() {
         ..options()
     };
     let tower = Tower::new(base.clone()).expect("a tower");
-    let mut workspace = Workspace::default();
-    let modes = solve_frequencies(&tower, &options, &mut workspace).expect("modes");
+    let mut solver = Solver::new(options.clone());
+    let modes = solver.frequencies(&tower).expect("modes");
     let hz = modes.modes[0].extrapolated_hz;
     let problem = DesignProblem {
         variables: vec![variable(name, [0.5, 2.0], &base)],
         goals: vec![at_least("fore-aft 1", 1.2 * hz)],
         ..DesignProblem::default()
     };
-    let of = design(&base, &problem, &options, &mut Workspace::default()).expect("a design");
+    let of = design(&base, &problem, &mut Solver::new(options)).expect("a design");
     assert!((of.values[0] / 1.2 - 1.0).abs() < 1e-6, "{}", of.values[0]);
     assert!((of.mass_kg[1] / of.mass_kg[0] / 1.44 - 1.0).abs() < 1e-6);
     // m ∝ f²: 1 % of frequency costs 2 % of the mass.
@@ -526,7 +524,7 @@ fn what_cannot_be_reached_is_answered() {
     };
     let refused = |problem: &DesignProblem| {
         let begin = Instant::now();
-        let refused = design(&base, problem, &options(), &mut Workspace::default());
+        let refused = design(&base, problem, &mut Solver::new(options()));
         eprintln!("infeasible {:.3} s", begin.elapsed().as_secs_f64());
         match refused {
             Err(DesignError::Infeasible(why)) => why,
@@ -585,7 +583,7 @@ fn impossible_problems_are_refused() {
     let refused = |change: &dyn Fn(&mut DesignProblem)| {
         let mut problem = good.clone();
         change(&mut problem);
-        let refused = design(&base, &problem, &options(), &mut Workspace::default());
+        let refused = design(&base, &problem, &mut Solver::new(options()));
         refused.expect_err("a mistake")
     };
     assert_eq!(refused(&|p| p.variables.clear()), DesignError::NoVariables);
@@ -679,7 +677,7 @@ fn bands_that_symmetry_excludes_are_explained() {
     };
     let refused = |goals| {
         let problem = problem(goals);
-        match design(&base, &problem, &options(), &mut Workspace::default()) {
+        match design(&base, &problem, &mut Solver::new(options())) {
             Err(DesignError::Infeasible(why)) => why.to_string(),
             other => panic!("{other:?}"),
         }
@@ -856,7 +854,7 @@ fn a_limit_binds_both_modes_that_share_a_motion() {
         goals: vec![at_least("side-side 2", 3.0)],
         ..DesignProblem::default()
     };
-    match design(&base, &problem, &options(), &mut Workspace::default()) {
+    match design(&base, &problem, &mut Solver::new(options())) {
         Err(DesignError::Infeasible(why)) => eprintln!("{why}"),
         other => panic!("{other:?}"),
     }

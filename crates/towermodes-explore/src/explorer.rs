@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use towermodes::{Method, Options, Solution, Tower, Workspace, solve_certain};
+use towermodes::{Method, Options, Solution, Solver, Tower};
 use towermodes_analysis::influence::influences;
 use towermodes_analysis::resonance::{
     Assessment, CampbellOptions, GivenRotor, assess, reach_hz, solve_to_reach,
@@ -82,7 +82,7 @@ impl Exploration {
 /// The tower under the user's hand.
 pub struct Explorer {
     pub(crate) exploration: Exploration,
-    workspace: Mutex<Workspace>,
+    solver: Mutex<Solver>,
 }
 
 /// A tower with changed numbers, solved.
@@ -100,7 +100,7 @@ impl Explorer {
     pub fn new(exploration: Exploration) -> Self {
         Self {
             exploration,
-            workspace: Mutex::default(),
+            solver: Mutex::default(),
         }
     }
 
@@ -149,7 +149,9 @@ impl Explorer {
             points: 2,
             ..self.options(&input)
         };
-        let of = influences(&input.description, None, &options, &mut self.workspace());
+        let of = self.solver().with(options, |solver| {
+            influences(&input.description, None, solver)
+        });
         of.map(|of| Elasticities::new(&of, question.mode, &input.description))
             .map_err(|error| Refusal::new(error.to_string(), None, Vec::new()))
     }
@@ -181,8 +183,7 @@ impl Explorer {
     pub(crate) fn solved(&self, state: &State) -> Result<Solved, Refusal> {
         let (input, tower) = self.changed(state)?;
         let started = self.now_ms();
-        let mut options = self.options(&input);
-        let solution = self.solution(&input, &tower, &mut options);
+        let solution = self.solution(&input, &tower, self.options(&input));
         let solution = solution.map_err(|error| Refusal::of_solve(&error))?;
         let solve_ms = self.now_ms() - started;
         let assessment = self.assessment(&input, &tower, &solution)?;
@@ -199,18 +200,14 @@ impl Explorer {
         &self,
         input: &TowerInput,
         tower: &Tower,
-        options: &mut Options,
+        options: Options,
     ) -> Result<Solution, towermodes::SolveError> {
         let of = &self.exploration;
-        let mut workspace = self.workspace();
-        let mut solve = |options: &Options| solve_certain(tower, options, &mut workspace);
-        match self.rotor(input).filter(|_| of.covers_excitations) {
-            Some(rotor) => {
-                let reach_hz = reach_hz(&rotor, &of.campbell);
-                solve_to_reach(options, reach_hz, solve)
-            }
-            None => solve(options),
-        }
+        let rotor = self.rotor(input).filter(|_| of.covers_excitations);
+        self.solver().with(options, |solver| match rotor {
+            Some(rotor) => solve_to_reach(solver, tower, reach_hz(&rotor, &of.campbell)),
+            None => solver.solve_certain(tower),
+        })
     }
 
     /// The resonance check of the tower modes. A blade would be solved at many speeds for every
@@ -246,10 +243,8 @@ impl Explorer {
         (self.exploration.clock)()
     }
 
-    fn workspace(&self) -> std::sync::MutexGuard<'_, Workspace> {
-        // A workspace is scratch memory: a panic leaves nothing in it that the next solve reads.
-        self.workspace
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
+    fn solver(&self) -> std::sync::MutexGuard<'_, Solver> {
+        // Its memory is scratch: a panic leaves nothing in it that the next solve reads.
+        self.solver.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use towermodes::{Change, Options, Tower, Workspace, solve, solve_frequencies};
+use towermodes::{Change, Options, Solver, Tower, solve};
 use towermodes_files::read_tower;
 
 fn example(name: &str) -> PathBuf {
@@ -31,8 +31,8 @@ fn assert_named(file: &Path, changes: &[(&str, f64)], expected: &str) {
         ..Options::default()
     };
     let solution = solve(&tower, &options).expect("modes");
-    let mut workspace = Workspace::default();
-    let quick = solve_frequencies(&tower, &options, &mut workspace).expect("modes");
+    let mut solver = Solver::new(options.clone());
+    let quick = solver.frequencies(&tower).expect("modes");
     for ((mode, quick), expected) in solution.modes.iter().zip(&quick.modes).zip(expected) {
         let family = match mode.family.name() {
             "fore-aft" => "FA",

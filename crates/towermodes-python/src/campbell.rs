@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pyo3::prelude::*;
-use towermodes::{Options, Solution, SolveError, solve_certain};
+use towermodes::{Solution, SolveError};
 use towermodes_analysis::resonance::{
     Campbell as Diagram, CampbellOptions, ChosenRotor, GivenRotor, assess, reach_hz, solve_to_reach,
 };
@@ -97,16 +97,13 @@ impl Campbell {
         let model = Arc::clone(&tower.model);
         let Model { tower, input } = &*model;
         let mut limits = rotor.of_library();
-        let mut solver = options.of(input)?;
-        let solved = interruptible(py, |workspace| {
-            let mut solve = |options: &Options| solve_certain(tower, options, workspace);
-            let chosen = rotor.rotor(input, || solve(&solver))?;
-            let reach_hz = match options.has_modes() {
-                true => 0.0,
-                false => reach_hz(&chosen.rotor, &limits),
+        let solved = interruptible(py, options.of(input)?, |solver| {
+            let chosen = rotor.rotor(input, || solver.solve_certain(tower))?;
+            let solution = match options.has_modes() {
+                true => solver.solve_certain(tower),
+                false => solve_to_reach(solver, tower, reach_hz(&chosen.rotor, &limits)),
             };
-            let solution = solve_to_reach(&mut solver, reach_hz, solve)?;
-            Ok::<_, SolveError>((solution, chosen))
+            Ok::<_, SolveError>((solution?, chosen))
         })?;
         let (solution, chosen) = solved.map_err(|error| model.unsolved(&error))?;
         limits.speeds_are_known = chosen.speeds_are_known;

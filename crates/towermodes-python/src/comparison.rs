@@ -4,8 +4,8 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
-use towermodes::{Method, Options, Tower as CheckedTower, Workspace, solve_with};
-use towermodes_analysis::study::{ColumnSpec, Comparison as Compared, compare_with};
+use towermodes::{Method, Options, Tower as CheckedTower, Solver};
+use towermodes_analysis::study::{ColumnSpec, Comparison as Compared, compare};
 use towermodes_cli::table;
 use towermodes_files::{write_comparison_csv, write_result_json};
 use towermodes_report::figures::{self, TitleWords, titled};
@@ -46,13 +46,13 @@ fn columns(methods: &[Method], segments: &[usize]) -> Vec<ColumnSpec> {
 
 /// The time of the fastest of several solves.
 fn time_of(tower: &CheckedTower, options: &Options) -> Duration {
-    let mut workspace = Workspace::default();
+    let mut solver = Solver::new(options.clone());
     let started = Instant::now();
     let mut fastest = Duration::MAX;
     loop {
         let start = Instant::now();
         // The same solve has succeeded before.
-        let _ = solve_with(tower, options, &mut workspace);
+        let _ = solver.solve(tower);
         fastest = fastest.min(start.elapsed());
         if started.elapsed() > TIMING {
             return fastest;
@@ -87,8 +87,8 @@ impl Comparison {
             ..Options::default()
         };
         let tower = &model.tower;
-        let compared = interruptible(py, |workspace| {
-            compare_with(tower, &options, &columns, workspace, |column, options| {
+        let compared = interruptible(py, options, |solver| {
+            compare(tower, &columns, solver, |column, options| {
                 column.seconds_per_solve = Some(time_of(tower, options).as_secs_f64());
             })
         })?;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pyo3::prelude::*;
-use towermodes::{Options, Solution, solve_certain};
+use towermodes::{Options, Solution};
 use towermodes_analysis::damping::{GivenDamping, ModalDamping, damping};
 use towermodes_analysis::resonance::GivenRotor;
 use towermodes_cli::table;
@@ -58,9 +58,7 @@ fn solved(py: Python<'_>, model: &Model, options: Options) -> PyResult<Solution>
         energy_parts: true,
         ..options
     };
-    let solution = interruptible(py, |workspace| {
-        solve_certain(&model.tower, &options, workspace)
-    })?;
+    let solution = interruptible(py, options, |solver| solver.solve_certain(&model.tower))?;
     solution.map_err(|error| model.unsolved(&error))
 }
 

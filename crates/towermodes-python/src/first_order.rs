@@ -1,7 +1,7 @@
 //! The scatter of frequencies to first order in what varies.
 
 use pyo3::prelude::*;
-use towermodes::Workspace;
+use towermodes::{Options, Solver};
 use towermodes_cli::{studies, table};
 use towermodes_files::{Sampling, Source, SweepRows, read_sweep_study, write_first_order_json};
 use towermodes_sweep::{Base, FirstOrder as Scatter, FirstOrderError, MarginCheck, Sweep};
@@ -41,9 +41,9 @@ impl FirstOrder {
         };
         let changes = study.changes(&input.description).map_err(of_read)?;
         let results = options.over(study.results.clone())?;
-        let (found, check) = reported(py, progress, |workspace| {
+        let (found, check) = reported(py, progress, Options::default(), |solver| {
             let sweep = Sweep::new(Base::from(input), changes, &results).map_err(refused)?;
-            scatter(&sweep, sampling, std::mem::take(workspace))
+            scatter(&sweep, sampling, std::mem::take(solver))
         })??;
         let document = studies::first_order::document(input, sampling, &found, check.as_ref());
         let mut json = Vec::new();
@@ -67,10 +67,10 @@ impl FirstOrder {
 fn scatter(
     sweep: &Sweep,
     sampling: &Sampling,
-    workspace: Workspace,
+    solver: Solver,
 ) -> PyResult<(Scatter, Option<MarginCheck>)> {
     let check = sweep.margin_check();
-    let found = sweep.first_order_with(sampling, check.as_ref(), workspace);
+    let found = sweep.first_order(sampling, check.as_ref(), solver);
     let found = found.map_err(|error| match error {
         FirstOrderError::Sensitivity(error) => no_derivatives(&error),
         error @ FirstOrderError::Means { .. } => unsolved(&error.to_string(), None),

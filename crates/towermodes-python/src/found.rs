@@ -74,8 +74,8 @@ pub fn design(
         error => usage(error.to_string()),
     })?;
     let options = studies::design::options(&study, input);
-    let found = reported(py, progress, |workspace| {
-        designed(&input.description, &problem, &options, workspace)
+    let found = reported(py, progress, options, |solver| {
+        designed(&input.description, &problem, solver)
     })?;
     let found = found.map_err(|error| {
         let located = studies::design::located(&error, &study, &input.description);
@@ -113,10 +113,7 @@ pub fn calibrate(
     let free = free.map_err(|error| usage(error.to_string()))?;
     let problem = studies::calibration::problem(&input.description, &file, free);
     let problem = problem.map_err(of_read)?;
-    let options = options.of(input)?;
-    let fit = reported(py, progress, |workspace| {
-        fitted(&problem, &options, workspace)
-    })?;
+    let fit = reported(py, progress, options.of(input)?, |solver| fitted(&problem, solver))?;
     let fit = fit.map_err(|error| {
         let located = studies::calibration::located(&error, &file);
         no_fit(error, located.map(|error| said(&error)))

@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
-use towermodes::{Progress, Stage, Workspace};
+use towermodes::{Options, Progress, Solver, Stage};
 
 use crate::lock::{attached, released};
 
@@ -26,11 +26,11 @@ struct Interrupted(PyErr);
 /// The exception of a signal handler: `KeyboardInterrupt`.
 pub fn interruptible<T: Send>(
     py: Python<'_>,
-    work: impl FnOnce(&mut Workspace) -> T + Send,
+    options: Options,
+    work: impl FnOnce(&mut Solver) -> T + Send,
 ) -> PyResult<T> {
     looking(py, |mut look| {
-        let mut workspace = Workspace::watched(move |_| look());
-        work(&mut workspace)
+        work(&mut Solver::new(options).watched(move |_| look()))
     })
 }
 
@@ -42,11 +42,12 @@ pub fn interruptible<T: Send>(
 pub fn reported<T: Send>(
     py: Python<'_>,
     progress: Option<Py<PyAny>>,
-    work: impl FnOnce(&mut Workspace) -> T + Send,
+    options: Options,
+    work: impl FnOnce(&mut Solver) -> T + Send,
 ) -> PyResult<T> {
     let (mut solved, mut reported) = (0_u64, Instant::now());
     looking(py, |mut look| {
-        let mut workspace = Workspace::watched(move |now| {
+        let mut solver = Solver::new(options).watched(move |now| {
             solved += u64::from(begins(&now));
             if let Some(progress) = &progress
                 && reported.elapsed() >= BETWEEN_REPORTS
@@ -57,7 +58,7 @@ pub fn reported<T: Send>(
             }
             look();
         });
-        work(&mut workspace)
+        work(&mut solver)
     })
 }
 

@@ -3,8 +3,7 @@
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use towermodes::{
-    Change, ModeFrequency, ModeName, Options, Sensitivities, SensitivityError, every_change,
-};
+    Change, ModeFrequency, ModeName, Options, Sensitivities, SensitivityError, };
 use towermodes_files::SweepResults;
 use towermodes_sweep::{Base, MORE_MODES, Sweep};
 
@@ -43,7 +42,7 @@ pub fn sensitivities<'py>(
             let changes: Result<Vec<Change>, _> = names.iter().map(parse).collect();
             changes.map_err(|error| usage(error.to_string()))?
         }
-        None => every_change(&input.description),
+        None => Change::every(&input.description),
     };
     let results = options.over(SweepResults::default())?;
     let sweep = Sweep::new(Base::from(input), changes, &results).map_err(refused)?;
@@ -55,8 +54,8 @@ pub fn sensitivities<'py>(
 fn derived(py: Python<'_>, sweep: &Sweep) -> PyResult<(Sensitivities, Vec<usize>)> {
     let mut options = sweep.options().clone();
     loop {
-        let solved = interruptible(py, |workspace| {
-            towermodes::sensitivities(sweep.base(), sweep.changes(), &options, workspace)
+        let solved = interruptible(py, options.clone(), |solver| {
+            solver.sensitivities(sweep.base(), sweep.changes())
         })?;
         let solved = solved.map_err(|error| failed(&error))?;
         let place = |name: &ModeName| solved.modes.iter().position(|mode| is_named(mode, name));

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use towermodes::{
     Change, DEFAULT_SEGMENTS, Operation, Parameter, SolveError, Tower as CheckedTower, Warning,
-    solve_certain,
+    Solver,
 };
 use towermodes_files::{Note, Setting, TowerInput};
 use towermodes_report::figures;
@@ -239,10 +239,8 @@ impl Tower {
         let segments = options.segments.unwrap_or(DEFAULT_SEGMENTS);
         let is_short = segments.saturating_mul(options.modes) < SOON;
         let solution = match is_short {
-            true => released(py, || {
-                solve_certain(tower, &options, &mut Default::default())
-            }),
-            false => interruptible(py, |workspace| solve_certain(tower, &options, workspace))?,
+            true => released(py, || Solver::new(options).solve_certain(tower)),
+            false => interruptible(py, options, |solver| solver.solve_certain(tower))?,
         };
         let solution = solution.map_err(|error| self.model.unsolved(&error))?;
         Ok(Solution {

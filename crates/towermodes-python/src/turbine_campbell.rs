@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use numpy::{PyArray1, PyArray2, PyArray3};
 use pyo3::prelude::*;
-use towermodes::{Options, SolveError, solve_certain};
+use towermodes::{Options, SolveError};
 use towermodes_analysis::resonance::{reach_hz, solve_to_reach};
 use towermodes_analysis::whirl::{
     AgainstRigid, CoupledCampbell, CoupledOptions, CurvePoint, RotorSpeeds, coupled_campbell,
@@ -65,11 +65,10 @@ impl TurbineCampbell {
         let blades = turbine.machine().blades;
         let given = rotor_of(rotor, &model.input, blades, &rpm);
         let limits = given.of_library();
-        let mut solver = Options::default();
-        let solved = interruptible(py, |workspace| {
-            let mut solve = |options: &Options| solve_certain(&model.tower, options, workspace);
-            let chosen = given.rotor(&model.input, || solve(&solver))?;
-            let rigid = solve_to_reach(&mut solver, reach_hz(&chosen.rotor, &limits), solve)?;
+        let solved = interruptible(py, Options::default(), |solver| {
+            let chosen = given.rotor(&model.input, || solver.solve_certain(&model.tower))?;
+            let reach_hz = reach_hz(&chosen.rotor, &limits);
+            let rigid = solve_to_reach(solver, &model.tower, reach_hz)?;
             Ok::<_, SolveError>((rigid, chosen))
         })?;
         let (rigid, chosen) = solved.map_err(|error| model.unsolved(&error))?;

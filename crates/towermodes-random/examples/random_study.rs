@@ -6,7 +6,7 @@
 //! the median of claimed/true. On standard error it prints the modes that are not covered.
 #![allow(clippy::print_stdout, reason = "an example prints")]
 
-use towermodes::{Method, Workspace};
+use towermodes::{Method, Solver};
 use towermodes_random::{Class, Fineness, Sample, Tally, samples, table};
 
 const SEEDS: u64 = 500;
@@ -44,9 +44,9 @@ fn main() {
 /// All towers of a class by all methods.
 fn study(class: Class, seeds: u64, fineness: Fineness) -> Vec<Tally> {
     let mut tallies = vec![Tally::default(); Method::ALL.len()];
-    let mut workspace = Workspace::default();
+    let mut solver = Solver::default();
     for number in 0..seeds {
-        let solved = match samples(class, number, fineness, &Method::ALL, &mut workspace) {
+        let solved = match samples(class, number, fineness, &Method::ALL, &mut solver) {
             Ok(solved) => solved,
             Err(error) => {
                 eprintln!("{} {number}: no reference: {error}", class.name());

@@ -5,7 +5,7 @@
 
 use towermodes::{
     Family, Foundation, FoundationSprings, HalfSpace, Inertia, Material, ModeFrequency, Options,
-    Rna, Shares, Station, Tower, TowerDescription, Workspace, solve_frequencies,
+    Rna, Shares, Solver, Station, Tower, TowerDescription,
 };
 
 use crate::Seed;
@@ -154,13 +154,9 @@ struct Point {
 
 impl Point {
     /// `None` for the names that the program gives.
-    fn at(path: &Path, t: f64, rule: Option<Rule>, workspace: &mut Workspace) -> Self {
-        let options = Options {
-            modes: MODES,
-            segments: Some(12),
-            ..Options::default()
-        };
-        let solved = solve_frequencies(&path.tower(t), &options, workspace);
+    fn at(path: &Path, t: f64, rule: Option<Rule>, solver: &mut Solver) -> Self {
+        let tower = path.tower(t);
+        let solved = solver.frequencies(&tower);
         let modes = solved.expect("modes").modes.clone();
         let shares: Vec<Shares> = modes.iter().map(|mode| mode.shares).collect();
         let own = || {
@@ -224,12 +220,16 @@ pub struct Outcome {
 
 /// Follows the lowest names along a path in equal steps; by the names of the program, or by a rule.
 pub fn follow(path: &Path, steps: usize, rule: Option<Rule>) -> Outcome {
-    let mut workspace = Workspace::default();
+    let mut solver = Solver::new(Options {
+        modes: MODES,
+        segments: Some(12),
+        ..Options::default()
+    });
     let mut outcome = Outcome::default();
-    let mut before = Point::at(path, 0.0, rule, &mut workspace);
+    let mut before = Point::at(path, 0.0, rule, &mut solver);
     for step in 1..=steps {
         let [from, to] = [step - 1, step].map(|step| step as f64 / steps as f64);
-        let after = Point::at(path, to, rule, &mut workspace);
+        let after = Point::at(path, to, rule, &mut solver);
         let unnamed = after.names[..NAMES]
             .iter()
             .filter(|(family, _)| *family == 4);
@@ -239,14 +239,7 @@ pub fn follow(path: &Path, steps: usize, rule: Option<Rule>) -> Outcome {
             if outcome.jumps.len() >= MOST_JUMPS || distance(&before, &after, name) < JUMP {
                 continue;
             }
-            let jump = locate(
-                path,
-                name,
-                [from, to],
-                [&before, &after],
-                rule,
-                &mut workspace,
-            );
+            let jump = locate(path, name, [from, to], [&before, &after], rule, &mut solver);
             outcome.jumps.extend(jump);
         }
         before = after;
@@ -281,12 +274,12 @@ fn locate(
     [mut from, mut to]: [f64; 2],
     [before, after]: [&Point; 2],
     rule: Option<Rule>,
-    workspace: &mut Workspace,
+    solver: &mut Solver,
 ) -> Option<Jump> {
     let (mut before, mut after) = (before.clone(), after.clone());
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (from + to);
-        let between = Point::at(path, middle, rule, workspace);
+        let between = Point::at(path, middle, rule, solver);
         if distance(&before, &between, name) >= distance(&between, &after, name) {
             (to, after) = (middle, between);
         } else {

@@ -1,8 +1,7 @@
 //! One mode of one tower by one method: its estimated error and its true error.
 
 use towermodes::{
-    Method, Mode, Options, Shear, Solution, SolveError, Tower, TowerDescription, Warning,
-    Workspace, solve_with,
+    Method, Mode, Options, Shear, Solution, SolveError, Solver, Tower, TowerDescription, Warning,
 };
 
 use super::class::Class;
@@ -75,7 +74,7 @@ pub fn samples(
     number: u64,
     fineness: Fineness,
     methods: &[Method],
-    workspace: &mut Workspace,
+    solver: &mut Solver,
 ) -> Result<Vec<Result<Vec<Sample>, SolveError>>, SolveError> {
     let description = class.description(number);
     let of = |description| Tower::new(description).expect("classes make valid towers");
@@ -85,12 +84,12 @@ pub fn samples(
         Fineness::Default => None,
         Fineness::Coarse => Some(segments.whole(10, 60)),
     };
-    let truth = reference(&tower, true, workspace)?;
+    let truth = reference(&tower, true, solver)?;
     // BModes has neither shear deformation nor rotary inertia.
     let slender = match methods.contains(&Method::Bmodes) {
         true => {
             let unsheared = of(without_shear(description.clone()));
-            Some(reference(&unsheared, false, workspace)?)
+            Some(reference(&unsheared, false, solver)?)
         }
         false => None,
     };
@@ -103,7 +102,7 @@ pub fn samples(
             ..Options::default()
         };
         let slender = slender.as_ref().filter(|_| method == Method::Bmodes);
-        let solution = solve_with(&tower, &options, workspace)?;
+        let solution = solver.with(options, |solver| solver.solve(&tower))?;
         Ok(compared(number, &solution, slender.unwrap_or(&truth)))
     };
     Ok(methods.iter().map(sample).collect())
@@ -122,7 +121,7 @@ fn without_shear(mut description: TowerDescription) -> TowerDescription {
 fn reference(
     tower: &Tower,
     rotary_inertia: bool,
-    workspace: &mut Workspace,
+    solver: &mut Solver,
 ) -> Result<Solution, SolveError> {
     let converged = Options {
         method: Method::Spectral,
@@ -131,13 +130,13 @@ fn reference(
         rotary_inertia,
         ..Options::default()
     };
-    let found = solve_with(tower, &converged, workspace)?;
+    let found = solver.with(converged.clone(), |solver| solver.solve(tower))?;
     let raised = Options {
         segments: Some(found.segments),
         degree: found.degree.map(|degree| degree + RAISED),
         ..converged
     };
-    solve_with(tower, &raised, workspace)
+    solver.with(raised, |solver| solver.solve(tower))
 }
 
 fn compared(tower: u64, solution: &Solution, truth: &Solution) -> Vec<Sample> {

@@ -1,6 +1,6 @@
 //! A short version of the random study: a few towers of each class.
 
-use towermodes::{Method, Workspace};
+use towermodes::{Method, Solver};
 use towermodes_random::{
     Class, Fineness, Sample, Tally, TurbineClass, samples, table, turbine_samples, turbine_table,
 };
@@ -12,10 +12,10 @@ const SEEDS: u64 = 3;
 fn study(fineness: Fineness) -> Vec<(Method, Vec<Sample>)> {
     let mut by_method: Vec<(Method, Vec<Sample>)> =
         Method::ALL.map(|method| (method, Vec::new())).to_vec();
-    let mut workspace = Workspace::default();
+    let mut solver = Solver::default();
     for class in Class::ALL {
         for number in 0..SEEDS {
-            let solved = samples(class, number, fineness, &Method::ALL, &mut workspace);
+            let solved = samples(class, number, fineness, &Method::ALL, &mut solver);
             let solved = solved.expect("the reference solution is computed");
             for ((_, all), solved) in by_method.iter_mut().zip(solved) {
                 // Near buckling few segments can buckle where the beam stands; that is an error,

@@ -5,7 +5,7 @@ use crate::pictures;
 
 use pictures::{check, check_labels, input};
 use towermodes::Rotor;
-use towermodes::{BladeFamily, Family, Method, Options, solve};
+use towermodes::{BladeFamily, Family, Method, Options, Solver, solve};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{
     Campbell, CampbellOptions, Excited, FrequencyLine, Margin, StiffnessClass, campbell,
@@ -399,7 +399,7 @@ fn convergence(name: &str, method: Method, fineness: &[Fineness], modes: usize) 
         ..Options::default()
     };
     let (_, tower) = input(name);
-    converge(&tower, &options, fineness, |_| ()).expect("solvable")
+    converge(&tower, fineness, &mut Solver::new(options.clone()), |_| ()).expect("solvable")
 }
 
 #[test]
@@ -474,7 +474,13 @@ fn comparison(name: &str, modes: usize) -> Comparison {
         modes,
         ..Options::default()
     };
-    compare(&tower, &options, &Method::ALL.map(column), |_, _| ()).expect("solvable")
+    compare(
+        &tower,
+        &Method::ALL.map(column),
+        &mut Solver::new(options.clone()),
+        |_, _| (),
+    )
+    .expect("solvable")
 }
 
 /// Of 60 modes 14 lines and 40 rows of dots are drawn.

@@ -10,7 +10,7 @@ use std::path::Path;
 
 use pictures::{EXAMPLES, check, check_labels, example, input};
 use towermodes::Rotor;
-use towermodes::{Method, Options, solve};
+use towermodes::{Method, Options, Solver, solve};
 use towermodes_analysis::resonance::{CampbellOptions, campbell};
 use towermodes_analysis::study::{self, ColumnSpec, Fineness, converge};
 use towermodes_report::figures;
@@ -157,7 +157,8 @@ fn studies_of_methods() {
             method,
             ..Options::default()
         };
-        let study = converge(&tower, &options, &segments, |_| ()).expect("solvable");
+        let study = converge(&tower, &segments, &mut Solver::new(options.clone()), |_| ())
+            .expect("solvable");
         let figure = figures::convergence(&study);
         compare(&format!("convergence-{}", method.name()), &figure);
     }
@@ -166,7 +167,7 @@ fn studies_of_methods() {
         segments: (method != Method::Spectral).then_some(60),
     };
     let columns = Method::ALL.map(column);
-    let study = study::compare(&tower, &Options::default(), &columns, |_, _| ());
+    let study = study::compare(&tower, &columns, &mut Solver::default(), |_, _| ());
     compare("error", &figures::error(&study.expect("solvable")));
 }
 

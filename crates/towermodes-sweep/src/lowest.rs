@@ -1,7 +1,7 @@
 //! The lowest modes of a tower by name, without shapes.
 
 use towermodes::modes::SharedMotion;
-use towermodes::{ModeName, Options, Shares, SolveError, Tower, Workspace, solve_frequencies};
+use towermodes::{ModeName, Shares, SolveError, Solver, Tower};
 
 /// The lowest modes of one tower, in memory that is used again for the next.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -35,13 +35,8 @@ impl NamedFrequency {
 
 impl Lowest {
     /// Solves a tower.
-    pub(crate) fn solve(
-        &mut self,
-        tower: &Tower,
-        options: &Options,
-        workspace: &mut Workspace,
-    ) -> Result<(), SolveError> {
-        let frequencies = solve_frequencies(tower, options, workspace)?;
+    pub(crate) fn solve(&mut self, tower: &Tower, solver: &mut Solver) -> Result<(), SolveError> {
+        let frequencies = solver.frequencies(tower)?;
         self.modes.clear();
         self.modes
             .extend(frequencies.modes.iter().map(|mode| NamedFrequency {
@@ -63,23 +58,23 @@ impl Lowest {
         &mut self,
         wanted: &[ModeName],
         tower: &Tower,
-        (options, most): (&mut Options, usize),
-        workspace: &mut Workspace,
+        most: usize,
+        solver: &mut Solver,
     ) -> Result<(), SolveError> {
         self.no_more = None;
-        self.solve(tower, options, workspace)?;
+        self.solve(tower, solver)?;
         while !wanted.iter().all(|name| self.mode(*name).is_some()) {
-            let more = more_than(options.modes).min(most);
-            if more <= options.modes {
+            let more = more_than(solver.options.modes).min(most);
+            if more <= solver.options.modes {
                 break;
             }
-            options.modes = more;
-            let mut solved = self.solve(tower, options, workspace);
+            solver.options.modes = more;
+            let mut solved = self.solve(tower, solver);
             let is_last = solved.is_err();
             if let Err(SolveError::TooManyModes { available, .. }) = solved {
-                options.modes = available;
+                solver.options.modes = available;
                 solved = match available > self.modes.len() {
-                    true => self.solve(tower, options, workspace),
+                    true => self.solve(tower, solver),
                     false => Ok(()),
                 };
             }

@@ -1,8 +1,6 @@
 //! One row of a sweep: the changed tower, solved.
 
-use towermodes::{
-    Change, ModeName, Options, Parameter, Place, Tower, TowerError, Warning, Workspace,
-};
+use towermodes::{Change, ModeName, Parameter, Place, Solver, Tower, TowerError, Warning};
 
 use crate::lowest::Lowest;
 use crate::sweep::Sweep;
@@ -26,8 +24,7 @@ pub(crate) struct Cells<'a> {
 #[derive(Debug)]
 pub(crate) struct RowSolver<'a> {
     sweep: &'a Sweep,
-    options: Options,
-    pub(crate) workspace: Workspace,
+    pub(crate) solver: Solver,
     lowest: Lowest,
     /// Whether the input of the last row is unusual, and how.
     warning: Option<Warning>,
@@ -37,15 +34,15 @@ pub(crate) struct RowSolver<'a> {
 
 impl<'a> RowSolver<'a> {
     pub(crate) fn new(sweep: &'a Sweep) -> Self {
-        Self::within(sweep, Workspace::default())
+        Self::within(sweep, Solver::default())
     }
 
-    /// The same in the memory of a workspace, whose observer sees every solve.
-    pub(crate) fn within(sweep: &'a Sweep, workspace: Workspace) -> Self {
+    /// The same with a solver, whose observer sees every solve.
+    pub(crate) fn within(sweep: &'a Sweep, mut solver: Solver) -> Self {
+        solver.options = sweep.options().clone();
         Self {
             sweep,
-            options: sweep.options().clone(),
-            workspace,
+            solver,
             lowest: Lowest::default(),
             warning: None,
             shared: None,
@@ -69,12 +66,12 @@ impl<'a> RowSolver<'a> {
         *cells.mass_kg = tower.mass_kg();
         self.warning = self.sweep.new_warning(&tower).cloned();
         let asked = self.sweep.options().modes;
-        self.options.modes = asked;
+        self.solver.options.modes = asked;
         let solved = self.lowest.solve_for(
             self.sweep.modes(),
             &tower,
-            (&mut self.options, asked + MORE_MODES),
-            &mut self.workspace,
+            asked + MORE_MODES,
+            &mut self.solver,
         );
         solved.map_err(|error| error.to_string())?;
         self.take(&mut cells)?;

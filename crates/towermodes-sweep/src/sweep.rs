@@ -5,7 +5,7 @@ use std::mem::discriminant;
 
 use thiserror::Error;
 use towermodes::{
-    Change, ModeName, Options, SolveError, Tower, TowerDescription, TowerError, Warning, Workspace,
+    Change, ModeName, Options, SolveError, Solver, Tower, TowerDescription, TowerError, Warning,
 };
 use towermodes_files::{SweepModes, SweepResults};
 
@@ -174,7 +174,7 @@ impl Sweep {
 
 fn lowest(tower: &Tower, options: &Options) -> Result<Lowest, SolveError> {
     let mut lowest = Lowest::default();
-    lowest.solve(tower, options, &mut Workspace::default())?;
+    lowest.solve(tower, &mut Solver::new(options.clone()))?;
     Ok(lowest)
 }
 
@@ -192,16 +192,11 @@ fn reaching(tower: &Tower, options: &Options, wanted: &[ModeName]) -> Result<usi
         let name = wanted[second];
         return Err(SweepError::RepeatedMode { name });
     }
-    let mut options = options.clone();
-    options.modes = wanted.len();
+    let mut solver = Solver::new(options.clone());
+    solver.options.modes = wanted.len();
     let most = MOST_MODES.max(2 * wanted.len());
     let mut lowest = Lowest::default();
-    lowest.solve_for(
-        wanted,
-        tower,
-        (&mut options, most),
-        &mut Workspace::default(),
-    )?;
+    lowest.solve_for(wanted, tower, most, &mut solver)?;
     let found = names(&lowest);
     let place = |name: &ModeName| found.iter().position(|other| other == name);
     if let Some(name) = wanted.iter().find(|name| place(name).is_none()) {

@@ -3,7 +3,7 @@
 
 use std::ops::ControlFlow;
 
-use towermodes::{Rna, TowerDescription};
+use towermodes::{Rna, Solver, TowerDescription};
 use towermodes_files::{
     Correlation, Distribution, Sampling, SamplingKind, SweepModes, SweepResults, Varied,
 };
@@ -88,7 +88,7 @@ fn both(sampling: &Sampling, sweep: &Sweep) -> (Scatter, Statistics, [f64; 2]) {
     let check = sweep.margin_check().expect("a rotor");
     assert_eq!(check.multiples[1], 3);
     let first = sweep
-        .first_order(sampling, Some(&check))
+        .first_order(sampling, Some(&check), Solver::default())
         .expect("first order");
     let scatter = first.modes[0].scatter.clone().expect("derivatives");
     let draw = Draw::new(sampling).expect("a sampling");
@@ -215,7 +215,7 @@ fn a_product_of_powers_has_the_closed_form() {
     let sampling = sampling(1, vary, vec![pair(names[0], names[1], coefficient)]);
     let check = bare.margin_check().expect("a rotor");
     let first = bare
-        .first_order(&sampling, Some(&check))
+        .first_order(&sampling, Some(&check), Solver::default())
         .expect("first order");
     assert_eq!(
         (first.inputs[1].mean, first.inputs[1].deviation),
@@ -263,7 +263,7 @@ fn a_large_shift_of_the_mean_is_a_doubt() {
     let sweep = sweep(base, &[density], &results);
     let doubts = |deviation: f64| {
         let vary = vec![varied(density, lognormal(1.0, deviation))];
-        let found = sweep.first_order(&sampling(1, vary, Vec::new()), None);
+        let found = sweep.first_order(&sampling(1, vary, Vec::new()), None, Solver::default());
         found.expect("first order").doubts()
     };
     assert_eq!(doubts(0.1), Vec::<String>::new());
@@ -295,7 +295,9 @@ fn random_rows_of_a_product_of_powers_have_the_exact_mean() {
         varied(names[1], lognormal(1.0, r)),
     ];
     let sampling = sampling(ROWS, vary, vec![pair(names[0], names[1], coefficient)]);
-    let first = bare.first_order(&sampling, None).expect("first order");
+    let first = bare
+        .first_order(&sampling, None, Solver::default())
+        .expect("first order");
     let scatter = first.modes[0].scatter.as_ref().expect("derivatives");
     // The logarithms are normal with these variances and this covariance.
     let [of_e, of_r] = [(e * e).ln_1p(), (r * r).ln_1p()];
@@ -322,7 +324,9 @@ fn random_rows_of_a_product_of_powers_have_the_exact_mean() {
 }
 
 fn refused(sweep: &Sweep, sampling: &Sampling) -> FirstOrderError {
-    sweep.first_order(sampling, None).expect_err("refused")
+    sweep
+        .first_order(sampling, None, Solver::default())
+        .expect_err("refused")
 }
 
 #[test]
@@ -372,7 +376,9 @@ fn a_mode_without_a_derivative_has_the_reason() {
     let name = "rna.center[1]";
     let sweep = lowest(&[name], 2);
     let beside = sampling(10, vec![varied(name, normal(0.0, 0.3))], Vec::new());
-    let first = sweep.first_order(&beside, None).expect("first order");
+    let first = sweep
+        .first_order(&beside, None, Solver::default())
+        .expect("first order");
     for mode in &first.modes {
         match &mode.scatter {
             Err(NoScatter::NoDerivative { change, .. }) => assert_eq!(change, name),
@@ -391,7 +397,7 @@ fn lists_have_moments() {
     ];
     let sweep = lowest(&["rna.mass", "material.density"], 1);
     let first = sweep
-        .first_order(&sampling(10, vary, Vec::new()), None)
+        .first_order(&sampling(10, vary, Vec::new()), None, Solver::default())
         .expect("first order");
     let scatter = first.modes[0].scatter.as_ref().expect("derivatives");
     assert_eq!(scatter.shares, [1.0, 0.0]);

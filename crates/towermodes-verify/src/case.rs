@@ -1,7 +1,6 @@
 //! One case: a tower, its reference values, and the methods that must reproduce them.
 
-use towermodes::solve_until;
-use towermodes::{Method, Mode, Options, Solution, Tower, TowerDescription, Workspace};
+use towermodes::{Method, Mode, Options, Solution, Solver, Tower, TowerDescription};
 
 use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected, Quantity, families};
@@ -217,10 +216,11 @@ impl Case {
 
     /// Solves for all expected modes, or for all modes of the tower if it has fewer.
     fn solution(&self, run: &Run, tower: &Tower) -> Result<Solution, String> {
-        let options = Options {
+        let mut solver = Solver::new(Options {
             modes: 2 * self.expected.len() + 4,
+            points: 2,
             ..run.options.clone()
-        };
+        });
         let planes_are_equal = tower.planes_are_equal();
         let has = |solution: &Solution, expected: &Expected| match expected.quantity {
             Quantity::Mode(family, order) => {
@@ -234,8 +234,8 @@ impl Case {
             let mut expected = self.expected.iter();
             expected.all(|expected| has(solution, expected))
         };
-        solve_until(tower, &options, &mut Workspace::default(), has_all)
-            .map_err(|error| error.to_string())
+        let solution = solver.until(usize::MAX, |solver| solver.solve(tower), has_all);
+        solution.map_err(|error| error.to_string())
     }
 
     /// The computed value, or the reason why there is none. Both modes of an expected pair must

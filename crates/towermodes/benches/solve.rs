@@ -13,10 +13,7 @@ use towermodes::eigen::{EigenWorkspace, Pencil, lowest};
 use towermodes::elements::{Borders, Mesh, Recipe, assemble_chains};
 use towermodes::subsystem::{Eigenproblem, SubsystemPencil};
 use towermodes::turbine::{Turbine, TurbineMesh, TurbineModel, TurbineModes};
-use towermodes::{
-    Method, Options, Rna, Tower, TowerDescription, Workspace, every_change, sensitivities,
-    solve_frequencies, solve_with,
-};
+use towermodes::{Change, Method, Options, Rna, Solver, Tower, TowerDescription};
 use towermodes_verify::towers::{
     floater, monopile, nrel_tower, nrel_turbine, reference, reference_350t, reference_eccentric,
     reference_on_springs,
@@ -64,9 +61,9 @@ fn coupled(c: &mut Criterion) {
                 segments: Some(segments),
                 ..Options::default()
             };
-            let mut workspace = Workspace::default();
+            let mut solver = Solver::new(options);
             group.bench_function(BenchmarkId::new(name, segments), |b| {
-                b.iter(|| solve_with(black_box(&tower), &options, &mut workspace));
+                b.iter(|| solver.solve(black_box(&tower)));
             });
         }
     }
@@ -99,14 +96,14 @@ fn many_towers_with(modes: usize, c: &mut Criterion) {
             segments: Some(20),
             ..Options::default()
         };
-        let (mut workspace, mut number) = (Workspace::default(), 0_u32);
+        let (mut solver, mut number) = (Solver::new(options), 0_u32);
         group.bench_function(name, |b| {
             b.iter(|| {
                 number = (number + 1) % 1000;
                 let mut description = base.clone();
                 description.rna.mass_kg *= 0.9 + 2e-4 * f64::from(number);
                 let tower = Tower::new(description).expect("a valid tower");
-                let frequencies = solve_frequencies(&tower, &options, &mut workspace);
+                let frequencies = solver.frequencies(&tower);
                 frequencies.map(|frequencies| frequencies.modes[0].extrapolated_hz)
             });
         });
@@ -123,22 +120,17 @@ fn all_sensitivities(c: &mut Criterion) {
         ("clamped, RNA on the axis", reference_350t()),
     ] {
         let tower = Tower::new(description.clone()).expect("a valid tower");
-        let changes = every_change(&description);
-        let mut workspace = Workspace::default();
+        let changes = Change::every(&description);
+        let mut solver = Solver::default();
         for segments in [100, 400] {
-            let options = Options {
-                segments: Some(segments),
-                ..Options::default()
-            };
+            solver.options.segments = Some(segments);
             group.bench_function(BenchmarkId::new(format!("{name}, solve"), segments), |b| {
-                b.iter(|| solve_with(black_box(&tower), &options, &mut workspace));
+                b.iter(|| solver.solve(black_box(&tower)));
             });
             group.bench_function(
                 BenchmarkId::new(format!("{name}, all numbers"), segments),
                 |b| {
-                    b.iter(|| {
-                        sensitivities(black_box(&description), &changes, &options, &mut workspace)
-                    });
+                    b.iter(|| solver.sensitivities(black_box(&description), &changes));
                 },
             );
         }
@@ -167,9 +159,9 @@ fn whole_solve(c: &mut Criterion) {
                 segments: Some(segments),
                 ..Options::default()
             };
-            let mut workspace = Workspace::default();
+            let mut solver = Solver::new(options);
             group.bench_function(BenchmarkId::new(method.name(), segments), |b| {
-                b.iter(|| solve_with(black_box(&tower), &options, &mut workspace));
+                b.iter(|| solver.solve(black_box(&tower)));
             });
         }
     }

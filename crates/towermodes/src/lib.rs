@@ -29,7 +29,7 @@
 //! Each frequency comes with a bound on its algebraic error, an estimate of its discretization
 //! error and an extrapolated value; the list comes with a [`Certificate`], the proof that no mode
 //! is missing. Other methods are selected by [`Options::method`]; rotating blades are solved by
-//! [`solve_blade`].
+//! [`Solver::blade`].
 //!
 //! With the feature `serde` results can be serialized, with `schema` they have JSON schemas.
 //!
@@ -83,15 +83,13 @@ pub use modes::{
 pub use number::Plain;
 pub use parameter::{Change, Operation, Parameter, ParameterError};
 pub use sensitivity::{
-    ChangeSensitivity, Derivative, NoDerivative, Sensitivities, SensitivityError, every_change,
-    sensitivities,
+    ChangeSensitivity, Derivative, NoDerivative, Sensitivities, SensitivityError,
 };
 pub use solve::{
     BladeFamily, BladeMode, BladeSolution, Certificate, DEFAULT_MODES, DEFAULT_POINTS,
     DEFAULT_SEGMENTS, ErrorBasis, Frequencies, MAX_BYTES, MAX_DEGREE, MAX_POINTS, MAX_SECONDS,
     MAX_SEGMENTS, MAX_SPECTRAL_ELEMENTS, Mode, ModeFrequency, ModeKey, Options, Progress, Solution,
-    SolveError, Stage, Workspace, blade_degrees_of_freedom, solve, solve_blade, solve_blade_once,
-    solve_certain, solve_frequencies, solve_until, solve_with,
+    SolveError, Solver, Stage, TooManyModes, solve,
 };
 pub use tower::{
     AddedMassRow, ApiEdition, AxialModel, BeamFormula, Buried, CircularFooting, Clay, ClosedForm,

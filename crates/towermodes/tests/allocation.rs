@@ -7,7 +7,7 @@ use towermodes::chain::Chains;
 use towermodes::eigen::{EigenWorkspace, lowest};
 use towermodes::elements::{Borders, Mesh, Recipe, assemble_chains};
 use towermodes::subsystem::{Eigenproblem, SubsystemPencil};
-use towermodes::{Options, Tower, TowerDescription, Workspace, solve_frequencies};
+use towermodes::{Options, Solver, Tower, TowerDescription};
 use towers::{
     elliptic, floater, monopile, reference, reference_350t, reference_eccentric,
     reference_on_springs,
@@ -98,10 +98,10 @@ fn frequencies_of_a_changed_tower_allocate_nothing() {
             segments: Some(40),
             ..Options::default()
         };
-        let mut workspace = Workspace::default();
+        let mut solver = Solver::new(options);
         let mut solve = || {
             for tower in &towers {
-                solve_frequencies(tower, &options, &mut workspace).expect("solvable");
+                solver.frequencies(tower).expect("solvable");
             }
         };
         assert!(allocation_counter::measure(&mut solve).count_total > 0);

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use towermodes::{
     Blade, BladeDescription, BladeError, BladeFamily, BladeSection, Inertia, RigidBody, SolveError,
-    solve_blade,
+    Solver,
 };
 
 const SECTION: BladeSection = BladeSection {
@@ -42,7 +42,7 @@ fn uniform(section: BladeSection, elements: usize) -> BladeDescription {
 
 fn frequencies(description: BladeDescription, modes: usize) -> Vec<f64> {
     let blade = Blade::new(description).expect("a blade");
-    let solution = solve_blade(&blade, modes, &[]).expect("solved");
+    let solution = Solver::default().blade(&blade, modes, &[]).expect("solved");
     solution
         .modes
         .iter()
@@ -53,7 +53,7 @@ fn frequencies(description: BladeDescription, modes: usize) -> Vec<f64> {
 /// The angular frequencies of a family, rad/s.
 fn of_family(description: BladeDescription, modes: usize, family: BladeFamily) -> Vec<f64> {
     let blade = Blade::new(description).expect("a blade");
-    let solution = solve_blade(&blade, modes, &[]).expect("solved");
+    let solution = Solver::default().blade(&blade, modes, &[]).expect("solved");
     let own = solution.modes.iter().filter(|mode| mode.family == family);
     own.map(|mode| TAU * mode.frequency_hz).collect()
 }
@@ -113,7 +113,7 @@ fn tapered_blades_flap_as_published() {
         description.sections.clone_from(&sections);
         description.rotor_speed_rad_per_s = speed;
         let blade = Blade::new(description).expect("a blade");
-        let solution = solve_blade(&blade, 3, &[]).expect("solved");
+        let solution = Solver::default().blade(&blade, 3, &[]).expect("solved");
         for (mode, published) in solution.modes.iter().zip(modes) {
             assert_eq!(mode.family, BladeFamily::Flap);
             let found = TAU * mode.extrapolated_hz;
@@ -283,7 +283,7 @@ fn a_blade_that_its_propeller_moment_turns_over_is_refused() {
     );
     description.rotor_speed_rad_per_s = 1.0;
     let blade = Blade::new(description).expect("a blade");
-    let refused = solve_blade(&blade, 3, &[]);
+    let refused = Solver::default().blade(&blade, 3, &[]);
     assert!(matches!(refused, Err(SolveError::UnstableBlade { .. })));
 }
 
@@ -298,7 +298,7 @@ fn errors_of_the_elements_are_honest() {
     };
     let exact = frequencies(tapered(640), 6);
     let blade = Blade::new(tapered(10)).expect("a blade");
-    let solution = solve_blade(&blade, 6, &[]).expect("solved");
+    let solution = Solver::default().blade(&blade, 6, &[]).expect("solved");
     for (mode, exact) in solution.modes.iter().zip(exact) {
         let error = (mode.frequency_hz - exact).abs();
         assert!(
@@ -333,7 +333,7 @@ fn errors_of_elements_that_miss_a_section_are_honest() {
     fine.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
     let exact = frequencies(heavy_at(&fine), 3);
     let blade = Blade::new(heavy_at(&equal)).expect("a blade");
-    let solution = solve_blade(&blade, 3, &[]).expect("solved");
+    let solution = Solver::default().blade(&blade, 3, &[]).expect("solved");
     for (mode, exact) in solution.modes.iter().zip(exact) {
         let error = (mode.frequency_hz - exact).abs();
         let claimed = mode.discretization_error_hz;
@@ -422,7 +422,7 @@ fn infinite_stiffness_is_the_limit_of_large_ones() {
 fn a_blade_that_neither_twists_nor_stretches_only_bends() {
     let families = |description: BladeDescription, modes: usize| {
         let blade = Blade::new(description).expect("a blade");
-        let solution = solve_blade(&blade, modes, &[]).expect("solved");
+        let solution = Solver::default().blade(&blade, modes, &[]).expect("solved");
         let families = solution.modes.into_iter().map(|mode| mode.family);
         (solution.degrees_of_freedom, families.collect::<Vec<_>>())
     };

@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use towermodes::{
-    Family, Inertia, Options, Planes, Properties, PropertyStation, Rna, SolveError, Tower,
-    TowerDescription, Warning, Workspace, solve, solve_certain,
+    Family, Inertia, Options, Planes, Properties, PropertyStation, Rna, SolveError, Solver, Tower,
+    TowerDescription, Warning, solve,
 };
 
 const LENGTH_M: f64 = 80.0;
@@ -57,7 +57,9 @@ fn massless_hz(inertia_kg_m2: f64) -> [f64; 2] {
 }
 
 fn hz_of(tower: &Tower, options: &Options) -> (Vec<(Family, f64)>, Vec<Warning>) {
-    let solution = solve_certain(tower, options, &mut Workspace::default()).expect("modes");
+    let solution = Solver::new(options.clone())
+        .solve_certain(tower)
+        .expect("modes");
     let modes = solution.modes.iter();
     let found = modes.map(|mode| (mode.family, mode.frequency_hz)).collect();
     (found, solution.warnings)
@@ -102,6 +104,6 @@ fn what_is_certain_is_listed_without_a_warning() {
         modes: 0,
         ..Options::default()
     };
-    let error = solve_certain(&tower(1e3), &none, &mut Workspace::default());
+    let error = Solver::new(none).solve_certain(&tower(1e3));
     assert_eq!(error, Err(SolveError::NoModes));
 }

@@ -7,8 +7,7 @@ use crate::towers;
 use towermodes::{
     BeamFormula, Change, Foundation, HeadStiffness, Material, Method, Monopile, Options,
     PileBehaviour, PileFormula, PileTube, Place, Problem, Rna, SoilProfile, SoilRow, SoilSpring,
-    SoilStiffness, Station, Tower, TowerDescription, Warning, WinklerPile, Workspace,
-    sensitivities,
+    SoilStiffness, Solver, Station, Tower, TowerDescription, Warning, WinklerPile,
 };
 use towers::{all_frequencies, assert_close, solved};
 
@@ -598,7 +597,7 @@ fn the_derivative_by_the_soil_is_that_of_all_springs() {
             .map(|name| Change::parse(&format!("scale({name})"), description).expect("a number"))
             .collect();
         let options = Options::default();
-        let result = sensitivities(description, &changes, &options, &mut Workspace::default());
+        let result = Solver::new(options).sensitivities(description, &changes);
         let result = result.expect("derivatives");
         let of = |change: &towermodes::ChangeSensitivity| {
             change.modes[0].as_ref().expect("a derivative").hz_per_unit

@@ -5,8 +5,8 @@ use crate::towers;
 
 use towermodes::modes::richardson;
 use towermodes::{
-    Frequencies, Method, Options, Shear, Solution, SolveError, Tower, TowerDescription, Warning,
-    Workspace, solve, solve_frequencies, solve_with,
+    Frequencies, Method, Options, Shear, Solution, SolveError, Solver, Tower, TowerDescription,
+    Warning, solve,
 };
 use towermodes_random::Class;
 use towers::{
@@ -15,9 +15,10 @@ use towers::{
 };
 
 /// Asserts that the frequencies of a tower are those of its solution, or that both are refused.
-fn assert_same_bits(tower: &Tower, options: &Options, workspace: &mut Workspace, case: &str) {
-    let solution = solve_with(tower, options, workspace);
-    let frequencies = solve_frequencies(tower, options, workspace);
+fn assert_same_bits(tower: &Tower, options: &Options, solver: &mut Solver, case: &str) {
+    solver.options.clone_from(options);
+    let solution = solver.solve(tower);
+    let frequencies = solver.frequencies(tower);
     match (solution, frequencies) {
         (Ok(solution), Ok(frequencies)) => assert_same_values(&solution, frequencies, case),
         (Err(solution), Err(frequencies)) => assert_eq!(solution, frequencies, "{case}"),
@@ -65,7 +66,7 @@ fn assert_same_values(solution: &Solution, frequencies: &Frequencies, case: &str
 
 #[test]
 fn random_towers_have_the_frequencies_of_their_solutions() {
-    let mut workspace = Workspace::default();
+    let mut solver = Solver::default();
     for class in Class::ALL {
         for number in 0..12 {
             let tower = class.tower(number);
@@ -76,7 +77,7 @@ fn random_towers_have_the_frequencies_of_their_solutions() {
                     ..Options::default()
                 };
                 let case = format!("{} {number}, {modes} modes", class.name());
-                assert_same_bits(&tower, &options, &mut workspace, &case);
+                assert_same_bits(&tower, &options, &mut solver, &case);
             }
         }
     }
@@ -84,7 +85,7 @@ fn random_towers_have_the_frequencies_of_their_solutions() {
 
 #[test]
 fn every_method_has_the_frequencies_of_its_solutions() {
-    let mut workspace = Workspace::default();
+    let mut solver = Solver::default();
     let towers = [rich(), elliptic(), monopile(), floater(), reference_350t()];
     for description in towers {
         let tower = Tower::new(description).expect("a valid tower");
@@ -96,7 +97,7 @@ fn every_method_has_the_frequencies_of_its_solutions() {
                 ..Options::default()
             };
             let case = format!("{}, {}", tower.name(), method.name());
-            assert_same_bits(&tower, &options, &mut workspace, &case);
+            assert_same_bits(&tower, &options, &mut solver, &case);
         }
     }
     let borders = Options {
@@ -106,12 +107,12 @@ fn every_method_has_the_frequencies_of_its_solutions() {
         ..Options::default()
     };
     let tower = Tower::new(reference()).expect("a valid tower");
-    assert_same_bits(&tower, &borders, &mut workspace, "given elements");
+    assert_same_bits(&tower, &borders, &mut solver, "given elements");
 }
 
 #[test]
 fn what_has_no_modes_is_refused_as_by_a_solve() {
-    let mut workspace = Workspace::default();
+    let mut solver = Solver::default();
     let tower = |description: TowerDescription| Tower::new(description).expect("a valid tower");
     // 350 t on a wall of a millimetre buckle.
     let mut thin = TowerDescription {
@@ -122,8 +123,8 @@ fn what_has_no_modes_is_refused_as_by_a_solve() {
         (s.outer_diameter_m, s.wall_thickness_m) = (0.6, 0.01);
     });
     let thin = tower(thin);
-    assert_same_bits(&thin, &Options::default(), &mut workspace, "thin");
-    let refused = solve_frequencies(&thin, &Options::default(), &mut workspace);
+    assert_same_bits(&thin, &Options::default(), &mut solver, "thin");
+    let refused = solver.frequencies(&thin);
     assert!(
         matches!(refused, Err(SolveError::Buckles { .. })),
         "{refused:?}"
@@ -138,7 +139,7 @@ fn what_has_no_modes_is_refused_as_by_a_solve() {
         ..Options::default()
     };
     for options in [too_many, none] {
-        assert_same_bits(&tower(reference()), &options, &mut workspace, "options");
+        assert_same_bits(&tower(reference()), &options, &mut solver, "options");
     }
 }
 
@@ -146,7 +147,7 @@ fn what_has_no_modes_is_refused_as_by_a_solve() {
 fn a_list_that_ends_within_its_error_says_so() {
     // A uniform tube whose seventh bending pair lies 0.15 % above where 100 segments put the last
     // of the list would do; any tower of the classes with the warning does too.
-    let mut workspace = Workspace::default();
+    let mut solver = Solver::default();
     let options = Options {
         modes: 5,
         segments: Some(8),
@@ -155,9 +156,9 @@ fn a_list_that_ends_within_its_error_says_so() {
     let mut uncertain = 0;
     for number in 0..40 {
         let tower = Class::Eccentric.tower(number);
-        let frequencies = solve_frequencies(&tower, &options, &mut workspace).expect("solvable");
+        assert_same_bits(&tower, &options, &mut solver, "eccentric");
+        let frequencies = solver.frequencies(&tower).expect("solvable");
         uncertain += usize::from(frequencies.has_uncertain_end);
-        assert_same_bits(&tower, &options, &mut workspace, "eccentric");
     }
     assert!(uncertain > 0, "no list of the class ends within its error");
 }

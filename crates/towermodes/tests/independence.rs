@@ -5,8 +5,8 @@ use crate::towers;
 
 use towermodes::{
     Family, Inertia, Material, Method, Options, Planes, PointMass, Problem, Properties,
-    PropertyStation, Rna, Shear, Solution, SolveError, Station, Tower, TowerDescription, Warning,
-    Workspace, solve, solve_with,
+    PropertyStation, Rna, Shear, Solution, SolveError, Solver, Station, Tower, TowerDescription,
+    Warning, solve,
 };
 use towers::{assert_close, elliptic, reference, reference_350t, rich, solved};
 
@@ -318,8 +318,8 @@ fn impossible_options_are_refused() {
 }
 
 #[test]
-fn a_used_workspace_changes_no_bit() {
-    let mut workspace = Workspace::default();
+fn a_used_solver_changes_no_bit() {
+    let mut solver = Solver::default();
     let towers = [rich(), reference(), elliptic(), reference_350t(), rich()];
     for (description, modes) in towers.into_iter().zip([20, 3, 6, 8, 5]) {
         let tower = Tower::new(description).expect("a valid tower");
@@ -329,7 +329,9 @@ fn a_used_workspace_changes_no_bit() {
                 ..with_modes(modes)
             };
             let fresh = solve(&tower, &options).expect("solvable");
-            let reused = solve_with(&tower, &options, &mut workspace).expect("solvable");
+            let reused = solver
+                .with(options, |solver| solver.solve(&tower))
+                .expect("solvable");
             assert_eq!(fresh, reused, "{}", method.name());
         }
     }

@@ -3,7 +3,7 @@
 
 use crate::towers;
 
-use towermodes::{Method, Options, Workspace, solve_frequencies};
+use towermodes::{Method, Options, Solver};
 use towermodes_random::Class;
 use towermodes_random::paths::{Path, follow};
 use towers::{elliptic, floater, reference_350t, reference_eccentric, rich};
@@ -29,7 +29,7 @@ fn names_jump_no_further_than_their_bound() {
 /// A name depends on the modes up to its own: a longer list changes none.
 #[test]
 fn names_do_not_depend_on_the_number_of_modes() {
-    let mut workspace = Workspace::default();
+    let mut solver = Solver::default();
     let known = [
         reference_350t(),
         reference_eccentric(),
@@ -42,13 +42,13 @@ fn names_do_not_depend_on_the_number_of_modes() {
         let tower = towermodes::Tower::new(description).expect("a tower");
         for method in [Method::RmjeExact, Method::Bmodes] {
             let mut names = |modes: usize| -> Vec<String> {
-                let options = Options {
+                solver.options = Options {
                     method,
                     modes,
                     segments: Some(16),
                     ..Options::default()
                 };
-                let solved = solve_frequencies(&tower, &options, &mut workspace);
+                let solved = solver.frequencies(&tower);
                 let solved = solved.expect("modes");
                 solved.modes.iter().map(|mode| mode.label()).collect()
             };

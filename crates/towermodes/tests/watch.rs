@@ -6,8 +6,7 @@ use std::backtrace::Backtrace;
 use std::sync::{Arc, Mutex};
 
 use towermodes::{
-    Method, Options, Progress, Solution, Stage, Tower, TowerDescription, Workspace, solve,
-    solve_with,
+    Method, Options, Progress, Solution, Solver, Stage, Tower, TowerDescription, solve,
 };
 use towers::{reference, reference_350t};
 
@@ -15,10 +14,10 @@ use towers::{reference, reference_350t};
 fn watched(tower: &Tower, options: &Options) -> (Solution, Vec<Progress>) {
     let told = Arc::new(Mutex::new(Vec::new()));
     let teller = Arc::clone(&told);
-    let mut workspace = Workspace::watched(move |progress| {
+    let mut solver = Solver::new(options.clone()).watched(move |progress| {
         teller.lock().expect("a list").push(progress);
     });
-    let solution = solve_with(tower, options, &mut workspace).expect("solved");
+    let solution = solver.solve(tower).expect("solved");
     let told = told.lock().expect("a list").clone();
     (solution, told)
 }
@@ -132,11 +131,11 @@ fn every_solve_begins_with_nothing_done() {
     let tower = Tower::new(reference()).expect("a valid tower");
     let told = Arc::new(Mutex::new(Vec::new()));
     let teller = Arc::clone(&told);
-    let mut workspace = Workspace::watched(move |progress: Progress| {
+    let mut solver = Solver::default().watched(move |progress: Progress| {
         teller.lock().expect("a list").push(progress.fraction);
     });
     for _ in 0..2 {
-        solve_with(&tower, &Options::default(), &mut workspace).expect("solved");
+        solver.solve(&tower).expect("solved");
     }
     let told = told.lock().expect("a list").clone();
     let falls = told.windows(2).filter(|pair| pair[1] < pair[0]);
@@ -148,14 +147,14 @@ fn every_solve_begins_with_nothing_done() {
 fn way_to_the_first_step() -> Vec<String> {
     let trace = Arc::new(Mutex::new(String::new()));
     let taken = Arc::clone(&trace);
-    let mut workspace = Workspace::watched(move |progress: Progress| {
+    let mut solver = Solver::default().watched(move |progress: Progress| {
         let mut taken = taken.lock().expect("a text");
         if progress.products == 1 && taken.is_empty() {
             *taken = Backtrace::force_capture().to_string();
         }
     });
     let tower = Tower::new(reference()).expect("a valid tower");
-    solve_with(&tower, &Options::default(), &mut workspace).expect("solved");
+    solver.solve(&tower).expect("solved");
     let trace = trace.lock().expect("a text").clone();
     let places = trace.lines().map(str::trim);
     // The observer itself is not on the way.

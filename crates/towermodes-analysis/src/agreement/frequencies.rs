@@ -5,9 +5,8 @@ use super::{AgreementError, WhichTower};
 use crate::verdict::Verdict;
 use towermodes::Method;
 use towermodes::modes::Family;
-use towermodes::solve_until;
 use towermodes::tower::Tower;
-use towermodes::{Options, Solution, Workspace};
+use towermodes::{Options, Solution, Solver};
 
 /// The modes that are compared.
 const WANTED: [(Family, usize); 4] = [
@@ -48,12 +47,13 @@ pub(super) fn frequencies(
         method: Method::Spectral,
         rotary_inertia,
         modes: WANTED.len(),
+        points: 2,
         ..Options::default()
     };
-    let mut workspace = Workspace::default();
-    let mut solved = |tower: &Tower, which: WhichTower| {
-        solve_until(tower, &options, &mut workspace, has_all)
-            .map_err(|error| AgreementError::Solve { which, error })
+    let solved = |tower: &Tower, which: WhichTower| {
+        let mut solver = Solver::new(options.clone());
+        let solution = solver.until(usize::MAX, |solver| solver.solve(tower), has_all);
+        solution.map_err(|error| AgreementError::Solve { which, error })
     };
     let first = solved(towers[0], WhichTower::First)?;
     let second = solved(towers[1], WhichTower::Second)?;

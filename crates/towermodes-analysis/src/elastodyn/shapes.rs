@@ -11,7 +11,7 @@ use super::selection::{
 use super::shape_samples::ShapeSamples;
 use towermodes::Plain;
 use towermodes::tower::{Plane, Tower};
-use towermodes::{Mode, Options, SolveError, solve};
+use towermodes::{Mode, Options, Solution, SolveError, Solver};
 
 /// The number of modes solved first; more if torsion or rigid-body modes of a floating platform are
 /// among them.
@@ -111,21 +111,18 @@ pub fn tower_shapes(
             top_m,
         });
     }
-    let mut options = Options {
+    let mut solver = Solver::new(Options {
         modes: FIRST_MODES,
         points: 2,
         heights_m: sample_heights_m(from_m, top_m),
         ..options.clone()
+    });
+    let has_all = |solution: &Solution| {
+        let selected = select_bending_modes(solution, DEFAULT_TORSION_LIMIT);
+        !matches!(selected, Err(SelectionError::TooFewModes { .. }))
     };
-    loop {
-        let solution = solve(tower, &options)?;
-        match select_bending_modes(&solution, DEFAULT_TORSION_LIMIT) {
-            Err(SelectionError::TooFewModes { .. }) if options.modes < MOST_MODES => {
-                options.modes *= 2;
-            }
-            selected => return fitted(selected?),
-        }
-    }
+    let solution = solver.until(MOST_MODES, |solver| solver.solve(tower), has_all)?;
+    fitted(select_bending_modes(&solution, DEFAULT_TORSION_LIMIT)?)
 }
 
 /// The shapes fitted to the selected modes.

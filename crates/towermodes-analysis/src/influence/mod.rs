@@ -9,8 +9,7 @@ mod tolerance;
 pub use tolerance::{Tolerance, Tolerances};
 
 use towermodes::{
-    Change, Derivative, NoDerivative, Operation, Options, SensitivityError, Tower,
-    TowerDescription, Workspace, every_change, sensitivities,
+    Change, Derivative, NoDerivative, Operation, SensitivityError, Solver, Tower, TowerDescription,
 };
 
 /// Smaller influences, percent of a frequency per percent of a number, are below what a drawing
@@ -155,7 +154,7 @@ fn without_rounding(size: f64) -> f64 {
 ///
 /// # Example
 /// ```
-/// use towermodes::{Material, Options, Rna, Station, TowerDescription, Workspace};
+/// use towermodes::{Material, Options, Rna, Station, TowerDescription, Solver};
 /// use towermodes_analysis::influences;
 ///
 /// let description = TowerDescription {
@@ -164,8 +163,7 @@ fn without_rounding(size: f64) -> f64 {
 ///     rna: Rna::point(350e3),
 ///     ..TowerDescription::default()
 /// };
-/// let mut workspace = Workspace::default();
-/// let result = influences(&description, None, &Options::default(), &mut workspace)?;
+/// let result = influences(&description, None, &mut Solver::default())?;
 /// // The height of the tower, from its base or from its top.
 /// assert!(result.ranked()[0].name.ends_with(".height"));
 /// # Ok::<(), towermodes::SensitivityError>(())
@@ -173,18 +171,17 @@ fn without_rounding(size: f64) -> f64 {
 pub fn influences(
     description: &TowerDescription,
     changes: Option<&[Change]>,
-    options: &Options,
-    workspace: &mut Workspace,
+    solver: &mut Solver,
 ) -> Result<Influences, SensitivityError> {
     let every;
     let changes = match changes {
         Some(changes) => changes,
         None => {
-            every = every_change(description);
+            every = Change::every(description);
             &every
         }
     };
-    let result = sensitivities(description, changes, options, workspace)?;
+    let result = solver.sensitivities(description, changes)?;
     let height_m = Tower::new(description.clone())?.height_m();
     let modes = result.modes.iter().map(|mode| InfluencedMode {
         label: mode.label(),

@@ -4,7 +4,7 @@ use super::campbell::{Campbell, CampbellOptions};
 use super::margin::is_strong;
 use crate::verdict::Verdict;
 use towermodes::tower::Rotor;
-use towermodes::{Options, Solution};
+use towermodes::{Solution, SolveError, Solver, Tower};
 
 impl Campbell {
     /// The frequency range (from, to), Hz, in which the tower may have modes that are not in the
@@ -62,27 +62,17 @@ pub const MOST_MODES: usize = 40;
 
 /// Solves for the number of modes in the options, and then for twice as many (at most
 /// [`MOST_MODES`]) until the list is complete up to `reach_hz` ([`reach_hz()`]) or the tower has no
-/// more modes. `options.modes` is raised to the number that was solved for.
-///
-/// The solver is an argument, so that a program can report its progress.
+/// more modes. The options keep the number that was solved for.
 ///
 /// # Errors
-/// Those of `solve`.
-pub fn solve_to_reach<E>(
-    options: &mut Options,
+/// Those of [`Solver::solve_certain`].
+pub fn solve_to_reach(
+    solver: &mut Solver,
+    tower: &Tower,
     reach_hz: f64,
-    mut solve: impl FnMut(&Options) -> Result<Solution, E>,
-) -> Result<Solution, E> {
-    let mut solution = solve(options)?;
-    while solution.certificate.below_hz < reach_hz && options.modes < MOST_MODES {
-        let modes = (2 * options.modes).min(MOST_MODES);
-        options.modes = modes.min(solution.degrees_of_freedom);
-        if options.modes <= solution.modes.len() {
-            break;
-        }
-        solution = solve(options)?;
-    }
-    Ok(solution)
+) -> Result<Solution, SolveError> {
+    let reaches = |solution: &Solution| solution.certificate.below_hz >= reach_hz;
+    solver.until(MOST_MODES, |solver| solver.solve_certain(tower), reaches)
 }
 
 /// The frequency, Hz, below which the list of modes is complete; none if it has all modes.

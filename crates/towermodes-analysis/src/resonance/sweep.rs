@@ -7,7 +7,7 @@ use super::track::{Seen, Tracks};
 use towermodes::blade::{Blade, BladeDescription};
 use towermodes::modes::ShapePoint;
 use towermodes::tower::Rotor;
-use towermodes::{BladeFamily, BladeMode, blade_degrees_of_freedom, solve_blade, solve_blade_once};
+use towermodes::{BladeFamily, BladeMode, Solver};
 
 /// Speeds closer than this fraction of the highest are merged.
 const SAME_SPEED: f64 = 1e-9;
@@ -95,6 +95,7 @@ struct Sweep {
     radii_m: Vec<f64>,
     weights: Vec<[f64; 2]>,
     available: usize,
+    solver: Solver,
 }
 
 impl Sweep {
@@ -115,8 +116,9 @@ impl Sweep {
                 .chain([description.tip_radius_m])
                 .collect(),
             weights: weights.chain([of_tip]).collect(),
-            available: blade_degrees_of_freedom(&blade),
+            available: blade.degrees_of_freedom(),
             description: description.clone(),
+            solver: Solver::default(),
         })
     }
 
@@ -157,8 +159,8 @@ impl Sweep {
         self.description.rotor_speed_rad_per_s = rpm * PI / 30.0;
         let blade = Blade::new(self.description.clone())?;
         let solved = match with_errors {
-            true => solve_blade(&blade, modes, &self.radii_m),
-            false => solve_blade_once(&blade, modes, &self.radii_m),
+            true => self.solver.blade(&blade, modes, &self.radii_m),
+            false => self.solver.blade_once(&blade, modes, &self.radii_m),
         };
         let solution = solved.map_err(|error| CampbellError::Blade {
             rotor_speed_rpm: rpm,

@@ -4,7 +4,7 @@ use super::follow::{FollowedMode, compared, followed, not_found, solve_for};
 use towermodes::Method;
 use towermodes::Warning;
 use towermodes::tower::Tower;
-use towermodes::{Options, Solution, SolveError, Workspace, solve_with};
+use towermodes::{Options, Solution, SolveError, Solver};
 
 /// The method of a column of a comparison, with its number of segments.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,8 +67,8 @@ pub struct Comparison {
 
 /// Solves a tower by several methods for the lowest modes of the reference beam solution.
 ///
-/// `options` apply to all methods: the number of modes, rotary inertia, the place of hinges. `done`
-/// is called with each column and the options that solved it, and may time it.
+/// The options of the solver apply to all methods: the number of modes, rotary inertia, the place
+/// of hinges. `done` is called with each column and the options that solved it, and may time it.
 ///
 /// # Errors
 /// [`SolveError`] of the first method that cannot solve the tower.
@@ -77,11 +77,33 @@ pub struct Comparison {
 /// See the [crate's front page](crate).
 pub fn compare(
     tower: &Tower,
-    options: &Options,
     columns: &[ColumnSpec],
-    done: impl FnMut(&mut Column, &Options),
+    solver: &mut Solver,
+    mut done: impl FnMut(&mut Column, &Options),
 ) -> Result<Comparison, SolveError> {
-    compare_with(tower, options, columns, &mut Workspace::default(), done)
+    let spectral = ColumnSpec {
+        method: Method::Spectral,
+        segments: None,
+    };
+    let options = solver.options.clone();
+    let reference = solver.with(spectral.applied_to(&options), |solver| solver.solve(tower))?;
+    let modes = followed(tower, &reference);
+    let mut warnings = reference.warnings;
+    let mut solved = Vec::with_capacity(columns.len());
+    for spec in columns {
+        let options = spec.applied_to(&options);
+        let solution = solve_for(tower, &options, &modes, solver)?;
+        warnings.extend(not_found(&modes, &solution));
+        let mut column = column(&solution, &modes);
+        let modes = solution.modes.len();
+        done(&mut column, &Options { modes, ..options });
+        solved.push(column);
+    }
+    Ok(Comparison {
+        modes,
+        columns: solved,
+        warnings,
+    })
 }
 
 /// The default number of segments or elements in a comparison of all methods.
@@ -104,50 +126,16 @@ pub fn all_methods(segments: usize) -> Vec<ColumnSpec> {
 /// As [`compare`].
 pub fn compare_all_methods(
     tower: &Tower,
-    options: &Options,
     segments: usize,
-    workspace: &mut Workspace,
+    solver: &mut Solver,
     done: impl FnMut(&mut Column, &Options),
 ) -> Result<Comparison, SolveError> {
     let options = Options {
         borders_m: None,
-        ..options.clone()
+        ..solver.options.clone()
     };
-    compare_with(tower, &options, &all_methods(segments), workspace, done)
-}
-
-/// [`compare`] with a workspace, which may report progress.
-///
-/// # Errors
-/// As [`compare`].
-pub fn compare_with(
-    tower: &Tower,
-    options: &Options,
-    columns: &[ColumnSpec],
-    workspace: &mut Workspace,
-    mut done: impl FnMut(&mut Column, &Options),
-) -> Result<Comparison, SolveError> {
-    let spectral = ColumnSpec {
-        method: Method::Spectral,
-        segments: None,
-    };
-    let reference = solve_with(tower, &spectral.applied_to(options), workspace)?;
-    let modes = followed(tower, &reference);
-    let mut warnings = reference.warnings;
-    let mut solved = Vec::with_capacity(columns.len());
-    for spec in columns {
-        let options = spec.applied_to(options);
-        let solution = solve_for(tower, &options, &modes, workspace)?;
-        warnings.extend(not_found(&modes, &solution));
-        let mut column = column(&solution, &modes);
-        let modes = solution.modes.len();
-        done(&mut column, &Options { modes, ..options });
-        solved.push(column);
-    }
-    Ok(Comparison {
-        modes,
-        columns: solved,
-        warnings,
+    solver.with(options, |solver| {
+        compare(tower, &all_methods(segments), solver, done)
     })
 }
 

@@ -4,7 +4,7 @@ use super::follow::{FollowedMode, compared, followed, not_found, solve_for};
 use towermodes::Method;
 use towermodes::Warning;
 use towermodes::tower::Tower;
-use towermodes::{MAX_SEGMENTS, Options, SolveError, Workspace, solve_with};
+use towermodes::{MAX_SEGMENTS, Options, SolveError, Solver};
 
 /// The refinement of a method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -139,31 +139,18 @@ fn limit_options(tower: &Tower, options: &Options) -> Result<Options, SolveError
 /// See the [crate's front page](crate).
 pub fn converge(
     tower: &Tower,
-    options: &Options,
     fineness: &[Fineness],
-    done: impl FnMut(&Level),
-) -> Result<Convergence, SolveError> {
-    converge_with(tower, options, fineness, &mut Workspace::default(), done)
-}
-
-/// [`converge`] with a workspace, which may report progress.
-///
-/// # Errors
-/// As [`converge`].
-pub fn converge_with(
-    tower: &Tower,
-    options: &Options,
-    fineness: &[Fineness],
-    workspace: &mut Workspace,
+    solver: &mut Solver,
     mut done: impl FnMut(&Level),
 ) -> Result<Convergence, SolveError> {
-    let limit = limit_options(tower, options)?;
-    let beam = solve_with(tower, &limit, workspace)?;
+    let options = solver.options.clone();
+    let limit = limit_options(tower, &options)?;
+    let beam = solver.with(limit.clone(), |solver| solver.solve(tower))?;
     let mut warnings = beam.warnings.clone();
     let modes = followed(tower, &beam);
     let mut levels: Vec<Level> = Vec::with_capacity(fineness.len());
     for &asked in fineness {
-        let solution = solve_for(tower, &asked.applied_to(options), &modes, workspace)?;
+        let solution = solve_for(tower, &asked.applied_to(&options), &modes, solver)?;
         warnings.extend(not_found(&modes, &solution));
         let (frequencies_hz, errors) = compared(&modes, &solution);
         let mut level = Level {

@@ -4,7 +4,7 @@
 use towermodes::Warning;
 use towermodes::modes::{Family, Shares};
 use towermodes::tower::Tower;
-use towermodes::{Mode, ModeKey, Options, Solution, SolveError, Workspace, solve_until};
+use towermodes::{Mode, ModeKey, Options, Solution, SolveError, Solver};
 
 /// A mode that is followed from method to method.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,20 +108,22 @@ pub(super) fn solve_for(
     tower: &Tower,
     options: &Options,
     modes: &[FollowedMode],
-    workspace: &mut Workspace,
+    solver: &mut Solver,
 ) -> Result<Solution, SolveError> {
     let followed = modes.iter().map(|mode| 1 + usize::from(mode.is_pair)).sum();
     let options = Options {
         modes: followed,
+        points: 2,
         ..options.clone()
     };
     let reach_hz = REACH * highest_hz(modes);
-    solve_until(tower, &options, workspace, |solution| {
-        let has_all = modes
-            .iter()
-            .all(|mode| mode.frequency_in(solution).is_some());
-        let is_beyond = solution.certificate.below_hz > reach_hz;
-        has_all || is_beyond || solution.modes.len() >= MOST_FOR_EACH * followed
+    let reaches = |solution: &Solution| {
+        let mut frequencies = modes.iter().map(|mode| mode.frequency_in(solution));
+        solution.certificate.below_hz > reach_hz || frequencies.all(|hz| hz.is_some())
+    };
+    solver.with(options, |solver| {
+        let most = MOST_FOR_EACH * followed;
+        solver.until(most, |solver| solver.solve(tower), reaches)
     })
 }
 

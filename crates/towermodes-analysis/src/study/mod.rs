@@ -6,10 +6,8 @@ mod follow;
 
 pub use comparison::{
     COMPARED_SEGMENTS, Column, ColumnSpec, Comparison, all_methods, compare, compare_all_methods,
-    compare_with,
 };
 pub use convergence::{
     Convergence, Fineness, Level, STUDY_DEGREES, STUDY_SEGMENTS, converge, converge_by_default,
-    converge_with,
 };
 pub use follow::FollowedMode;

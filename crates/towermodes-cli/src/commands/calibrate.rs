@@ -90,9 +90,9 @@ pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
     warn(tower.warnings(), &input);
     let problem = problem_of(&input.description, &file, &arguments.free())?;
     let progress = Progress::of_one();
-    let mut workspace = progress.workspace();
-    let done = calibrate(&problem, &options, &mut workspace);
-    drop((workspace, progress));
+    let mut solver = progress.solver(options);
+    let done = calibrate(&problem, &mut solver);
+    drop((solver, progress));
     let fit = done.map_err(|error| failure(error, &file))?;
     let mut result = Vec::new();
     match arguments.found.format {

@@ -3,8 +3,8 @@
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use towermodes::{MAX_SEGMENTS, Method, Options, Tower, Workspace, solve_with};
-use towermodes_analysis::study::{ColumnSpec, compare_with};
+use towermodes::{MAX_SEGMENTS, Method, Options, Solver, Tower};
+use towermodes_analysis::study::{ColumnSpec, compare};
 use towermodes_files::{TowerInput, write_comparison_csv, write_result_json};
 
 use crate::args::parsers::{method_parser, number_parser};
@@ -123,18 +123,12 @@ impl Analysis for CompareArguments {
     ) -> Result<Answer, Failure> {
         let columns = self.columns();
         let progress = Progress::of(columns_in_words(&columns));
-        let (options, mut workspace) = (self.model.options(), progress.workspace());
-        let comparison = compare_with(
-            tower,
-            &options,
-            &columns,
-            &mut workspace,
-            |column, options| {
-                column.seconds_per_solve = Some(time_of(tower, options).as_secs_f64());
-                progress.done();
-            },
-        );
-        drop((workspace, progress));
+        let mut solver = progress.solver(self.model.options());
+        let comparison = compare(tower, &columns, &mut solver, |column, options| {
+            column.seconds_per_solve = Some(time_of(tower, options).as_secs_f64());
+            progress.done();
+        });
+        drop((solver, progress));
         let comparison = comparison?;
         let answer = Answer::of(
             format,
@@ -148,14 +142,14 @@ impl Analysis for CompareArguments {
 
 /// The time of the fastest of several solves with reused memory.
 fn time_of(tower: &Tower, options: &Options) -> Duration {
-    let mut workspace = Workspace::default();
+    let mut solver = Solver::new(options.clone());
     let mut fastest = Duration::MAX;
     let started = Instant::now();
     let mut timings = 0;
     while (timings < FEWEST_TIMINGS && started.elapsed() < LONG) || started.elapsed() < TIMING {
         let start = Instant::now();
         // The same solve has succeeded before.
-        let _ = solve_with(tower, options, &mut workspace);
+        let _ = solver.solve(tower);
         fastest = fastest.min(start.elapsed());
         timings += 1;
     }

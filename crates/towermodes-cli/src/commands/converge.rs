@@ -2,7 +2,7 @@
 
 use clap::Args;
 use towermodes::{MAX_DEGREE, MAX_SEGMENTS, Method, Options, Tower};
-use towermodes_analysis::study::{Fineness, STUDY_DEGREES, STUDY_SEGMENTS, converge_with};
+use towermodes_analysis::study::{Fineness, STUDY_DEGREES, STUDY_SEGMENTS, converge};
 use towermodes_files::{TowerInput, write_convergence_csv, write_result_json};
 
 use crate::args::parsers::{method_parser, number_parser};
@@ -109,11 +109,9 @@ impl Analysis for ConvergeArguments {
             ..self.model.options()
         };
         let progress = Progress::of_weighted(fineness.iter().copied().map(said));
-        let mut workspace = progress.workspace();
-        let convergence = converge_with(tower, &options, &fineness, &mut workspace, |_| {
-            progress.done();
-        });
-        drop((workspace, progress));
+        let mut solver = progress.solver(options);
+        let convergence = converge(tower, &fineness, &mut solver, |_| progress.done());
+        drop((solver, progress));
         let convergence = convergence?;
         let width = terminal::width_of(self.destination.output());
         let answer = Answer::of(

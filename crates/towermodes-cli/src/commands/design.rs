@@ -82,8 +82,8 @@ pub(crate) fn run(arguments: &DesignArguments) -> Result<(), Failure> {
     warn(tower.warnings(), &input);
     let problem = problem(&study, &input).map_err(refused)?;
     let options = options(&study, &input);
-    let (mut workspace, line) = searching();
-    let found = design(&input.description, &problem, &options, &mut workspace);
+    let (mut solver, line) = searching(options);
+    let found = design(&input.description, &problem, &mut solver);
     drop(line);
     let found = found.map_err(|error| failure(error, &study, &input.description))?;
     let warnings = warnings(&found);

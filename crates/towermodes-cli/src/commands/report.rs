@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use clap::{Args, Parser as _, ValueEnum};
-use towermodes::{Options, Planes, Solution, SolveError, Tower};
+use towermodes::{Options, Planes, SolveError, Solver, Tower};
 use towermodes_analysis::elastodyn::{MakeOptions, make_tower};
 use towermodes_analysis::resonance::ChosenRotor;
 use towermodes_analysis::study::{COMPARED_SEGMENTS, Comparison};
@@ -26,7 +26,7 @@ use crate::failure::Failure;
 use crate::input::tower_input;
 use crate::messages::{note_texts, warn};
 use crate::output::{check_not_input, check_not_inputs, check_terminal, deliver};
-use crate::progress::solve;
+use crate::progress::Progress;
 use crate::side_by_side::all_methods;
 
 const EXAMPLES: &str = "Examples:
@@ -212,7 +212,7 @@ fn content(
         circumstances: circumstances(input, rotor.as_ref(), arguments, words),
         notes_on_shapes: notes_on_shapes.iter().map(Note::to_string).collect(),
     };
-    Ok(ReportContent::compute(request, &mut WithProgress)?)
+    Ok(ReportContent::compute(request, &WithProgress)?)
 }
 
 /// Title block, notes, command and files.
@@ -246,12 +246,12 @@ fn circumstances(
 struct WithProgress;
 
 impl Computation for WithProgress {
-    fn solve(&mut self, tower: &Tower, options: &Options) -> Result<Solution, SolveError> {
-        solve(tower, options)
+    fn solver(&self, options: Options) -> Solver {
+        Progress::of_one().solver(options)
     }
 
     fn compare(
-        &mut self,
+        &self,
         tower: &Tower,
         options: &Options,
         segments: usize,

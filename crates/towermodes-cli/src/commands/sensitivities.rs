@@ -137,9 +137,9 @@ pub(crate) fn influences_of(
     options: &Options,
 ) -> Result<Influences, Failure> {
     let progress = Progress::of_one();
-    let mut workspace = progress.workspace();
-    let done = influences(description, changes, options, &mut workspace);
-    drop((workspace, progress));
+    let mut solver = progress.solver(options.clone());
+    let done = influences(description, changes, &mut solver);
+    drop((solver, progress));
     Ok(done?)
 }
 

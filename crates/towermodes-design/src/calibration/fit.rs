@@ -1,9 +1,7 @@
 //! Weighted least squares by the method of Levenberg and Marquardt.
 
 use towermodes::number::Rounded;
-use towermodes::{
-    ModeFrequency, ModeName, Operation, Options, TowerDescription, Workspace, sensitivities,
-};
+use towermodes::{ModeFrequency, ModeName, Operation, Options, Solver, TowerDescription};
 
 use super::determined::{Undetermined, undetermined};
 use super::error::CalibrationError;
@@ -42,7 +40,7 @@ pub(super) struct Towers<'a> {
     /// Whether some measured frequency changes with each unknown, if not to first order.
     pub(super) has_effect: Vec<bool>,
     pub(super) options: Options,
-    workspace: &'a mut Workspace,
+    solver: &'a mut Solver,
     description: TowerDescription,
 }
 
@@ -77,7 +75,7 @@ impl<'a> Towers<'a> {
         variables: &'a [Variable],
         names: &'a [ModeName],
         options: Options,
-        workspace: &'a mut Workspace,
+        solver: &'a mut Solver,
     ) -> Self {
         Self {
             description: problem.base.clone(),
@@ -86,7 +84,7 @@ impl<'a> Towers<'a> {
             variables,
             names,
             options,
-            workspace,
+            solver,
         }
     }
 
@@ -96,7 +94,8 @@ impl<'a> Towers<'a> {
         apply(self.variables, x, &mut self.description);
         let changes: Vec<_> = self.variables.iter().map(|v| v.change.clone()).collect();
         let found = loop {
-            let found = sensitivities(&self.description, &changes, &self.options, self.workspace)?;
+            self.solver.options.clone_from(&self.options);
+            let found = self.solver.sensitivities(&self.description, &changes)?;
             let is_there = |name: &ModeName| found.modes.iter().any(|mode| mode.name() == *name);
             let modes = self.options.modes;
             let is_last = modes >= MOST_MODES || found.modes.len() < modes;

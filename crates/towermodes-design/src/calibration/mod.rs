@@ -31,7 +31,7 @@ pub use problem::{Measured, MeasuredShape, Prior, Problem, Unknown};
 pub use remark::{Remark, UnknownChange};
 pub use result::{AtBound, Calibration, Direction, Explained, Fitted};
 
-use towermodes::{Options, Workspace};
+use towermodes::Solver;
 
 /// How often the measurements are paired again with the modes of the fitted tower.
 const MOST_PAIRINGS: usize = 4;
@@ -49,7 +49,7 @@ const MOST_PAIRINGS: usize = 4;
 /// The rocking stiffness that explains a first frequency of 0.28094 ± 0.002 Hz:
 /// ```
 /// use towermodes::{Change, Foundation, FoundationSprings, Material, Options, Rna, Station};
-/// use towermodes::{TowerDescription, Workspace};
+/// use towermodes::{TowerDescription, Solver};
 /// use towermodes_design::calibration::{Measured, Problem, Unknown, calibrate};
 ///
 /// let base = TowerDescription {
@@ -70,33 +70,30 @@ const MOST_PAIRINGS: usize = 4;
 ///     measured: vec![Measured::of("fore-aft 1".parse()?, 0.28094, 0.002)],
 ///     base,
 /// };
-/// let fitted = calibrate(&problem, &Options::default(), &mut Workspace::default())?;
+/// let fitted = calibrate(&problem, &mut Solver::default())?;
 /// let rocking = &fitted.unknowns[0];
 /// assert!((rocking.value / 8e10 - 1.0).abs() < 1e-3);
 /// assert!((rocking.deviation.expect("free") / 9.2e9 - 1.0).abs() < 0.03);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn calibrate(
-    problem: &Problem,
-    options: &Options,
-    workspace: &mut Workspace,
-) -> Result<Calibration, CalibrationError> {
+pub fn calibrate(problem: &Problem, solver: &mut Solver) -> Result<Calibration, CalibrationError> {
     problem.check()?;
+    let options = &solver.options.clone();
     let variables = variable::variables(problem)?;
     let mut description = problem.base.clone();
     let start: Vec<f64> = variables.iter().map(|variable| variable.start).collect();
     variable::apply(&variables, &start, &mut description);
-    let mut pairing = pairing::pair(problem, &description, options, workspace)?;
+    let mut pairing = pairing::pair(problem, &description, options, solver)?;
     for round in 1.. {
         let mut options = options.clone();
         options.modes = pairing.modes;
-        let mut towers = fit::Towers::new(problem, &variables, &pairing.names, options, workspace);
+        let mut towers = fit::Towers::new(problem, &variables, &pairing.names, options, solver);
         let before = towers.evaluate(&start)?;
         let found = beside::fit_beside(&mut towers, &before)?;
         let options = towers.options.clone();
         description.clone_from(&problem.base);
         variable::apply_rounded(&variables, &found.point.x, &mut description);
-        let again = pairing::pair(problem, &description, &options, workspace)?;
+        let again = pairing::pair(problem, &description, &options, solver)?;
         if again.names == pairing.names || round == MOST_PAIRINGS {
             let is_stable = again.names == pairing.names;
             pairing.ambiguities = again.ambiguities;

@@ -1,9 +1,7 @@
 //! Which mode of the tower a measurement is of.
 
 use towermodes::modes::SharedMotion;
-use towermodes::{
-    Mode, ModeName, Options, SolveError, Tower, TowerDescription, Workspace, solve_with,
-};
+use towermodes::{Mode, ModeName, Options, Solution, Solver, Tower, TowerDescription};
 use towermodes_analysis::mac;
 
 use super::error::CalibrationError;
@@ -69,41 +67,33 @@ pub(super) fn pair(
     problem: &Problem,
     description: &TowerDescription,
     options: &Options,
-    workspace: &mut Workspace,
+    solver: &mut Solver,
 ) -> Result<Pairing, CalibrationError> {
     let tower = Tower::new(description.clone())?;
     check_sensors(problem, &tower)?;
-    let mut options = options.clone();
-    options.points = 2;
-    options.modes = options.modes.max(problem.measured.len() + 2);
-    options.heights_m = heights(problem);
-    loop {
-        let solution = match solve_with(&tower, &options, workspace) {
-            Err(SolveError::TooManyModes { available, .. }) if available < options.modes => {
-                options.modes = available;
-                continue;
-            }
-            other => other?,
-        };
-        let modes = solution.modes;
-        let missing = first_missing(problem, &modes);
-        let is_high = problem.measured.iter().any(|one| {
-            let highest = modes.last().map_or(0.0, |mode| mode.extrapolated_hz);
-            one.mode.is_none() && highest < 1.5 * one.frequency_hz
-        });
-        let has_all = modes.len() < options.modes || options.modes >= MOST_MODES;
-        if (missing.is_some() || is_high) && !has_all {
-            options.modes = (2 * options.modes).min(MOST_MODES);
-            continue;
-        }
-        if let Some((index, mode)) = missing {
-            return Err(no_mode(index, mode, &modes));
-        }
-        return Ok(Pairing {
-            is_certified: solution.certificate.complete,
-            ..pairing(problem, &modes)
-        });
+    let options = Options {
+        points: 2,
+        modes: options.modes.max(problem.measured.len() + 2),
+        heights_m: heights(problem),
+        ..options.clone()
+    };
+    let reaches = |solution: &Solution| {
+        let highest = solution.modes.last();
+        let highest_hz = highest.map_or(0.0, |mode| mode.extrapolated_hz);
+        let mut unnamed = problem.measured.iter().filter(|one| one.mode.is_none());
+        first_missing(problem, &solution.modes).is_none()
+            && unnamed.all(|one| highest_hz >= 1.5 * one.frequency_hz)
+    };
+    let solution = solver.with(options, |solver| {
+        solver.until(MOST_MODES, |solver| solver.solve(&tower), reaches)
+    })?;
+    if let Some((index, mode)) = first_missing(problem, &solution.modes) {
+        return Err(no_mode(index, mode, &solution.modes));
     }
+    Ok(Pairing {
+        is_certified: solution.certificate.complete,
+        ..pairing(problem, &solution.modes)
+    })
 }
 
 fn check_sensors(problem: &Problem, tower: &Tower) -> Result<(), CalibrationError> {

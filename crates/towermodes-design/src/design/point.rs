@@ -2,8 +2,8 @@
 
 use towermodes::modes::Holders;
 use towermodes::{
-    Change, ChangeSensitivity, ModeFrequency, ModeName, Operation, Options, Sensitivities, Tower,
-    TowerDescription, Workspace, sensitivities,
+    Change, ChangeSensitivity, ModeFrequency, ModeName, Operation, Options, Sensitivities, Solver,
+    Tower, TowerDescription,
 };
 
 use super::error::DesignError;
@@ -69,7 +69,7 @@ pub(super) fn solved(
     problem: &DesignProblem,
     variables: Option<&[(&Variable, f64)]>,
     (options, modes): (&Options, &mut usize),
-    workspace: &mut Workspace,
+    solver: &mut Solver,
 ) -> Result<Point, DesignError> {
     let changes = variables.unwrap_or_default().iter();
     let changes: Vec<Change> = changes.map(|(of, _)| of.change.clone()).collect();
@@ -78,7 +78,7 @@ pub(super) fn solved(
             modes: *modes,
             ..options.clone()
         };
-        let found = sensitivities(tower, &changes, &options, workspace)?;
+        let found = solver.with(options, |solver| solver.sensitivities(tower, &changes))?;
         let is_last = *modes >= MOST_MODES || found.modes.len() < *modes;
         match ends(problem, &found.modes, is_last) {
             Ok(ends) => break (found, ends),

@@ -2,9 +2,7 @@
 
 use std::fmt;
 
-use towermodes::{
-    Certificate, Family, ModeName, Operation, Options, Tower, TowerDescription, Workspace,
-};
+use towermodes::{Certificate, Family, ModeName, Operation, Solver, Tower, TowerDescription};
 
 use super::confirm::{Reached, confirmed};
 use super::error::DesignError;
@@ -134,7 +132,7 @@ impl fmt::Display for Infeasible {
 /// 0.3 Hz:
 /// ```
 /// use towermodes::{
-///     Change, Material, Options, Rna, Station, Tower, TowerDescription, Workspace,
+///     Change, Material, Rna, Solver, Station, Tower, TowerDescription,
 /// };
 /// use towermodes_design::design::{DesignProblem, Goal, Variable, design};
 ///
@@ -154,7 +152,7 @@ impl fmt::Display for Infeasible {
 ///     goals: vec![Goal { mode, min_hz: 0.3, max_hz: f64::INFINITY }],
 ///     ..DesignProblem::default()
 /// };
-/// let found = design(&base, &problem, &Options::default(), &mut Workspace::default())?;
+/// let found = design(&base, &problem, &mut Solver::default())?;
 /// assert!(found.is_proved() && found.reached[0].is_met());
 /// // Walls of 27 and 19 mm give 0.3002 Hz, with more mass:
 /// let stations = vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)];
@@ -165,9 +163,9 @@ impl fmt::Display for Infeasible {
 pub fn design(
     base: &TowerDescription,
     problem: &DesignProblem,
-    options: &Options,
-    workspace: &mut Workspace,
+    solver: &mut Solver,
 ) -> Result<Design, DesignError> {
+    let options = solver.options.clone();
     problem.check()?;
     problem.check_widths(base)?;
     let before: Vec<f64> = problem
@@ -175,7 +173,7 @@ pub fn design(
         .iter()
         .map(|of| of.present(base))
         .collect();
-    let mut scale = Scale::new(problem, base, options, workspace);
+    let mut scale = Scale::new(problem, base, &options, solver);
     let present = scale.scaled(&before);
     let starts = starts(&mut scale, &before)?;
     let minimum = minimum(&mut scale, &starts)?;

@@ -1,7 +1,7 @@
 //! The design in scaled numbers: variables in their units above the lower bound, mass relative to
 //! that of the start, limits as functions that must not be positive.
 
-use towermodes::{Options, Solution, SolveError, Tower, TowerDescription, Workspace, solve_with};
+use towermodes::{Options, Solution, SolveError, Solver, Tower, TowerDescription};
 
 use super::error::DesignError;
 use super::limits::{Limit, Row, rows};
@@ -33,7 +33,7 @@ pub(super) struct Scale<'d> {
     pub(super) problem: &'d DesignProblem,
     pub(super) base: &'d TowerDescription,
     pub(super) options: &'d Options,
-    workspace: &'d mut Workspace,
+    solver: &'d mut Solver,
     rows: Vec<Row>,
     /// The ends of the bands of the goals, then the limits of the shape.
     pub(super) limits: Vec<Limit>,
@@ -58,7 +58,7 @@ impl<'d> Scale<'d> {
         problem: &'d DesignProblem,
         base: &'d TowerDescription,
         options: &'d Options,
-        workspace: &'d mut Workspace,
+        solver: &'d mut Solver,
     ) -> Self {
         let rows = rows(problem, base);
         let mut limits = Vec::new();
@@ -83,7 +83,7 @@ impl<'d> Scale<'d> {
             problem,
             base,
             options,
-            workspace,
+            solver,
             rows,
             limits,
         }
@@ -145,7 +145,8 @@ impl<'d> Scale<'d> {
         options: &Options,
     ) -> Result<Solution, SolveError> {
         self.solves += 1;
-        solve_with(tower, options, self.workspace)
+        let solve = |solver: &mut Solver| solver.solve(tower);
+        self.solver.with(options.clone(), solve)
     }
 
     /// Forgets the last tower, whose scales have changed.
@@ -185,7 +186,7 @@ impl<'d> Scale<'d> {
             .collect();
         let of = slopes.then_some(of.as_slice());
         let options = (self.options, &mut self.modes);
-        let point = solved(&tower, self.problem, of, options, self.workspace)?;
+        let point = solved(&tower, self.problem, of, options, self.solver)?;
         let values = self.limit_values(&point.ends, &tower);
         let limits = values
             .iter()

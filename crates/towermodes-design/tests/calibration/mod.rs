@@ -8,8 +8,8 @@ mod symmetry;
 mod twins;
 
 use towermodes::{
-    Change, Foundation, FoundationSprings, Material, Options, Rna, Station, TowerDescription,
-    Workspace,
+    Change, Foundation, FoundationSprings, Material, Options, Rna, Solver, Station,
+    TowerDescription,
 };
 use towermodes_design::calibration::{
     Calibration, CalibrationError, Measured, Prior, Problem, Unknown, calibrate,
@@ -66,12 +66,12 @@ fn options() -> Options {
 }
 
 fn fitted(problem: &Problem) -> Result<Calibration, CalibrationError> {
-    calibrate(problem, &options(), &mut Workspace::default())
+    calibrate(problem, &mut Solver::new(options()))
 }
 
 /// The frequencies of some modes of a tower, Hz.
 fn frequencies(description: &TowerDescription, names: &[&str]) -> Vec<f64> {
-    let found = towermodes::sensitivities(description, &[], &options(), &mut Workspace::default());
+    let found = Solver::new(options()).sensitivities(description, &[]);
     let modes = found.expect("solved").modes;
     let of = |name: &&str| {
         let name: towermodes::ModeName = name.parse().expect("a mode");

@@ -1,8 +1,10 @@
 //! Every problem that cannot be solved is refused with its numbers and a remedy.
 
 use super::{Problem, fitted, frequencies, measured, tower, unknown, with_prior};
-use towermodes::{Change, Foundation, TowerDescription};
-use towermodes_design::calibration::{CalibrationError, Measured, MeasuredShape, Unknown};
+use towermodes::{Change, Foundation, Options, Solver, TowerDescription};
+use towermodes_design::calibration::{
+    CalibrationError, Measured, MeasuredShape, Unknown, calibrate,
+};
 
 #[track_caller]
 fn refused(base: TowerDescription, unknowns: Vec<Unknown>, measured: Vec<Measured>, words: &str) {
@@ -339,4 +341,24 @@ fn a_fit_that_ends_where_names_are_exchanged_is_refused() {
             "{error}"
         );
     }
+}
+
+/// A tower on two segments has fewer modes than are searched; the search ends with them.
+#[test]
+fn a_mode_that_no_segment_is_left_for_is_refused() {
+    let base = tower();
+    let problem = Problem {
+        unknowns: vec![unknown(&base, "foundation.rocking")],
+        base,
+        measured: vec![measured("fore-aft 30", 90.0, 0.1)],
+    };
+    let mut solver = Solver::new(Options {
+        segments: Some(2),
+        ..Options::default()
+    });
+    let error = calibrate(&problem, &mut solver).expect_err("refused");
+    let CalibrationError::NoMode { computed, .. } = error else {
+        panic!("{error:?}");
+    };
+    assert!(computed < 60, "{computed} of two segments");
 }

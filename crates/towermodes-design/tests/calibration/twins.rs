@@ -4,7 +4,7 @@
 use towermodes::{Rna, TowerDescription};
 
 use super::{Problem, fitted, frequencies, measured, options, tower, unknown, with_prior};
-use towermodes::Workspace;
+use towermodes::Solver;
 use towermodes_design::calibration::{AtBound, calibrate};
 
 /// Random numbers of PCG's generator (O'Neill 2014), the same in every run.
@@ -60,7 +60,7 @@ fn the_truth_is_within_the_stated_deviations_as_often_as_it_should() {
     let base = tower();
     let mut random = Random(20_261_122);
     let (mut within_one, mut within_two, mut chi_square) = ([0; 3], [0; 3], 0.0);
-    let mut workspace = Workspace::default();
+    let mut solver = Solver::new(options());
     for _ in 0..CASES {
         let (twin, truth) = twin(&base, &mut random);
         let exact = frequencies(&twin, &MODES);
@@ -77,7 +77,7 @@ fn the_truth_is_within_the_stated_deviations_as_often_as_it_should() {
             ],
             base: base.clone(),
         };
-        let result = calibrate(&problem, &options(), &mut workspace).expect("a fit");
+        let result = calibrate(&problem, &mut solver).expect("a fit");
         chi_square += result.chi_square;
         assert_eq!(result.degrees_of_freedom, 4);
         for (j, (unknown, truth)) in result.unknowns.iter().zip(truth).enumerate() {

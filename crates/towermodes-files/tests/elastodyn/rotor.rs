@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use towermodes::{Blade, BladeDescription, BladeFamily, RigidBody, solve_blade};
+use towermodes::{Blade, BladeDescription, BladeFamily, RigidBody, Solver};
 use towermodes_files::elastodyn::{ElastoDynDeck, read_elastodyn, read_main_file};
 use towermodes_files::{InMemory, ReadError, ReadOptions};
 
@@ -107,7 +107,7 @@ fn factors_of_stiffness_count() {
         .replace("1 AdjFlSt", "4 AdjFlSt")
         .replace("1 AdjEdSt", "9 AdjEdSt");
     let blade = Blade::new(blade_of(&stiffer)).expect("a blade");
-    let solution = solve_blade(&blade, 2, &[]).expect("modes");
+    let solution = Solver::default().blade(&blade, 2, &[]).expect("modes");
     let modes = solution.modes.iter();
     let found: Vec<_> = modes.map(|m| (m.family, TAU * m.frequency_hz)).collect();
     let expected = [

@@ -3,8 +3,8 @@
 use thiserror::Error;
 use towermodes::turbine::Turbine;
 use towermodes::{
-    BladeDescription, Options, Rotor, SensitivityError, Solution, SolveError, Tower,
-    TowerDescription, Workspace, solve_certain,
+    BladeDescription, Options, Rotor, SensitivityError, Solution, SolveError, Solver, Tower,
+    TowerDescription,
 };
 use towermodes_analysis::influence::{Influences, influences};
 use towermodes_analysis::resonance::{
@@ -60,12 +60,9 @@ pub struct ReportRequest {
 
 /// The long computations of a report. A program that reports their progress has its own.
 pub trait Computation {
-    /// Solves a tower.
-    ///
-    /// # Errors
-    /// As [`solve_certain`].
-    fn solve(&mut self, tower: &Tower, options: &Options) -> Result<Solution, SolveError> {
-        solve_certain(tower, options, &mut Workspace::default())
+    /// A solver for a tower.
+    fn solver(&self, options: Options) -> Solver {
+        Solver::new(options)
     }
 
     /// Compares all methods with a number of segments.
@@ -73,13 +70,13 @@ pub trait Computation {
     /// # Errors
     /// As [`compare_all_methods`].
     fn compare(
-        &mut self,
+        &self,
         tower: &Tower,
         options: &Options,
         segments: usize,
     ) -> Result<Comparison, SolveError> {
-        let mut workspace = Workspace::default();
-        compare_all_methods(tower, options, segments, &mut workspace, |_, _| ())
+        let mut solver = Solver::new(options.clone());
+        compare_all_methods(tower, segments, &mut solver, |_, _| ())
     }
 }
 
@@ -112,7 +109,7 @@ impl ReportContent {
     /// [`ContentError`]: the tower cannot be solved, or rotor or options are invalid.
     pub fn compute(
         mut request: ReportRequest,
-        computation: &mut impl Computation,
+        computation: &impl Computation,
     ) -> Result<Self, ContentError> {
         take_unknown_speeds(&mut request, computation)?;
         let solution = solved(&mut request, computation)?;
@@ -152,12 +149,13 @@ impl ReportContent {
 /// Puts the ends of a diagram without verdicts in place of operating speeds that are unknown.
 fn take_unknown_speeds(
     request: &mut ReportRequest,
-    computation: &mut impl Computation,
+    computation: &impl Computation,
 ) -> Result<(), SolveError> {
     let Some(blades) = request.blades.filter(|_| request.rotor.is_none()) else {
         return Ok(());
     };
-    let solution = computation.solve(&request.tower, &request.options)?;
+    let mut solver = computation.solver(request.options.clone());
+    let solution = solver.solve_certain(&request.tower)?;
     let of_turbine = request.turbine.as_ref().map(|of| &of.machine().blade);
     let radius_m = of_turbine
         .or(request.blade.as_ref())
@@ -201,7 +199,7 @@ fn remarks_on(results: &TurbineResults, said: &[String]) -> Vec<String> {
 fn soil_band_of(
     request: &ReportRequest,
     solution: &Solution,
-    computation: &mut impl Computation,
+    computation: &impl Computation,
 ) -> Option<Result<SoilBand, SoilBandError>> {
     let is_whole = request.tower.missing_parts().is_none();
     let rotor = request
@@ -220,7 +218,7 @@ fn soil_band_of(
         solution,
         factors,
         rotor,
-        |tower| computation.solve(tower, &options),
+        |tower| computation.solver(options.clone()).solve_certain(tower),
     ))
 }
 
@@ -233,7 +231,7 @@ fn influences_of_lowest(
         modes: options.modes.min(INFLUENCED_MODES),
         ..options.clone()
     };
-    influences(description, None, &options, &mut Workspace::default())
+    influences(description, None, &mut Solver::new(options))
 }
 
 /// Modes whose derivatives a report has.
@@ -243,17 +241,16 @@ const INFLUENCED_MODES: usize = 4;
 /// options are set to the number of modes.
 fn solved(
     request: &mut ReportRequest,
-    computation: &mut impl Computation,
+    computation: &impl Computation,
 ) -> Result<Solution, SolveError> {
     let tower = &request.tower;
-    let mut solve = |options: &Options| computation.solve(tower, options);
-    match request.rotor.filter(|_| request.covers_excitations) {
-        Some(rotor) => {
-            let reach_hz = reach_hz(&rotor, &request.campbell);
-            solve_to_reach(&mut request.options, reach_hz, solve)
-        }
-        None => solve(&request.options),
-    }
+    let mut solver = computation.solver(request.options.clone());
+    let solution = match request.rotor.filter(|_| request.covers_excitations) {
+        Some(rotor) => solve_to_reach(&mut solver, tower, reach_hz(&rotor, &request.campbell)),
+        None => solver.solve_certain(tower),
+    };
+    request.options.modes = solver.options.modes;
+    solution
 }
 
 /// The Campbell diagram with its remarks; none without a rotor.

@@ -9,8 +9,8 @@ use std::collections::HashSet;
 use towermodes::Rotor;
 use towermodes::{
     AddedMassRow, Foundation, FoundationSprings, Inertia, Material, Method, Options, PartNames,
-    Planes, PointMass, Rna, SoilRow, SolveError, Station, Tower, TowerDescription, Water, Wires,
-    solve,
+    Planes, PointMass, Rna, SoilRow, SolveError, Solver, Station, Tower, TowerDescription, Water,
+    Wires, solve,
 };
 use towermodes_analysis::elastodyn::tower_shapes;
 use towermodes_analysis::resonance::{CampbellError, CampbellOptions, campbell};
@@ -87,7 +87,12 @@ fn content_by(
         campbell(&tower, &solution, None, &rotor, &options)
     };
     ReportContent {
-        comparison: compare(&tower, &options, &columns, |_, _| {}),
+        comparison: compare(
+            &tower,
+            &columns,
+            &mut Solver::new(options.clone()),
+            |_, _| {},
+        ),
         elastodyn: elastodyn(&tower),
         shapes_from_m: tower.base_m(),
         campbell: rotor.map(diagram),
@@ -148,7 +153,7 @@ fn request(covers_excitations: bool) -> ReportRequest {
 /// the next ones are at 4 Hz.
 #[test]
 fn a_report_is_computed_in_one_call() {
-    let compute = |request| ReportContent::compute(request, &mut SilentComputation);
+    let compute = |request| ReportContent::compute(request, &SilentComputation);
     let content = compute(request(false)).expect("a report");
     assert_eq!(
         (content.options.modes, content.solution.modes.len()),
@@ -203,7 +208,7 @@ fn the_influence_of_the_numbers_is_a_section_on_request() {
 }
 
 fn compute_page(request: ReportRequest) -> String {
-    page_of(&ReportContent::compute(request, &mut SilentComputation).expect("a report"))
+    page_of(&ReportContent::compute(request, &SilentComputation).expect("a report"))
 }
 
 fn page_of(content: &ReportContent) -> String {

@@ -1,14 +1,11 @@
 //! Derivatives at the means, and what follows from them.
 
-use towermodes::{
-    Change, ModeName, Operation, Sensitivities, SensitivityError, SolveError, TowerDescription,
-    Workspace, sensitivities,
-};
+use towermodes::{Change, ModeName, Operation, Sensitivities, Solver, TowerDescription};
 use towermodes_files::{Sampling, SamplingKind};
 
 use super::normal::inside;
 use super::{FirstOrder, FirstOrderError, InputScatter, ModeScatter, NoScatter, Scatter};
-use crate::row::{Cells, MORE_MODES, RowSolver};
+use crate::row::{Cells, RowSolver};
 use crate::sampling::{Draw, Joint};
 use crate::summary::MarginCheck;
 use crate::sweep::Sweep;
@@ -17,7 +14,8 @@ impl Sweep {
     /// The scatter of each frequency to first order in the distributions of what varies: mean,
     /// standard deviation, the share of each input, and the probability that a resonance margin is
     /// violated. It takes one solve with derivatives, and two solves for each input to see how good
-    /// the first order is.
+    /// the first order is. An observer of the solver sees every solve; its options are those of the
+    /// sweep.
     ///
     /// # Errors
     /// [`FirstOrderError`]. A single mode without a derivative is no error but has the reason.
@@ -25,19 +23,7 @@ impl Sweep {
         &self,
         sampling: &Sampling,
         check: Option<&MarginCheck>,
-    ) -> Result<FirstOrder, FirstOrderError> {
-        self.first_order_with(sampling, check, Workspace::default())
-    }
-
-    /// [`first_order`](Self::first_order) in a workspace, whose observer sees every solve.
-    ///
-    /// # Errors
-    /// The same.
-    pub fn first_order_with(
-        &self,
-        sampling: &Sampling,
-        check: Option<&MarginCheck>,
-        workspace: Workspace,
+        solver: Solver,
     ) -> Result<FirstOrder, FirstOrderError> {
         if sampling.kind == SamplingKind::Grid {
             return Err(FirstOrderError::Grid);
@@ -47,9 +33,9 @@ impl Sweep {
         let joint = Joint::of(sampling)?;
         self.check_changes(sampling, &joint)?;
         let means: Vec<f64> = joint.moments.iter().map(|[mean, _]| *mean).collect();
-        let mut solver = RowSolver::within(self, workspace);
+        let mut solver = RowSolver::within(self, solver);
         let middle = self.at(&means, &mut solver)?;
-        let found = self.derivatives(&means, &middle, &mut solver.workspace)?;
+        let found = self.derivatives(&means, &mut solver.solver)?;
         let shifts = self.mean_shifts_hz(&means, &joint, &middle, &mut solver);
         let scatter = |(index, name): (usize, &ModeName)| ModeScatter {
             name: *name,
@@ -114,38 +100,17 @@ impl Sweep {
         }
     }
 
-    /// The derivatives at the means, with as many modes as the named ones need.
+    /// The derivatives at the means, with as many modes as the named ones needed there.
     fn derivatives(
         &self,
         means: &[f64],
-        middle: &Row,
-        workspace: &mut Workspace,
+        solver: &mut Solver,
     ) -> Result<Sensitivities, FirstOrderError> {
         let mut description: TowerDescription = self.base().clone();
         for (change, mean) in self.changes().iter().zip(means) {
             change.apply(&mut description, *mean);
         }
-        let mut options = self.options().clone();
-        let most = options.modes + MORE_MODES;
-        loop {
-            let found = sensitivities(&description, self.changes(), &options, workspace);
-            let found = match found {
-                Err(SensitivityError::Solve(SolveError::TooManyModes { available, .. }))
-                    if 0 < available && available < options.modes =>
-                {
-                    options.modes = available;
-                    sensitivities(&description, self.changes(), &options, workspace)?
-                }
-                found => found?,
-            };
-            let named = self.modes().iter().zip(&middle.frequency_hz);
-            let mut solved = named.filter(|(_, hz)| hz.is_finite());
-            let is_complete = solved.all(|(name, _)| place(&found, name).is_some());
-            if is_complete || options.modes >= most || found.modes.len() < options.modes {
-                return Ok(found);
-            }
-            options.modes = most;
-        }
+        Ok(solver.sensitivities(&description, self.changes())?)
     }
 
     /// ½ tr(H C) of each mode by differences along the independent directions; NaN where a tower

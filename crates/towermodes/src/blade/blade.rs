@@ -13,7 +13,7 @@ const TIP_REACH: f64 = 0.6;
 /// afterwards.
 ///
 /// # Example
-/// See [`solve_blade`](crate::solve_blade).
+/// See [`Solver::blade`](crate::Solver::blade).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Blade {
     description: BladeDescription,

@@ -44,9 +44,9 @@ pub enum Operation {
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Change {
-    name: String,
-    operation: Operation,
-    parameters: Vec<Parameter>,
+    pub(super) name: String,
+    pub(super) operation: Operation,
+    pub(super) parameters: Vec<Parameter>,
 }
 
 impl Change {

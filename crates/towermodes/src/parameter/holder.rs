@@ -23,6 +23,11 @@ impl Holder {
         }
     }
 
+    /// Whether it is this part.
+    pub(super) fn is(self, other: &'static Part) -> bool {
+        matches!(self, Self::Part(part) if std::ptr::eq(part, other))
+    }
+
     /// What it is in messages.
     pub(super) fn noun(self) -> &'static str {
         match self {

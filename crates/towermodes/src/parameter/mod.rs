@@ -13,6 +13,7 @@
 mod bodies;
 mod change;
 mod error;
+mod every;
 mod foundation;
 mod ground;
 mod holder;
@@ -192,31 +193,41 @@ impl Parameter {
     }
 
     /// Whether it is the acceleration of gravity.
-    pub(crate) fn is_gravity(self) -> bool {
-        self.part().name() == "gravity"
+    pub fn is_gravity(self) -> bool {
+        self.place() == Place::Gravity
+    }
+
+    /// Whether it is a number of the rotor, on which no frequency of a tower at rest depends.
+    pub fn is_of_rotor(self) -> bool {
+        matches!(self.place(), Place::Rotor { .. })
     }
 
     /// Whether it is a number of the ground, on which springs depend in many ways.
     pub(crate) fn is_of_ground(self) -> bool {
-        self.part().name().starts_with("ground")
+        use Place::{Ground, GroundLayer, GroundRow};
+        matches!(
+            self.place(),
+            Ground { .. } | GroundLayer { .. } | GroundRow { .. }
+        )
     }
 
     /// Whether it is a number of a row of the property table.
     pub(crate) fn is_of_rows(self) -> bool {
-        self.part().name() == "properties[]"
+        self.part().is(&structure::PROPERTIES)
     }
 
     /// Whether both are heights of the rows of one list, or of layers of the ground, of which one
     /// begins where the other ends.
     pub(crate) fn is_height_like(self, other: Self) -> bool {
-        let is_list = self.part().name() != "point_mass[]" && self.part().name() != "wires[]";
-        let is_same = (self.part, self.number) == (other.part, other.number);
-        let is_of_one_list =
-            !self.part().name().contains("[].") || self.indices[0] == other.indices[0];
-        if self.is_of_ground() && other.is_of_ground() {
-            return self.is_height() && other.is_height();
-        }
-        is_same && is_list && is_of_one_list && self.is_height()
+        let is_of_one_list = match (self.place(), other.place()) {
+            (Place::Station { .. }, Place::Station { .. }) => true,
+            (Place::Soil { layer, .. }, Place::Soil { layer: other, .. }) => layer == other,
+            (Place::AddedMass { table, .. }, Place::AddedMass { table: other, .. }) => {
+                table == other
+            }
+            _ => self.is_of_ground() && other.is_of_ground(),
+        };
+        is_of_one_list && self.is_height() && other.is_height()
     }
 
     /// The number that changes together with this one: Poisson's ratio is another form of the shear

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::solve::SolveError;
+use crate::solve::{SolveError, TooManyModes};
 use crate::tower::TowerError;
 
 /// Why there are no derivatives of the frequencies of a tower.
@@ -27,4 +27,13 @@ pub enum SensitivityError {
         /// Another one.
         second: f64,
     },
+}
+
+impl TooManyModes for SensitivityError {
+    fn available_modes(&self) -> Option<usize> {
+        match self {
+            Self::Solve(error) => error.available_modes(),
+            Self::Tower(_) | Self::Unequal { .. } => None,
+        }
+    }
 }

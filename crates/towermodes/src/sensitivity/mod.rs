@@ -9,7 +9,6 @@
 //! another structure, `weightless` where gravity would give it one, `finer` on a finer mesh where
 //! that of the frequencies is too coarse for the derivatives.
 
-mod changes;
 mod error;
 mod finer;
 mod held;
@@ -19,11 +18,10 @@ mod step;
 mod swept;
 mod weightless;
 
-pub use changes::every_change;
 pub use error::SensitivityError;
 
 use crate::parameter::{Change, Operation};
-use crate::solve::{FrozenModes, ModeFrequency, Options, Workspace};
+use crate::solve::{FrozenModes, ModeFrequency, Solver};
 use crate::tower::{Neighbours, TowerDescription};
 
 /// The derivatives of the lowest frequencies of a tower.
@@ -93,103 +91,100 @@ impl ChangeSensitivity {
     }
 }
 
-/// Computes the derivatives of the lowest frequencies of a tower with respect to changes of it.
-///
-/// The derivative of each frequency is exact up to the error that is given with it. It exists for
-/// every method, every number of the description and every kind of tower; heights move the mesh
-/// with them. Where fewer than 60 segments leave a derivative an error above 0.1 %, as in soil, all
-/// derivatives are those of a finer mesh; the frequencies are those of the mesh that was asked for.
-///
-/// [`Options::points`] and [`Options::heights_m`] have no effect.
-///
-/// # Errors
-/// [`SensitivityError`]: the tower is impossible, is not solved, or a change has no value on it.
-///
-/// # Example
-/// How the first frequency changes with the wall thickness and with the mass on top:
-/// ```
-/// use towermodes::{Change, Material, Options, Rna, Station, TowerDescription, Workspace};
-/// use towermodes::sensitivities;
-///
-/// let description = TowerDescription {
-///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
-///     rna: Rna::point(350e3),
-///     ..TowerDescription::default()
-/// };
-/// let changes = Change::parse_all(["scale(stations[*].wall)", "rna.mass"], &description)?;
-/// let mut workspace = Workspace::default();
-/// let result = sensitivities(&description, &changes, &Options::default(), &mut workspace)?;
-/// let elasticity = |change: usize| result.changes[change].elasticity(&result.modes, 0);
-/// let first = |change: usize| elasticity(change).expect("it has a derivative");
-/// assert!((first(0) - 0.4391).abs() < 1e-4);
-/// assert!((first(1) + 0.4457).abs() < 1e-4);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn sensitivities(
-    description: &TowerDescription,
-    changes: &[Change],
-    options: &Options,
-    workspace: &mut Workspace,
-) -> Result<Sensitivities, SensitivityError> {
-    let values: Result<Vec<f64>, _> = changes
-        .iter()
-        .map(|change| step::present_value(change, description))
-        .collect();
-    let values = values?;
-    let neighbours = Neighbours::of(description)?;
-    let numbers = (changes, &values[..]);
-    let (mut found, segments) = on_mesh(&neighbours, numbers, options, workspace)?;
-    if let Some(options) = finer::options(&found, &neighbours, (options, segments)) {
-        // Without the finer mesh the errors tell how coarse this one is.
-        if let Ok((finer, _)) = on_mesh(&neighbours, numbers, &options, workspace) {
-            found.take_finer(&finer);
-        }
-    }
-    Ok(found)
-}
-
-/// The derivatives on the mesh of the options, and its number of segments.
-fn on_mesh(
-    neighbours: &Neighbours,
-    (changes, values): (&[Change], &[f64]),
-    options: &Options,
-    workspace: &mut Workspace,
-) -> Result<(Sensitivities, usize), SensitivityError> {
-    let mut frozen = FrozenModes::of(neighbours, options, workspace)?;
-    let mut swept = swept::Swept::new(neighbours);
-    let mut held = held::Held::new(neighbours, &mut frozen);
-    let mut results = Vec::with_capacity(changes.len());
-    for (change, &value) in changes.iter().zip(values) {
-        let of_swept = match weightless::is_needed(neighbours, held.frozen(), change) {
-            true => {
-                let modes = &held.frozen().modes;
-                weightless::derivatives(neighbours, change, modes, options, workspace)
+impl Solver {
+    /// Computes the derivatives of the lowest frequencies of a tower with respect to changes of it.
+    ///
+    /// The derivative of each frequency is exact up to the error that is given with it. It exists
+    /// for every method, every number of the description and every kind of tower; heights move the
+    /// mesh with them. Where fewer than 60 segments leave a derivative an error above 0.1 %, as in
+    /// soil, all derivatives are those of a finer mesh; the frequencies are those of the mesh that
+    /// was asked for.
+    ///
+    /// [`points`](crate::Options::points) and [`heights_m`](crate::Options::heights_m) of the options
+    /// have no effect.
+    ///
+    /// # Errors
+    /// [`SensitivityError`]: the tower is impossible, is not solved, or a change has no value on
+    /// it.
+    ///
+    /// # Example
+    /// How the first frequency changes with the wall thickness and with the mass on top:
+    /// ```
+    /// use towermodes::{Change, Material, Rna, Solver, Station, TowerDescription};
+    ///
+    /// let description = TowerDescription {
+    ///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+    ///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+    ///     rna: Rna::point(350e3),
+    ///     ..TowerDescription::default()
+    /// };
+    /// let changes = Change::parse_all(["scale(stations[*].wall)", "rna.mass"], &description)?;
+    /// let result = Solver::default().sensitivities(&description, &changes)?;
+    /// let elasticity = |change: usize| result.changes[change].elasticity(&result.modes, 0);
+    /// let first = |change: usize| elasticity(change).expect("it has a derivative");
+    /// assert!((first(0) - 0.4391).abs() < 1e-4);
+    /// assert!((first(1) + 0.4457).abs() < 1e-4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn sensitivities(
+        &mut self,
+        description: &TowerDescription,
+        changes: &[Change],
+    ) -> Result<Sensitivities, SensitivityError> {
+        let values = changes.iter();
+        let values = values.map(|change| step::present_value(change, description));
+        let values: Vec<f64> = values.collect::<Result<_, _>>()?;
+        let neighbours = Neighbours::of(description)?;
+        let numbers = (changes, &values[..]);
+        let (mut found, segments) = self.on_mesh(&neighbours, numbers)?;
+        let finer = finer::options(&found, &neighbours, (&self.options, segments));
+        if let Some(options) = finer {
+            // Without the finer mesh the errors tell how coarse this one is.
+            let finer = self.with(options, |finer| finer.on_mesh(&neighbours, numbers));
+            if let Ok((finer, _)) = finer {
+                found.take_finer(&finer);
             }
-            false => swept.derivatives(held.frozen(), change, value),
-        };
-        let of_held = of_swept.or_else(|| held.derivatives(change, value));
-        let (modes, mass_kg_per_unit) = match of_held {
-            Some(derivatives) => derivatives,
-            None => solved::derivatives(
-                neighbours,
-                (change, value),
-                &held.frozen().modes,
-                options,
-                workspace,
-            ),
-        };
-        results.push(ChangeSensitivity {
-            change: change.clone(),
-            value,
-            mass_kg_per_unit,
-            modes,
-        });
+        }
+        Ok(found)
     }
-    let segments = frozen.segments();
-    let found = Sensitivities {
-        modes: frozen.modes,
-        changes: results,
-    };
-    Ok((found, segments))
+
+    /// The derivatives on the mesh of the options, and its number of segments.
+    fn on_mesh(
+        &mut self,
+        neighbours: &Neighbours,
+        (changes, values): (&[Change], &[f64]),
+    ) -> Result<(Sensitivities, usize), SensitivityError> {
+        let mut frozen = FrozenModes::of(neighbours, &self.options, &mut self.workspace)?;
+        let mut swept = swept::Swept::new(neighbours);
+        let mut held = held::Held::new(neighbours, &mut frozen);
+        let mut results = Vec::with_capacity(changes.len());
+        for (change, &value) in changes.iter().zip(values) {
+            let of_swept = match weightless::is_needed(neighbours, held.frozen(), change) {
+                true => {
+                    let modes = &held.frozen().modes;
+                    weightless::derivatives(neighbours, change, modes, self)
+                }
+                false => swept.derivatives(held.frozen(), change, value),
+            };
+            let of_held = of_swept.or_else(|| held.derivatives(change, value));
+            let (modes, mass_kg_per_unit) = match of_held {
+                Some(derivatives) => derivatives,
+                None => {
+                    solved::derivatives(neighbours, (change, value), &held.frozen().modes, self)
+                }
+            };
+            results.push(ChangeSensitivity {
+                change: change.clone(),
+                value,
+                mass_kg_per_unit,
+                modes,
+            });
+        }
+        let segments = frozen.segments();
+        let found = Sensitivities {
+            modes: frozen.modes,
+            changes: results,
+        };
+        Ok((found, segments))
+    }
 }

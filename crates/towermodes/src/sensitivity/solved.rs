@@ -6,7 +6,7 @@ use super::step::step;
 use super::{Derivative, NoDerivative};
 use crate::Method;
 use crate::parameter::Change;
-use crate::solve::{ModeFrequency, Options, Workspace, solve_frequencies};
+use crate::solve::{ModeFrequency, Options, Solver};
 use crate::tower::{Neighbours, Tower};
 
 /// Differences of solved frequencies need larger steps than those of quotients.
@@ -20,30 +20,31 @@ pub(super) fn derivatives(
     neighbours: &Neighbours,
     (change, value): (&Change, f64),
     modes: &[ModeFrequency],
-    options: &Options,
-    workspace: &mut Workspace,
+    solver: &mut Solver,
 ) -> Derivatives {
     let spectral = Options {
         method: Method::Spectral,
         segments: None,
         borders_m: None,
-        ..options.clone()
+        ..solver.options.clone()
     };
     let mut solve = |value: f64| -> Option<Solved> {
         let mut description = neighbours.description().clone();
         change.apply(&mut description, value);
         let tower = Tower::new(description).ok()?;
-        let solved = solve_frequencies(&tower, &spectral, workspace).ok()?;
-        let frequency = |(place, mode): (usize, &ModeFrequency)| {
-            // Modes that share a motion may exchange names, but never their order.
-            let same = match mode.shares.is_coupled(mode.family) {
-                true => solved.modes.get(place)?,
-                false => solved.mode(mode.family, mode.order)?,
+        solver.with(spectral.clone(), |solver| {
+            let solved = solver.frequencies(&tower).ok()?;
+            let frequency = |(place, mode): (usize, &ModeFrequency)| {
+                // Modes that share a motion may exchange names, but never their order.
+                let same = match mode.shares.is_coupled(mode.family) {
+                    true => solved.modes.get(place)?,
+                    false => solved.mode(mode.family, mode.order)?,
+                };
+                Some(same.extrapolated_hz)
             };
-            Some(same.extrapolated_hz)
-        };
-        let frequencies = modes.iter().enumerate().map(frequency);
-        Some((frequencies.collect(), tower.mass_kg()))
+            let frequencies = modes.iter().enumerate().map(frequency);
+            Some((frequencies.collect(), tower.mass_kg()))
+        })
     };
     let h = LARGER * step(change, value, neighbours);
     let steps = [h, -h, 0.5 * h, -0.5 * h, 0.0];

@@ -1,11 +1,10 @@
 //! The derivatives with respect to gravity of a tower without gravity that shears. Under gravity a
 //! joint that bends and shears has an unknown more, so its gradient lacks a part.
 
-use super::sensitivities;
 use super::slope::Derivatives;
 use super::{Derivative, NoDerivative};
 use crate::parameter::{Change, Operation};
-use crate::solve::{FrozenModes, ModeFrequency, Options, Workspace};
+use crate::solve::{FrozenModes, ModeFrequency, Solver};
 use crate::tower::Neighbours;
 
 /// The gravity with which the tower has these unknowns, m/s²: of no other effect.
@@ -25,13 +24,12 @@ pub(super) fn derivatives(
     neighbours: &Neighbours,
     change: &Change,
     modes: &[ModeFrequency],
-    options: &Options,
-    workspace: &mut Workspace,
+    solver: &mut Solver,
 ) -> Option<Derivatives> {
     let mut description = neighbours.description().clone();
     description.gravity_m_per_s2 = SLIGHT;
     let changes = std::slice::from_ref(change);
-    let slight = sensitivities(&description, changes, options, workspace).ok()?;
+    let slight = solver.sensitivities(&description, changes).ok()?;
     let of_change = slight.changes.first()?;
     let of_mode = |mode: &ModeFrequency| -> Result<Derivative, NoDerivative> {
         let is_same = |other: &ModeFrequency| other.label() == mode.label();

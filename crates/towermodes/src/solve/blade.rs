@@ -6,6 +6,7 @@ use super::checks::{check_modes, check_segments, check_size};
 use super::cost::Cost;
 use super::error::SolveError;
 use super::solution::Certificate;
+use super::solver::Solver;
 use super::spectrum::Found;
 use super::tracking::{Ladder, Levels, MORE};
 use super::workspace::Workspace;
@@ -113,67 +114,72 @@ pub struct BladeSolution {
     pub certificate: Certificate,
 }
 
-/// Computes the lowest modes of a rotating blade by the element of BModes, with the shapes at
-/// distances from the rotor's axis, m.
-///
-/// # Errors
-/// [`SolveError`]: more modes than there are, or a rotation that makes the blade unstable.
-///
-/// # Example
-/// A uniform cantilever at standstill: f₁ = 1.8751²/(2π) √(EI/(m L⁴)).
-/// ```
-/// use towermodes::{Blade, BladeDescription, BladeSection, solve_blade};
-///
-/// let section = |span| BladeSection {
-///     span,
-///     mass_kg_per_m: 100.0,
-///     flap_n_m2: 1e8,
-///     edge_n_m2: 4e8,
-///     torsion_n_m2: 1e8,
-///     axial_n: 1e10,
-///     flap_inertia_kg_m: 10.0,
-///     edge_inertia_kg_m: 40.0,
-///     ..BladeSection::default()
-/// };
-/// let blade = Blade::new(BladeDescription {
-///     tip_radius_m: 40.0,
-///     sections: vec![section(0.0), section(1.0)],
-///     borders: (0..=20).map(|k| f64::from(k) / 20.0).collect(),
-///     ..BladeDescription::default()
-/// })?;
-/// let solution = solve_blade(&blade, 2, &[])?;
-/// let (flap, edgewise) = (&solution.modes[0], &solution.modes[1]);
-/// assert!((flap.frequency_hz - 0.34975).abs() < 1e-4);
-/// assert!((edgewise.frequency_hz / flap.frequency_hz - 2.0).abs() < 1e-6);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn solve_blade(
-    blade: &Blade,
-    modes: usize,
-    radii_m: &[f64],
-) -> Result<BladeSolution, SolveError> {
-    let mut workspace = Workspace::default();
-    let mut solution = on_own_elements(blade, modes, radii_m, &mut workspace)?;
-    estimate_errors(blade, &mut solution.modes, &mut workspace)?;
-    Ok(solution)
+impl Solver {
+    /// Computes the lowest modes of a rotating blade by the element of BModes, with the shapes at
+    /// distances from the rotor's axis, m. The options have no effect.
+    ///
+    /// # Errors
+    /// [`SolveError`]: more modes than there are, or a rotation that makes the blade unstable.
+    ///
+    /// # Example
+    /// A uniform cantilever at standstill: f₁ = 1.8751²/(2π) √(EI/(m L⁴)).
+    /// ```
+    /// use towermodes::{Blade, BladeDescription, BladeSection, Solver};
+    ///
+    /// let section = |span| BladeSection {
+    ///     span,
+    ///     mass_kg_per_m: 100.0,
+    ///     flap_n_m2: 1e8,
+    ///     edge_n_m2: 4e8,
+    ///     torsion_n_m2: 1e8,
+    ///     axial_n: 1e10,
+    ///     flap_inertia_kg_m: 10.0,
+    ///     edge_inertia_kg_m: 40.0,
+    ///     ..BladeSection::default()
+    /// };
+    /// let blade = Blade::new(BladeDescription {
+    ///     tip_radius_m: 40.0,
+    ///     sections: vec![section(0.0), section(1.0)],
+    ///     borders: (0..=20).map(|k| f64::from(k) / 20.0).collect(),
+    ///     ..BladeDescription::default()
+    /// })?;
+    /// let solution = Solver::default().blade(&blade, 2, &[])?;
+    /// let (flap, edgewise) = (&solution.modes[0], &solution.modes[1]);
+    /// assert!((flap.frequency_hz - 0.34975).abs() < 1e-4);
+    /// assert!((edgewise.frequency_hz / flap.frequency_hz - 2.0).abs() < 1e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn blade(
+        &mut self,
+        blade: &Blade,
+        modes: usize,
+        radii_m: &[f64],
+    ) -> Result<BladeSolution, SolveError> {
+        let mut solution = self.blade_once(blade, modes, radii_m)?;
+        estimate_errors(blade, &mut solution.modes, &mut self.workspace)?;
+        Ok(solution)
+    }
+
+    /// The same as [`blade`](Self::blade) on one mesh, without the discretization error of the
+    /// modes (it is 0 in the result), which takes most of the time.
+    ///
+    /// # Errors
+    /// As [`blade`](Self::blade).
+    pub fn blade_once(
+        &mut self,
+        blade: &Blade,
+        modes: usize,
+        radii_m: &[f64],
+    ) -> Result<BladeSolution, SolveError> {
+        on_own_elements(blade, modes, radii_m, &mut self.workspace)
+    }
 }
 
-/// The same as [`solve_blade`] on one mesh, without the discretization error of the modes (it is 0
-/// in the result), which takes most of the time.
-///
-/// # Errors
-/// As [`solve_blade`].
-pub fn solve_blade_once(
-    blade: &Blade,
-    modes: usize,
-    radii_m: &[f64],
-) -> Result<BladeSolution, SolveError> {
-    on_own_elements(blade, modes, radii_m, &mut Workspace::default())
-}
-
-/// The number of degrees of freedom of a blade, and so of its modes.
-pub fn blade_degrees_of_freedom(blade: &Blade) -> usize {
-    unknowns(blade, &blade.description().borders)
+impl Blade {
+    /// The number of degrees of freedom of the blade, and so of its modes.
+    pub fn degrees_of_freedom(&self) -> usize {
+        unknowns(self, &self.description().borders)
+    }
 }
 
 fn unknowns(blade: &Blade, borders: &[f64]) -> usize {

@@ -1,54 +1,51 @@
 //! As many of the modes requested as double precision resolves.
 
 use super::error::SolveError;
-use super::options::Options;
 use super::solution::Solution;
-use super::tower::solve_with;
-use super::workspace::Workspace;
+use super::solver::Solver;
 use crate::eigen::EigenError;
-use crate::tower::Tower;
-use crate::tower::Warning;
+use crate::tower::{Tower, Warning};
 
-/// [`solve_with`], but if the stiffest of the modes requested are not resolvable in double
-/// precision, only the lower ones that are, with a [`Warning::OnlyCertain`]. For instance, a tower
-/// with hardly any mass has four bending modes, those of the RNA on it, and the next ones far
-/// above.
-///
-/// The certificate is that of the modes listed.
-///
-/// # Errors
-/// As [`solve_with`] for any other reason, or if not even one mode is resolvable.
-///
-/// # Example
-/// See [`solve`](crate::solve()), which has the same arguments but for the workspace.
-pub fn solve_certain(
-    tower: &Tower,
-    options: &Options,
-    workspace: &mut Workspace,
-) -> Result<Solution, SolveError> {
-    let (mut hidden, mut listed) = (options.modes, 0);
-    let mut result = solve_with(tower, options, workspace);
-    let mut certain = None;
-    while is_hidden(&result) && hidden - listed > 1 {
-        let modes = listed + (hidden - listed) / 2;
-        let fewer = Options {
-            modes,
-            ..options.clone()
-        };
-        match solve_with(tower, &fewer, workspace) {
-            Ok(solution) => (listed, certain) = (modes, Some(solution)),
-            Err(SolveError::Eigen(EigenError::Unresolved { .. })) => hidden = modes,
-            Err(other) => return Err(other),
+impl Solver {
+    /// [`solve`](Self::solve), but if the stiffest of the modes requested are not resolvable in
+    /// double precision, only the lower ones that are, with a [`Warning::OnlyCertain`]. For
+    /// instance, a tower with hardly any mass has four bending modes, those of the RNA on it, and
+    /// the next ones far above.
+    ///
+    /// The certificate is that of the modes listed.
+    ///
+    /// # Errors
+    /// As [`solve`](crate::solve()) for any other reason, or if not even one mode is resolvable.
+    pub fn solve_certain(&mut self, tower: &Tower) -> Result<Solution, SolveError> {
+        let wanted = self.options.modes;
+        let found = self.most_certain(tower);
+        self.options.modes = wanted;
+        found
+    }
+
+    /// The same by bisection, which leaves another number of modes in the options.
+    fn most_certain(&mut self, tower: &Tower) -> Result<Solution, SolveError> {
+        let wanted = self.options.modes;
+        let (mut hidden, mut listed) = (wanted, 0);
+        let mut result = self.solve(tower);
+        let mut certain = None;
+        while is_hidden(&result) && hidden - listed > 1 {
+            self.options.modes = listed + (hidden - listed) / 2;
+            match self.solve(tower) {
+                Ok(solution) => (listed, certain) = (self.options.modes, Some(solution)),
+                Err(SolveError::Eigen(EigenError::Unresolved { .. })) => {
+                    hidden = self.options.modes;
+                }
+                Err(other) => return Err(other),
+            }
         }
+        if let Some(mut solution) = certain {
+            let warning = Warning::OnlyCertain { listed, wanted };
+            solution.warnings.push(warning);
+            result = Ok(solution);
+        }
+        result
     }
-    if let Some(mut solution) = certain {
-        solution.warnings.push(Warning::OnlyCertain {
-            listed,
-            wanted: options.modes,
-        });
-        result = Ok(solution);
-    }
-    result
 }
 
 fn is_hidden(result: &Result<Solution, SolveError>) -> bool {

@@ -9,6 +9,7 @@ use super::options::Options;
 use super::p_refinement;
 use super::progress::Stage;
 use super::solution::Certificate;
+use super::solver::Solver;
 use super::spectrum::Found;
 use super::stability::check_buckling;
 use super::warnings::is_uncertain_end;
@@ -95,52 +96,50 @@ impl Frequencies {
     }
 }
 
-/// Computes the lowest frequencies of a tower with their names, errors and certificate, but no
-/// shapes, for many towers one after the other: [`solve_with`](crate::solve_with) gives the same
-/// values bit by bit, and takes two to three times as long.
-///
-/// After a first tower nothing is allocated for others with the same heights and options, except
-/// with [`Bmodes`](crate::Method::Bmodes) and [`Spectral`](crate::Method::Spectral), and where an
-/// error needs the reference solution. A few segments suffice, because extrapolated frequencies are
-/// far more accurate than those of the mesh.
-///
-/// [`Options::points`] and [`Options::heights_m`] have no effect.
-///
-/// # Errors
-/// [`SolveError`], for the same towers as [`solve_with`](crate::solve_with).
-///
-/// # Example
-/// The first frequency of a tower for three masses on top:
-/// ```
-/// use towermodes::{Family, Material, Options, Rna, Station, Tower, TowerDescription};
-/// use towermodes::{Workspace, solve_frequencies};
-///
-/// let base = TowerDescription {
-///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
-///     ..TowerDescription::default()
-/// };
-/// let options = Options { modes: 4, segments: Some(20), ..Options::default() };
-/// let mut workspace = Workspace::default();
-/// for (rna_kg, expected_hz) in [(0.0, 0.8913), (200e3, 0.3818), (350e3, 0.3002)] {
-///     let tower = Tower::new(TowerDescription { rna: Rna::point(rna_kg), ..base.clone() })?;
-///     let frequencies = solve_frequencies(&tower, &options, &mut workspace)?;
-///     let first = frequencies.mode(Family::ForeAft, 1).expect("it is the lowest mode");
-///     assert!((first.extrapolated_hz - expected_hz).abs() < 1e-4);
-///     assert!(frequencies.certificate.complete);
-/// }
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn solve_frequencies<'w>(
-    tower: &Tower,
-    options: &Options,
-    workspace: &'w mut Workspace,
-) -> Result<&'w Frequencies, SolveError> {
-    solve_keeping_vectors(tower, options, workspace, &mut None)?;
-    Ok(&workspace.frequencies)
+impl Solver {
+    /// Computes the lowest frequencies of a tower with their names, errors and certificate, but no
+    /// shapes, for many towers one after the other: [`solve`](Self::solve) gives the same values
+    /// bit by bit, and takes two to three times as long.
+    ///
+    /// After a first tower nothing is allocated for others with the same heights and options,
+    /// except with [`Bmodes`](crate::Method::Bmodes) and [`Spectral`](crate::Method::Spectral), and
+    /// where an error needs the reference solution. A few segments suffice, because extrapolated
+    /// frequencies are far more accurate than those of the mesh.
+    ///
+    /// [`Options::points`] and [`Options::heights_m`] have no effect.
+    ///
+    /// # Errors
+    /// [`SolveError`], for the same towers as [`solve`](Self::solve).
+    ///
+    /// # Example
+    /// The first frequency of a tower for three masses on top:
+    /// ```
+    /// use towermodes::{Family, Material, Options, Rna, Solver, Station, Tower, TowerDescription};
+    ///
+    /// let base = TowerDescription {
+    ///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+    ///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+    ///     ..TowerDescription::default()
+    /// };
+    /// let options = Options { modes: 4, segments: Some(20), ..Options::default() };
+    /// let mut solver = Solver::new(options);
+    /// for (rna_kg, expected_hz) in [(0.0, 0.8913), (200e3, 0.3818), (350e3, 0.3002)] {
+    ///     let tower = Tower::new(TowerDescription { rna: Rna::point(rna_kg), ..base.clone() })?;
+    ///     let frequencies = solver.frequencies(&tower)?;
+    ///     let first = frequencies.mode(Family::ForeAft, 1).expect("it is the lowest mode");
+    ///     assert!((first.extrapolated_hz - expected_hz).abs() < 1e-4);
+    ///     assert!(frequencies.certificate.complete);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn frequencies(&mut self, tower: &Tower) -> Result<&Frequencies, SolveError> {
+        let Self { options, workspace } = self;
+        solve_keeping_vectors(tower, options, workspace, &mut None)?;
+        Ok(&workspace.frequencies)
+    }
 }
 
-/// [`solve_frequencies`], which also writes the vectors of the modes on their own mesh, if the
+/// The frequencies in the workspace; also writes the vectors of the modes on their own mesh, if the
 /// method has a fixed one.
 pub(super) fn solve_keeping_vectors(
     tower: &Tower,

@@ -23,7 +23,7 @@ use crate::tower::{Motions, Neighbour, Neighbours, Tower};
 /// The lowest modes of a tower on its meshes.
 pub(crate) struct FrozenModes {
     options: Options,
-    /// The modes, as [`solve_frequencies`] lists them.
+    /// The modes, as [`Frequencies`](super::Frequencies) lists them.
     pub(crate) modes: Vec<ModeFrequency>,
     keys: Vec<ModeKey>,
     /// The powers of 1/n in the error of each mode; none for the spectral method.
@@ -54,7 +54,7 @@ impl FrozenModes {
     /// Solves a tower for its modes.
     ///
     /// # Errors
-    /// [`SolveError`], as [`solve_frequencies`].
+    /// [`SolveError`], as [`Solver::frequencies`](super::Solver::frequencies).
     pub(crate) fn of(
         neighbours: &Neighbours,
         options: &Options,

@@ -1,8 +1,8 @@
 //! The entry points: compute the modes of a tower or a blade.
 //!
 //! In the order of use: [`options`](Options) and limits → cost → model (the assembled subsystems) →
-//! spectrum → stability → naming and solution → one mesh → error estimates → warnings → `tower`,
-//! `frequencies` and `blade`, the entry points.
+//! spectrum → stability → naming and solution → one mesh → error estimates → warnings →
+//! [`Solver`], whose methods are in `tower`, `certain`, `until`, `frequencies` and `blade`.
 
 mod alignment;
 mod blade;
@@ -28,6 +28,7 @@ mod pairing;
 mod progress;
 mod reference;
 mod solution;
+mod solver;
 mod spectral_cut;
 mod spectrum;
 mod stability;
@@ -37,12 +38,9 @@ mod until;
 mod warnings;
 mod workspace;
 
-pub use blade::{
-    BladeFamily, BladeMode, BladeSolution, blade_degrees_of_freedom, solve_blade, solve_blade_once,
-};
-pub use certain::solve_certain;
+pub use blade::{BladeFamily, BladeMode, BladeSolution};
 pub use error::SolveError;
-pub use frequencies::{Frequencies, ModeFrequency, solve_frequencies};
+pub use frequencies::{Frequencies, ModeFrequency};
 pub(crate) use frozen::FrozenModes;
 pub use limits::{
     DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_BYTES, MAX_DEGREE, MAX_POINTS,
@@ -51,7 +49,7 @@ pub use limits::{
 pub use options::Options;
 pub use progress::{Progress, Stage};
 pub use solution::{Certificate, ErrorBasis, Mode, Solution};
+pub use solver::Solver;
 pub use spectrum::ModeKey;
-pub use tower::{solve, solve_with};
-pub use until::solve_until;
-pub use workspace::Workspace;
+pub use tower::solve;
+pub use until::TooManyModes;

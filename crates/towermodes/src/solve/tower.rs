@@ -7,6 +7,7 @@ use super::one_mesh::{Described, describe, solve_cut};
 use super::options::Options;
 use super::p_refinement;
 use super::solution::{ErrorBasis, Mode, Solution};
+use super::solver::Solver;
 use super::warnings::{irregular, uncertain_end, warnings};
 use super::workspace::Workspace;
 use crate::tower::Tower;
@@ -39,26 +40,22 @@ use crate::tower::Tower;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn solve(tower: &Tower, options: &Options) -> Result<Solution, SolveError> {
-    solve_with(tower, options, &mut Workspace::default())
+    Solver::new(options.clone()).solve(tower)
 }
 
-/// [`solve`] in memory that was used before, for many solves.
-///
-/// # Errors
-/// As [`solve`].
-///
-/// # Example
-/// See [`Workspace`].
-pub fn solve_with(
-    tower: &Tower,
-    options: &Options,
-    workspace: &mut Workspace,
-) -> Result<Solution, SolveError> {
-    options.check()?;
-    workspace.model.monitor.restart();
-    match options.method.converges_by_degree() {
-        true => p_refinement::solve(tower, options, workspace),
-        false => solve_segments(tower, options, workspace),
+impl Solver {
+    /// Computes the lowest modes of a tower, as [`solve`].
+    ///
+    /// # Errors
+    /// As [`solve`].
+    pub fn solve(&mut self, tower: &Tower) -> Result<Solution, SolveError> {
+        let Self { options, workspace } = self;
+        options.check()?;
+        workspace.model.monitor.restart();
+        match options.method.converges_by_degree() {
+            true => p_refinement::solve(tower, options, workspace),
+            false => solve_segments(tower, options, workspace),
+        }
     }
 }
 

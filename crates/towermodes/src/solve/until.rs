@@ -1,43 +1,67 @@
 //! Solves with more and more modes until a condition holds.
 
 use super::error::SolveError;
-use super::options::Options;
-use super::solution::Solution;
-use super::tower::solve_with;
-use super::workspace::Workspace;
-use crate::tower::Tower;
+use super::solver::Solver;
 
-/// Solves for the modes requested and then for twice as many, until `has_all` holds or the tower
-/// has no more modes. The shapes have two points.
-///
-/// # Errors
-/// [`SolveError`]; asking for more modes than there are is no error here.
-pub fn solve_until(
-    tower: &Tower,
-    options: &Options,
-    workspace: &mut Workspace,
-    has_all: impl Fn(&Solution) -> bool,
-) -> Result<Solution, SolveError> {
-    let mut options = Options {
-        points: 2,
-        ..options.clone()
-    };
-    let mut there_are_no_more = false;
-    loop {
-        let solution = match solve_with(tower, &options, workspace) {
-            // Another mesh or degree of the same solve may have fewer still.
-            Err(SolveError::TooManyModes { available, .. })
-                if (1..options.modes).contains(&available) =>
-            {
-                options.modes = available;
-                there_are_no_more = true;
-                continue;
-            }
-            result => result?,
-        };
-        if there_are_no_more || has_all(&solution) {
-            return Ok(solution);
+/// An error that may be that there are not so many modes.
+pub trait TooManyModes {
+    /// How many modes there are, if more were asked for.
+    fn available_modes(&self) -> Option<usize>;
+}
+
+impl TooManyModes for SolveError {
+    fn available_modes(&self) -> Option<usize> {
+        match self {
+            Self::TooManyModes { available, .. } => Some(*available),
+            _ => None,
         }
-        options.modes *= 2;
+    }
+}
+
+impl Solver {
+    /// Solves by the function given for the modes of the options, and then for twice as many, at
+    /// most `most`, until `has_all` holds or there are no more modes. The options keep the number
+    /// of modes that was solved for.
+    ///
+    /// # Errors
+    /// Those of the function; asking for more modes than there are is no error here.
+    ///
+    /// # Example
+    /// All modes below 5 Hz:
+    /// ```
+    /// use towermodes::{Material, Options, Solution, Solver, Station, Tower, TowerDescription};
+    ///
+    /// let tower = Tower::new(TowerDescription {
+    ///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+    ///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+    ///     ..TowerDescription::default()
+    /// })?;
+    /// let mut solver = Solver::new(Options { modes: 2, ..Options::default() });
+    /// let reaches = |solution: &Solution| solution.certificate.below_hz > 5.0;
+    /// let solution = solver.until(100, |solver| solver.solve(&tower), reaches)?;
+    /// assert_eq!((solution.modes.len(), solver.options.modes), (8, 8));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn until<T, E: TooManyModes>(
+        &mut self,
+        most: usize,
+        mut solve: impl FnMut(&mut Self) -> Result<T, E>,
+        mut has_all: impl FnMut(&T) -> bool,
+    ) -> Result<T, E> {
+        let mut most = most;
+        loop {
+            let modes = self.options.modes;
+            match solve(self) {
+                Ok(found) if modes >= most || has_all(&found) => return Ok(found),
+                Ok(_) => self.options.modes = modes.saturating_mul(2).min(most),
+                // Another mesh or degree of the same solve may have fewer still.
+                Err(error) => match error.available_modes() {
+                    Some(available) if (1..modes).contains(&available) => {
+                        (self.options.modes, most) = (available, available);
+                    }
+                    _ => return Err(error),
+                },
+            }
+        }
     }
 }

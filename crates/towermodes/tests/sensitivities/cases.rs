@@ -1,8 +1,7 @@
 //! Cases: pairs, steps, kinks, zeros, errors of derivatives.
 
 use super::{on_springs, sensitivities_of};
-use towermodes::{Method, NoDerivative, Options, Station, TowerDescription, every_change};
-use towermodes::{Workspace, sensitivities};
+use towermodes::{Change, Method, NoDerivative, Options, Solver, Station, TowerDescription};
 use towermodes_random::Class;
 use towermodes_verify::towers::{monopile, reference_350t};
 
@@ -169,7 +168,7 @@ fn the_error_of_a_derivative_holds_and_is_near() {
     for class in Class::ALL {
         for number in 40..43 {
             let description: TowerDescription = class.description(number);
-            let all = every_change(&description);
+            let all = Change::every(&description);
             let step = 1 + all.len() / 6;
             let changes: Vec<_> = all.into_iter().step_by(step).collect();
             let of = |method| {
@@ -178,7 +177,7 @@ fn the_error_of_a_derivative_holds_and_is_near() {
                     modes: 5,
                     ..Options::default()
                 };
-                sensitivities(&description, &changes, &options, &mut Workspace::default())
+                Solver::new(options).sensitivities(&description, &changes)
             };
             let (Ok(a), Ok(b)) = (of(Method::RmjeExact), of(Method::Spectral)) else {
                 continue;

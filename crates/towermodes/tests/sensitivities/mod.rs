@@ -8,8 +8,7 @@ use crate::towers;
 
 use towermodes::{
     Change, Foundation, FoundationSprings, Inertia, Material, Method, ModeFrequency, Options, Rna,
-    Sensitivities, Station, Tower, TowerDescription, Workspace, every_change, sensitivities,
-    solve_frequencies,
+    Sensitivities, Solver, Station, Tower, TowerDescription,
 };
 use towermodes_random::Class;
 use towers::{assert_close, reference_350t};
@@ -20,7 +19,9 @@ fn sensitivities_of(
     options: &Options,
 ) -> Sensitivities {
     let changes = Change::parse_all(names.iter().copied(), description).expect("names of numbers");
-    sensitivities(description, &changes, options, &mut Workspace::default()).expect("derivatives")
+    Solver::new(options.clone())
+        .sensitivities(description, &changes)
+        .expect("derivatives")
 }
 
 /// The derivative of a mode, by its place, with respect to a change, by its place.
@@ -191,11 +192,8 @@ fn by_solving(
         let mut changed = description.clone();
         change.apply(&mut changed, value);
         let tower = Tower::new(changed).ok()?;
-        let mut workspace = Workspace::default();
-        let modes = solve_frequencies(&tower, options, &mut workspace)
-            .ok()?
-            .modes
-            .clone();
+        let mut solver = Solver::new(options.clone());
+        let modes = solver.frequencies(&tower).ok()?.modes.clone();
         Some(modes)
     };
     let [a, b, c, d, middle] = [h, -h, 0.5 * h, -0.5 * h, 0.0].map(|step| solve(value + step));
@@ -283,14 +281,14 @@ fn derivatives_are_those_of_solved_frequencies() {
     for class in Class::ALL {
         for number in 0..16 {
             let description = class.description(number);
-            let all = every_change(&description);
+            let all = Change::every(&description);
             let picked = all
                 .iter()
                 .skip(number as usize % 3)
                 .step_by(1 + all.len() / 4);
             let picked: Vec<Change> = picked.cloned().collect();
-            let mut workspace = Workspace::default();
-            let Ok(result) = sensitivities(&description, &picked, &options, &mut workspace) else {
+            let mut solver = Solver::new(options.clone());
+            let Ok(result) = solver.sensitivities(&description, &picked) else {
                 continue;
             };
             for change in 0..picked.len() {

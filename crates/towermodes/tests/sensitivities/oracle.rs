@@ -1,14 +1,11 @@
 //! Every method against frequencies that it solves on both sides.
 
-use towermodes::{
-    Change, Method, Options, Tower, TowerDescription, Workspace, every_change, sensitivities,
-    solve_frequencies,
-};
+use towermodes::{Change, Method, Options, Solver, Tower, TowerDescription};
 use towermodes_random::Class;
 
 /// Some of the changes of a tower.
 fn some_changes(description: &TowerDescription, count: usize, offset: usize) -> Vec<Change> {
-    let all = every_change(description);
+    let all = Change::every(description);
     let step = 1 + all.len() / count;
     all.into_iter().skip(offset % step).step_by(step).collect()
 }
@@ -50,10 +47,10 @@ fn compare_on_mesh(description: &TowerDescription, method: Method, offset: usize
         ..Options::default()
     };
     let changes = some_changes(description, 5, offset);
-    let mut workspace = Workspace::default();
+    let mut solver = Solver::new(options);
     let (Ok(tower), Ok(result)) = (
         Tower::new(description.clone()),
-        sensitivities(description, &changes, &options, &mut workspace),
+        solver.sensitivities(description, &changes),
     ) else {
         return 0;
     };
@@ -72,7 +69,7 @@ fn compare_on_mesh(description: &TowerDescription, method: Method, offset: usize
             let mut changed = description.clone();
             change.apply(&mut changed, of_change.value + step);
             let tower = Tower::new(changed).ok()?;
-            let solved = solve_frequencies(&tower, &options, &mut workspace).ok()?;
+            let solved = solver.frequencies(&tower).ok()?;
             let modes = solved.modes.iter();
             Some(
                 modes

@@ -4,8 +4,7 @@ use crate::towers::assert_close;
 
 use super::{clay, first_hz, ground_of, layer, oc3};
 use towermodes::{
-    Change, LayerSoil, Options, Parameter, ShearModulus, SoilModel, TowerDescription, Workspace,
-    every_change, sensitivities,
+    Change, LayerSoil, Options, Parameter, ShearModulus, SoilModel, Solver, TowerDescription,
 };
 
 /// Sand, clay and elastic soil, with scour of both kinds.
@@ -35,7 +34,7 @@ fn every_number_of_the_ground_has_the_derivative_of_solves() {
 
 fn check_ground(segments: Option<usize>) {
     let description = mixed();
-    let changes = every_change(&description);
+    let changes = Change::every(&description);
     let of_ground: Vec<Change> = changes
         .into_iter()
         .filter(|change| change.name().contains("ground."))
@@ -57,8 +56,10 @@ fn check_ground(segments: Option<usize>) {
         segments,
         ..Options::default()
     };
-    let mut workspace = Workspace::default();
-    let result = sensitivities(&description, &of_ground, &options, &mut workspace).expect("solved");
+    let mut solver = Solver::new(options);
+    let result = solver
+        .sensitivities(&description, &of_ground)
+        .expect("solved");
     for (change, derivatives) in of_ground.iter().zip(&result.changes) {
         let name = change.name();
         let got = derivatives.modes[0].expect(name).hz_per_unit;
@@ -111,8 +112,8 @@ fn scour_of_zero_has_a_derivative() {
             modes: 2,
             ..Options::default()
         };
-        let mut workspace = Workspace::default();
-        let result = sensitivities(&description, &changes, &options, &mut workspace);
+        let mut solver = Solver::new(options);
+        let result = solver.sensitivities(&description, &changes);
         let result = result.expect("solved");
         for (change, derivatives) in changes.iter().zip(&result.changes) {
             let got = derivatives.modes[0].expect("a derivative").hz_per_unit;

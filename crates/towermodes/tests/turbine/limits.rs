@@ -4,7 +4,7 @@ use super::{
     SECTION, assert_near, blade, frequencies, model, model_on, rad_per_s, straight, tilted, tower,
 };
 use towermodes::turbine::{TurbineDescription, TurbineModel};
-use towermodes::{Blade, BladeSection, Inertia, Planes, RigidBody, solve_blade};
+use towermodes::{Blade, BladeSection, Inertia, Planes, RigidBody, Solver};
 
 /// Turning backwards conjugates the equations: no frequency changes. The mirrored turbine, which
 /// turns backwards with its blades pitched the other way, has the same frequencies.
@@ -58,7 +58,10 @@ fn on_a_heavy_nacelle_blades_whirl_at_their_own_frequency_less_and_plus_the_spee
     alone.borders = (0..=120).map(|k| f64::from(k) / 120.0).collect();
     alone.rotor_speed_rad_per_s = rad_per_s(rpm);
     let alone = Blade::new(alone).expect("a blade");
-    let modes = solve_blade(&alone, 4, &[]).expect("solved").modes;
+    let modes = Solver::default()
+        .blade(&alone, 4, &[])
+        .expect("solved")
+        .modes;
     let of_blade: Vec<f64> = modes.iter().map(|mode| mode.frequency_hz).collect();
 
     let mut machine = on_a_heavy_nacelle();
@@ -85,7 +88,10 @@ fn on_a_heavy_nacelle_blades_that_only_bend_agree_with_the_element_of_bmodes() {
     alone.borders = (0..=120).map(|k| f64::from(k) / 120.0).collect();
     alone.rotor_speed_rad_per_s = rad_per_s(rpm);
     let alone = Blade::new(alone).expect("a blade");
-    let modes = solve_blade(&alone, 4, &[]).expect("solved").modes;
+    let modes = Solver::default()
+        .blade(&alone, 4, &[])
+        .expect("solved")
+        .modes;
     let machine = on_a_heavy_nacelle();
     // Between whirls: the limit itself is none.
     let limit_hz = (modes[3].frequency_hz - rpm / 60.0) * (1.0 - 1e-6);
@@ -139,7 +145,10 @@ fn four_lighter_blades_have_the_modes_of_three_and_those_that_do_not_move_the_hu
         description.borders = (0..=80).map(|k| f64::from(k) / 80.0).collect();
         description.rotor_speed_rad_per_s = rad_per_s(rpm);
         let blade = Blade::new(description).expect("a blade");
-        let modes = solve_blade(&blade, 6, &[]).expect("solved").modes;
+        let modes = Solver::default()
+            .blade(&blade, 6, &[])
+            .expect("solved")
+            .modes;
         modes
             .iter()
             .map(|mode| mode.frequency_hz)

@@ -7,7 +7,7 @@ use towermodes::turbine::{
     BladeMotion, Harmonic, Turbine, TurbineDescription, TurbineMesh, TurbineMode, TurbineModel,
     TurbineModes, TurbinePart,
 };
-use towermodes::{Blade, BladeSection, solve_blade};
+use towermodes::{Blade, BladeSection, Solver};
 
 fn modes(machine: TurbineDescription, rpm: f64) -> TurbineModes {
     model(machine).modes(4.0, rad_per_s(rpm)).expect("modes")
@@ -337,7 +337,8 @@ fn waves_of_five_blades_that_do_not_move_the_hub() {
     });
     own.rotor_speed_rad_per_s = rad_per_s(rpm);
     own.borders = (0..=40).map(|k| f64::from(k) / 40.0).collect();
-    let flap_hz = solve_blade(&Blade::new(own).expect("a blade"), 1, &[])
+    let flap_hz = Solver::default()
+        .blade(&Blade::new(own).expect("a blade"), 1, &[])
         .expect("solved")
         .modes[0]
         .frequency_hz;

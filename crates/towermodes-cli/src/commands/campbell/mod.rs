@@ -22,7 +22,7 @@ use towermodes_files::{
 use self::coupled::{Coupled, Diagram, coupled_of, diagram_of};
 use crate::args::{Destination, Format, InputArguments, Prescribed, RotorArguments};
 use crate::failure::Failure;
-use crate::progress::solve;
+use crate::progress::{Progress, solve};
 use crate::recipe::{Analysis, Answer};
 use crate::table;
 
@@ -223,13 +223,15 @@ pub(crate) fn solved_to_reach(
             given.without_speeds(input.blades, &solution, input.tip_radius_m())
         }
     };
+    let mut solver = Progress::of_one().solver(options.clone());
     let solution = match is_given {
-        true => solve(tower, options),
+        true => solver.solve_certain(tower),
         false => {
             let reach_hz = reach_hz(&chosen.rotor, &arguments.options());
-            solve_to_reach(options, reach_hz, |options| solve(tower, options))
+            solve_to_reach(&mut solver, tower, reach_hz)
         }
     };
+    options.modes = solver.options.modes;
     Ok((solution?, chosen))
 }
 

@@ -2,7 +2,7 @@
 
 use towermodes::{Method, Options, Tower};
 use towermodes_analysis::study::{
-    Convergence, Fineness, STUDY_DEGREES, converge_by_default, converge_with,
+    Convergence, Fineness, STUDY_DEGREES, converge, converge_by_default,
 };
 use towermodes_report::figures;
 use towermodes_report::wording::{compared_segments, levels};
@@ -38,10 +38,8 @@ pub(super) fn convergence(tower: &Tower, arguments: &PlotArguments) -> Result<Dr
 fn solved(tower: &Tower, options: &Options, fineness: &[Fineness]) -> Result<Convergence, Failure> {
     let piece = |fineness: &Fineness| (fineness.number().to_string(), fineness.number() as f64);
     let progress = Progress::of_weighted(fineness.iter().map(piece));
-    let mut workspace = progress.workspace();
-    let convergence = converge_with(tower, options, fineness, &mut workspace, |_| {
-        progress.done();
-    });
+    let mut solver = progress.solver(options.clone());
+    let convergence = converge(tower, fineness, &mut solver, |_| progress.done());
     convergence.map_err(Failure::from)
 }
 

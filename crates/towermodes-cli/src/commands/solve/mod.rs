@@ -5,7 +5,7 @@ mod several;
 
 pub(crate) use arguments::{SolveArguments, SolveFormat};
 
-use towermodes::{Blade, BladeMode, BladeSolution, Solution, Tower, Warning, solve_blade};
+use towermodes::{Blade, BladeMode, BladeSolution, Solution, Solver, Tower, Warning};
 use towermodes_files::{
     BladeInput, FileFormat, Input, Note, OutNodes, TowerInput, write_blade_csv, write_blade_json,
     write_csv, write_json, write_json_with_sensitivities,
@@ -97,10 +97,12 @@ fn of_blade(
     let of_tip = |warning: &Warning| Note::new(format!("tip body: {warning}"));
     let mut notes = input.notes.clone();
     notes.extend(blade.warnings().iter().map(of_tip));
-    let solution = solve_blade(&blade, modes, &radii_m).map_err(|error| {
-        note(&notes);
-        Failure::from(error)
-    })?;
+    let solution = Solver::default()
+        .blade(&blade, modes, &radii_m)
+        .map_err(|error| {
+            note(&notes);
+            Failure::from(error)
+        })?;
     let mut result = Vec::new();
     match format {
         SolveFormat::Table => result.extend(blade_text(&blade, &solution, arguments).into_bytes()),

@@ -5,7 +5,7 @@
 
 use std::path::Path;
 
-use towermodes::{Solution, Tower, Warning, solve_certain};
+use towermodes::{Solution, Tower, Warning};
 use towermodes_files::{
     FileFormat, Input, SolvedFile, TowerInput, write_several_csv, write_several_json,
 };
@@ -127,7 +127,7 @@ fn solved(
     let prescribed = Prescribed::of(&mut input);
     let options = arguments.options(prescribed, format)?;
     let tower = input.tower()?;
-    let solution = solve_certain(&tower, &options, &mut progress.workspace());
+    let solution = progress.solver(options).solve_certain(&tower);
     let solution = solution.map_err(|error| {
         // They may explain the error.
         note_texts(&messages(file, &input, tower.warnings()));

@@ -1,5 +1,6 @@
 //! The scatter of frequencies to first order, without rows.
 
+use towermodes::Solver;
 use towermodes_files::write_first_order_json;
 use towermodes_sweep::{FirstOrderError, SweepSource};
 
@@ -19,7 +20,9 @@ pub(super) fn run(planned: &Planned, arguments: &SweepArguments) -> Result<(), F
         ));
     };
     let check = planned.sweep.margin_check();
-    let found = planned.sweep.first_order(sampling, check.as_ref());
+    let found = planned
+        .sweep
+        .first_order(sampling, check.as_ref(), Solver::default());
     let found = found.map_err(failure)?;
     note_texts(&found.doubts());
     let mut result = Vec::new();
