@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
-use towermodes::{Method, Options, Tower as CheckedTower, Solver};
+use towermodes::{Method, Options, Solver, Tower as CheckedTower};
 use towermodes_analysis::study::{ColumnSpec, Comparison as Compared, compare};
 use towermodes_cli::table;
 use towermodes_files::{write_comparison_csv, write_result_json};

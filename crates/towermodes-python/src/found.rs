@@ -113,7 +113,9 @@ pub fn calibrate(
     let free = free.map_err(|error| usage(error.to_string()))?;
     let problem = studies::calibration::problem(&input.description, &file, free);
     let problem = problem.map_err(of_read)?;
-    let fit = reported(py, progress, options.of(input)?, |solver| fitted(&problem, solver))?;
+    let fit = reported(py, progress, options.of(input)?, |solver| {
+        fitted(&problem, solver)
+    })?;
     let fit = fit.map_err(|error| {
         let located = studies::calibration::located(&error, &file);
         no_fit(error, located.map(|error| said(&error)))

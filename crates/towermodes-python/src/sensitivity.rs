@@ -2,8 +2,7 @@
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
-use towermodes::{
-    Change, ModeFrequency, ModeName, Options, Sensitivities, SensitivityError, };
+use towermodes::{Change, ModeFrequency, ModeName, Options, Sensitivities, SensitivityError};
 use towermodes_files::SweepResults;
 use towermodes_sweep::{Base, MORE_MODES, Sweep};
 

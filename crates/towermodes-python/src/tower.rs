@@ -6,8 +6,8 @@ use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use towermodes::{
-    Change, DEFAULT_SEGMENTS, Operation, Parameter, SolveError, Tower as CheckedTower, Warning,
-    Solver,
+    Change, DEFAULT_SEGMENTS, Operation, Parameter, SolveError, Solver, Tower as CheckedTower,
+    Warning,
 };
 use towermodes_files::{Note, Setting, TowerInput};
 use towermodes_report::figures;
