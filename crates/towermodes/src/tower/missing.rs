@@ -139,7 +139,6 @@ fn listed(parts: &[MissingPart]) -> Option<String> {
 mod tests {
     use super::MissingPart::{MooringLines, Platform, Substructure, Water};
     use super::{MissingPart, MissingParts};
-    use crate::tower::Foundation;
 
     #[test]
     fn the_sentence_names_each_part_once() {
