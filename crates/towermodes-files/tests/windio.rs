@@ -646,7 +646,7 @@ fn mistakes_are_shown_where_they_are() {
 fn files_that_are_no_turbine_are_refused() {
     let message = |text: &str| mistake(text).2;
     assert!(message("").contains("empty"));
-    assert!(message("[1, 2]").contains("invalid YAML"));
+    assert!(message("[1, 2]").contains("the file is a list"));
     assert!(message("a: b: c").contains("invalid YAML"));
     assert!(message("name: x\n").contains("no `tower`"));
     assert!(message("components: {tower: 3}").contains("no `reference_axis`"));

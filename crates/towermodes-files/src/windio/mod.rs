@@ -154,7 +154,7 @@ fn outline(reading: &Reading<'_>) -> Result<Outline, Diagnostic> {
         let hint = "windIO has at least components and materials";
         return Err(Diagnostic::new(0..0, DiagnosticKind::EmptyFile).with_hint(hint));
     }
-    text::yaml::parse(&without_airfoils(text))
+    Outline::of(text::yaml::parse(&without_airfoils(text))?)
 }
 
 /// The parts under the tower that are left out, with notes.

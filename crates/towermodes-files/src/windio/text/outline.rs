@@ -1,12 +1,10 @@
-//! The parts of a windIO file that are read; all else, such as the tables of airfoils, is skipped.
+//! The parts of a windIO file that are read, and the names of the keys that are not.
 
-use serde::Deserialize;
-use serde::de::IgnoredAny;
-
-use super::yaml::Node;
+use super::yaml::{Node, Value};
+use crate::diagnostic::Diagnostic;
 
 /// The file.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Outline {
     pub(crate) version: Option<Node>,
     pub(crate) name: Option<Node>,
@@ -20,13 +18,13 @@ pub(crate) struct Outline {
 }
 
 /// The parts of the turbine.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Components {
     pub(crate) tower: Option<Node>,
     pub(crate) monopile: Option<Node>,
-    pub(crate) jacket: Option<IgnoredAny>,
-    pub(crate) floating_platform: Option<IgnoredAny>,
-    pub(crate) mooring: Option<IgnoredAny>,
+    pub(crate) jacket: Option<Node>,
+    pub(crate) floating_platform: Option<Node>,
+    pub(crate) mooring: Option<Node>,
     /// The whole rotor-nacelle assembly, in the first files of version 1.
     pub(crate) rna: Option<Node>,
     pub(crate) hub: Option<Node>,
@@ -42,76 +40,124 @@ pub(crate) struct Components {
 }
 
 /// The parts of a blade that give its mass and its chords.
-#[derive(Debug, Default, Deserialize)]
-pub(crate) struct Blade {
-    /// Version 2.
-    reference_axis: Option<Node>,
-    /// Version 1.
-    outer_shape_bem: Option<BladeShape>,
-    /// Version 2.
-    outer_shape: Option<BladeShape>,
-    /// Version 2.
-    structure: Option<BladeStructure>,
-    /// Version 1.
-    elastic_properties_mb: Option<BladeTables>,
+#[derive(Debug)]
+pub(crate) struct Blade(Node);
+
+/// The entries of a map, each taken once.
+struct Entries(Vec<(String, Node)>);
+
+impl Entries {
+    fn of(node: Node, what: &str) -> Result<Self, Diagnostic> {
+        match node.value {
+            Value::Map(entries) => Ok(Self(entries)),
+            Value::Null => Ok(Self(Vec::new())),
+            _ => Err(node.wrong(what, "a map")),
+        }
+    }
+
+    /// The value of a key; an empty value counts as missing.
+    fn take(&mut self, key: &str) -> Option<Node> {
+        let index = self.0.iter().position(|(name, _)| name == key)?;
+        let (_, node) = self.0.remove(index);
+        (node.value != Value::Null).then_some(node)
+    }
+
+    /// The keys that nobody took.
+    fn unknown(self) -> Vec<String> {
+        self.0.into_iter().map(|(key, _)| key).collect()
+    }
 }
 
-#[derive(Debug, Default, Deserialize)]
-struct BladeShape {
-    reference_axis: Option<Node>,
-    chord: Option<Node>,
+impl Outline {
+    /// Sorts the keys of a file into those that are read and the others.
+    ///
+    /// # Errors
+    /// The file or its components are no map.
+    pub(crate) fn of(file: Node) -> Result<Self, Diagnostic> {
+        let mut file = Entries::of(file, "the file")?;
+        Ok(Self {
+            version: file.take("windIO_version"),
+            name: file.take("name"),
+            assembly: file.take("assembly"),
+            components: file.take("components").map(Components::of).transpose()?,
+            materials: file.take("materials"),
+            environment: file.take("environment"),
+            control: file.take("control"),
+            unknown: file.unknown(),
+        })
+    }
 }
 
-#[derive(Debug, Default, Deserialize)]
-struct BladeStructure {
-    elastic_properties: Option<BladeMatrices>,
-}
-
-#[derive(Debug, Default, Deserialize)]
-struct BladeTables {
-    six_x_six: Option<BladeMatrices>,
-}
-
-#[derive(Debug, Default, Deserialize)]
-struct BladeMatrices {
-    inertia_matrix: Option<Node>,
-    /// Version 1.
-    stiff_matrix: Option<Node>,
-    /// Version 2.
-    stiffness_matrix: Option<Node>,
+impl Components {
+    fn of(node: Node) -> Result<Self, Diagnostic> {
+        let mut own = Entries::of(node, "`components`")?;
+        Ok(Self {
+            tower: own.take("tower"),
+            monopile: own.take("monopile"),
+            jacket: own.take("jacket"),
+            floating_platform: own.take("floating_platform"),
+            mooring: own.take("mooring"),
+            rna: own.take("RNA"),
+            hub: own.take("hub"),
+            nacelle: own.take("nacelle"),
+            drivetrain: own.take("drivetrain"),
+            yaw: own.take("yaw"),
+            blade: own.take("blade").map(Blade::of).transpose()?,
+            unknown: own.unknown(),
+        })
+    }
 }
 
 impl Blade {
+    fn of(node: Node) -> Result<Self, Diagnostic> {
+        let parts: [&[&str]; 7] = [
+            &[],
+            &["outer_shape"],
+            &["outer_shape_bem"],
+            &["structure"],
+            &["structure", "elastic_properties"],
+            &["elastic_properties_mb"],
+            &["elastic_properties_mb", "six_x_six"],
+        ];
+        for path in parts {
+            let part = node.find(path);
+            if let Some(part) = part.filter(|part| !matches!(part.value, Value::Map(_))) {
+                let what = path.last().copied().unwrap_or("blade");
+                return Err(part.wrong(&format!("`{what}`"), "a map"));
+            }
+        }
+        Ok(Self(node))
+    }
+
+    /// In version 2 at the blade, in version 1 in its shape.
     pub(crate) fn axis(&self) -> Option<&Node> {
-        let shape = self.outer_shape_bem.as_ref();
-        let older = shape.and_then(|shape| shape.reference_axis.as_ref());
-        self.reference_axis.as_ref().or(older)
+        let older = || self.0.find(&["outer_shape_bem", "reference_axis"]);
+        self.0.get("reference_axis").or_else(older)
     }
 
     /// The chords along the blade.
     pub(crate) fn chord(&self) -> Option<&Node> {
-        let shapes = [&self.outer_shape, &self.outer_shape_bem];
-        let mut chords = shapes.into_iter().flatten().map(|shape| &shape.chord);
-        chords.find_map(Option::as_ref)
+        let older = || self.0.find(&["outer_shape_bem", "chord"]);
+        self.0.find(&["outer_shape", "chord"]).or_else(older)
     }
 
     /// Mass and inertia along the blade.
     pub(crate) fn inertia_matrix(&self) -> Option<&Node> {
-        self.matrices()
-            .and_then(|matrices| matrices.inertia_matrix.as_ref())
+        self.matrices()?.get("inertia_matrix")
     }
 
     /// Stiffness along the blade.
     pub(crate) fn stiffness_matrix(&self) -> Option<&Node> {
         let matrices = self.matrices()?;
-        let newer = matrices.stiffness_matrix.as_ref();
-        newer.or(matrices.stiff_matrix.as_ref())
+        let newer = matrices.get("stiffness_matrix");
+        newer.or_else(|| matrices.get("stiff_matrix"))
     }
 
-    fn matrices(&self) -> Option<&BladeMatrices> {
-        let newer = self.structure.as_ref().map(|s| &s.elastic_properties);
-        let older = self.elastic_properties_mb.as_ref().map(|e| &e.six_x_six);
-        newer.or(older).and_then(Option::as_ref)
+    fn matrices(&self) -> Option<&Node> {
+        match self.0.get("structure") {
+            Some(structure) => structure.get("elastic_properties"),
+            None => self.0.find(&["elastic_properties_mb", "six_x_six"]),
+        }
     }
 }
 

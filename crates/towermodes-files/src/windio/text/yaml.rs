@@ -1,11 +1,9 @@
 //! YAML as a tree of values with their places.
 
-use std::fmt;
+use std::collections::HashMap;
 use std::ops::Range;
 
-use serde::de::{DeserializeOwned, MapAccess, SeqAccess, Visitor};
-use serde::{Deserialize, Deserializer};
-use serde_saphyr::{Location, Spanned};
+use granit_parser::{Event, Options, Parser, ScalarStyle, Span, Tag};
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
@@ -28,126 +26,323 @@ pub(crate) enum Value {
     Map(Vec<(String, Node)>),
 }
 
-impl<'de> Deserialize<'de> for Node {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let Spanned { value, defined, .. } = Spanned::<Value>::deserialize(deserializer)?;
-        let span = bytes(&defined);
-        Ok(Self { value, span })
+/// No turbine has more values, lists and maps, aliases replayed. A small file with aliases of
+/// aliases would become a large tree.
+const MOST_NODES: usize = 1_000_000;
+/// No turbine is nested more deeply.
+const MOST_DEPTH: usize = 64;
+/// The key whose maps are merged into the map that has it.
+const MERGE: &str = "<<";
+
+/// Reads a text as YAML; null if it has no document.
+///
+/// # Errors
+/// [`DiagnosticKind::Syntax`].
+pub(crate) fn parse(text: &str) -> Result<Node, Diagnostic> {
+    let mut tree = Tree::default();
+    for event in Parser::new_from_str_with_options(text, Options::default()) {
+        let (event, span) = event.map_err(|error| {
+            let at = error.marker().byte_offset().unwrap_or(0);
+            mistake(at..at, &error.info().to_string(), text)
+        })?;
+        let span = bytes(&span);
+        let taken = tree.take(event, span.clone(), text);
+        taken.map_err(|reason| mistake(span, &reason, text))?;
     }
-}
-
-impl<'de> Deserialize<'de> for Value {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(AnyValue)
-    }
-}
-
-struct AnyValue;
-
-impl<'de> Visitor<'de> for AnyValue {
-    type Value = Value;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "a value")
-    }
-
-    fn visit_unit<E>(self) -> Result<Value, E> {
-        Ok(Value::Null)
-    }
-
-    fn visit_none<E>(self) -> Result<Value, E> {
-        Ok(Value::Null)
-    }
-
-    fn visit_bool<E>(self, value: bool) -> Result<Value, E> {
-        Ok(Value::Bool(value))
-    }
-
-    fn visit_i64<E>(self, value: i64) -> Result<Value, E> {
-        Ok(Value::Number(value as f64))
-    }
-
-    fn visit_u64<E>(self, value: u64) -> Result<Value, E> {
-        Ok(Value::Number(value as f64))
-    }
-
-    fn visit_i128<E>(self, value: i128) -> Result<Value, E> {
-        Ok(Value::Number(value as f64))
-    }
-
-    fn visit_u128<E>(self, value: u128) -> Result<Value, E> {
-        Ok(Value::Number(value as f64))
-    }
-
-    fn visit_f64<E>(self, value: f64) -> Result<Value, E> {
-        Ok(Value::Number(value))
-    }
-
-    fn visit_str<E>(self, value: &str) -> Result<Value, E> {
-        Ok(Value::Text(value.to_owned()))
-    }
-
-    fn visit_some<D: Deserializer<'de>>(self, deserializer: D) -> Result<Value, D::Error> {
-        Value::deserialize(deserializer)
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Value, A::Error> {
-        let mut list = Vec::new();
-        while let Some(node) = seq.next_element()? {
-            list.push(node);
-        }
-        Ok(Value::List(list))
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Value, A::Error> {
-        let mut entries = Vec::new();
-        while let Some(entry) = map.next_entry()? {
-            entries.push(entry);
-        }
-        Ok(Value::Map(entries))
-    }
-}
-
-fn bytes(location: &Location) -> Range<usize> {
-    let offset = |value: Option<u64>| value.and_then(|v| usize::try_from(v).ok()).unwrap_or(0);
-    let start = offset(location.span().byte_offset());
-    start..start.saturating_add(offset(location.span().byte_len()))
-}
-
-/// Reads a text as YAML. Aliases are replayed within the limits of the parser, so that no small
-/// file becomes a large tree.
-pub(crate) fn parse<T: DeserializeOwned>(text: &str) -> Result<T, Diagnostic> {
-    let options = serde_saphyr::options! {
-        with_snippet: false,
-        // Reported where the number is used.
-        non_finite_float_policy: serde_saphyr::options::NonFiniteFloatPolicy::PassThrough,
+    let empty = || Node {
+        value: Value::Null,
+        span: 0..0,
     };
-    serde_saphyr::from_str_with_options(text, options).map_err(|error| mistake(&error, text))
+    Ok(tree.root.unwrap_or_else(empty))
 }
 
-fn mistake(error: &serde_saphyr::Error, text: &str) -> Diagnostic {
-    let error = error.without_snippet();
-    let span = error.location().map_or(0..0, |location| {
-        let span = bytes(&location);
-        span.start.min(text.len())..span.end.min(text.len())
-    });
-    let message = error.to_string();
-    // The place is a part of the diagnostic.
-    let message = message.split(" at line ").next().unwrap_or_default();
-    // Options of the parser do not help the reader.
-    let message = message
-        .split(", set DuplicateKeyPolicy")
-        .next()
-        .unwrap_or_default();
-    let message = match message.contains("budget") {
-        true => "it is larger or more deeply nested than any turbine",
-        false => message,
+/// A tree that is not complete.
+#[derive(Default)]
+struct Tree {
+    root: Option<Node>,
+    /// The lists and maps that are not closed, and their anchors.
+    open: Vec<(Node, usize)>,
+    /// The keys of the maps that are not closed and wait for their values.
+    keys: Vec<Option<String>>,
+    /// The nodes with an anchor, and how many nodes each has.
+    anchors: HashMap<usize, (Node, usize)>,
+    nodes: usize,
+}
+
+impl Tree {
+    fn take(&mut self, event: Event<'_>, span: Range<usize>, text: &str) -> Result<(), String> {
+        let (value, anchor) = match event {
+            Event::Scalar(value, style, anchor, tag) => {
+                (scalar(&value, style, tag.as_deref())?, anchor)
+            }
+            Event::SequenceStart(_, anchor, _) => {
+                return self.begin(Value::List(Vec::new()), span, anchor);
+            }
+            Event::MappingStart(_, anchor, _) => {
+                return self.begin(Value::Map(Vec::new()), span, anchor);
+            }
+            Event::SequenceEnd | Event::MappingEnd => {
+                let Some((node, anchor)) = self.open.pop() else {
+                    return Ok(());
+                };
+                self.keys.pop();
+                return self.place(merged(node)?, anchor, text);
+            }
+            Event::Alias(anchor) => {
+                let defined = self.anchors.get(&anchor);
+                let (node, nodes) = defined.ok_or("an alias is used inside its own definition")?;
+                let node = node.clone();
+                self.nodes += nodes;
+                return self.place(node, 0, text);
+            }
+            Event::DocumentStart(..) if self.root.is_some() => {
+                return Err("the file has several documents".to_owned());
+            }
+            _ => return Ok(()),
+        };
+        self.place(Node { value, span }, anchor, text)
+    }
+
+    fn begin(&mut self, value: Value, span: Range<usize>, anchor: usize) -> Result<(), String> {
+        if self.open.len() == MOST_DEPTH {
+            return Err(TOO_LARGE.to_owned());
+        }
+        self.open.push((Node { value, span }, anchor));
+        self.keys.push(None);
+        Ok(())
+    }
+
+    /// Puts a complete node where it belongs.
+    fn place(&mut self, node: Node, anchor: usize, text: &str) -> Result<(), String> {
+        self.nodes += 1;
+        if self.nodes > MOST_NODES {
+            return Err(TOO_LARGE.to_owned());
+        }
+        if anchor != 0 {
+            self.anchors.insert(anchor, (node.clone(), node.count()));
+        }
+        let parent = self.open.last_mut().map(|(parent, _)| &mut parent.value);
+        match (parent, self.keys.last_mut()) {
+            (Some(Value::List(list)), _) => list.push(node),
+            (Some(Value::Map(entries)), Some(waiting)) => match waiting.take() {
+                Some(key) => entries.push((key, node)),
+                None => {
+                    let key = node.key(text)?;
+                    if key != MERGE && entries.iter().any(|(other, _)| *other == key) {
+                        return Err(format!("the key `{key}` stands twice in the same map"));
+                    }
+                    *waiting = Some(key);
+                }
+            },
+            _ => self.root = Some(node),
+        }
+        Ok(())
+    }
+}
+
+const TOO_LARGE: &str = "it is larger or more deeply nested than any turbine";
+
+impl Node {
+    /// How many nodes it has with itself.
+    fn count(&self) -> usize {
+        1 + match &self.value {
+            Value::List(list) => list.iter().map(Self::count).sum(),
+            Value::Map(entries) => entries.iter().map(|(_, node)| node.count()).sum(),
+            _ => 0,
+        }
+    }
+
+    /// The key that it is, as it is written.
+    fn key(self, text: &str) -> Result<String, String> {
+        match self.value {
+            Value::Text(key) => Ok(key),
+            Value::List(_) | Value::Map(_) => Err("a key is a list or a map".to_owned()),
+            _ => Ok(text.get(self.span).unwrap_or_default().to_owned()),
+        }
+    }
+}
+
+/// A map with the entries of the maps under `<<` that it does not have itself.
+fn merged(mut node: Node) -> Result<Node, String> {
+    let Value::Map(entries) = &mut node.value else {
+        return Ok(node);
     };
-    let message: Vec<&str> = message.lines().map(str::trim).collect();
-    let (format, reason) = ("YAML", message.join("; "));
+    while let Some(index) = entries.iter().position(|(key, _)| key == MERGE) {
+        let of_merge = match entries.remove(index).1 {
+            Node {
+                value: Value::List(list),
+                ..
+            } => list,
+            map => vec![map],
+        };
+        for map in of_merge {
+            let Value::Map(others) = map.value else {
+                return Err("the value of the key `<<` is not a map".to_owned());
+            };
+            for (key, node) in others {
+                if entries.iter().all(|(own, _)| *own != key) {
+                    entries.push((key, node));
+                }
+            }
+        }
+    }
+    Ok(node)
+}
+
+/// What a scalar is by the core schema of YAML 1.2: text if it is quoted or tagged so.
+fn scalar(text: &str, style: ScalarStyle, tag: Option<&Tag>) -> Result<Value, String> {
+    let tag = tag.and_then(Tag::core_suffix);
+    let is_plain = style == ScalarStyle::Plain;
+    let wrong = |what: &str| format!("`{text}` is not {what}, as its tag says");
+    match tag {
+        Some("str") => return Ok(Value::Text(text.to_owned())),
+        Some("null") => return Ok(Value::Null),
+        Some("int" | "float") => {
+            return number(text)
+                .map(Value::Number)
+                .ok_or_else(|| wrong("a number"));
+        }
+        Some("bool") => return truth(text).ok_or_else(|| wrong("true or false")),
+        _ if !is_plain => return Ok(Value::Text(text.to_owned())),
+        _ => {}
+    }
+    Ok(match text {
+        "" | "~" | "null" | "Null" | "NULL" => Value::Null,
+        _ => {
+            let number = || number(text).map(Value::Number);
+            let value = truth(text).or_else(number);
+            value.unwrap_or_else(|| Value::Text(text.to_owned()))
+        }
+    })
+}
+
+fn truth(text: &str) -> Option<Value> {
+    match text {
+        "true" | "True" | "TRUE" => Some(Value::Bool(true)),
+        "false" | "False" | "FALSE" => Some(Value::Bool(false)),
+        _ => None,
+    }
+}
+
+/// A number: digits with point and exponent, `0x` and `0o`, `.inf` and `.nan`.
+fn number(text: &str) -> Option<f64> {
+    let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
+    let sign = if text.starts_with('-') { -1.0 } else { 1.0 };
+    let of_radix =
+        |digits: &str, radix| Some(sign * u64::from_str_radix(digits, radix).ok()? as f64);
+    match unsigned {
+        ".inf" | ".Inf" | ".INF" => return Some(sign * f64::INFINITY),
+        ".nan" | ".NaN" | ".NAN" => return Some(f64::NAN),
+        _ => {}
+    }
+    if let Some(digits) = unsigned.strip_prefix("0x") {
+        return of_radix(digits, 16);
+    }
+    if let Some(digits) = unsigned.strip_prefix("0o") {
+        return of_radix(digits, 8);
+    }
+    let begins = unsigned.strip_prefix('.').unwrap_or(unsigned);
+    let is_number = begins.starts_with(|c: char| c.is_ascii_digit());
+    is_number.then(|| text.parse().ok())?
+}
+
+fn bytes(span: &Span) -> Range<usize> {
+    span.byte_range().unwrap_or(0..0)
+}
+
+fn mistake(span: Range<usize>, reason: &str, text: &str) -> Diagnostic {
+    let span = span.start.min(text.len())..span.end.min(text.len());
+    let (format, reason) = ("YAML", reason.to_owned());
     let diagnostic = Diagnostic::new(span, DiagnosticKind::Syntax { format, reason });
     if diagnostic.span.start >= text.trim_end().len() {
         return diagnostic.with_hint("the file ends here; is it complete?");
     }
     diagnostic
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Node, Value, parse};
+
+    fn value(text: &str) -> Value {
+        parse(text).expect(text).value
+    }
+
+    #[test]
+    fn scalars_are_those_of_the_core_schema() {
+        let numbers = [
+            ("1", 1.0),
+            ("-2.5e-3", -2.5e-3),
+            ("1e9", 1e9),
+            (".5", 0.5),
+            ("+3.", 3.0),
+            ("0x1F", 31.0),
+            ("0o17", 15.0),
+            ("-.inf", f64::NEG_INFINITY),
+            ("!!float '4'", 4.0),
+        ];
+        for (text, number) in numbers {
+            assert_eq!(value(text), Value::Number(number), "{text}");
+        }
+        for text in ["inf", "nan", "1.0.0", "'1'", "\"x\"", "!!str 1", "e5"] {
+            assert!(matches!(value(text), Value::Text(_)), "{text}");
+        }
+        for text in ["~", "null", "", "# nothing"] {
+            assert_eq!(value(text), Value::Null, "{text}");
+        }
+        assert_eq!(value("True"), Value::Bool(true));
+    }
+
+    #[test]
+    fn merged_maps_give_the_keys_that_a_map_lacks() {
+        let text = "a: &a {x: 1, y: 2}\nb: {<<: *a, x: 3}\nc: {<<: [{z: 4}, *a]}";
+        let find = |path: &[&str]| parse(text).expect(text).find(path).map(|n| n.value.clone());
+        assert_eq!(find(&["b", "x"]), Some(Value::Number(3.0)));
+        assert_eq!(find(&["b", "y"]), Some(Value::Number(2.0)));
+        assert_eq!(find(&["c", "z"]), Some(Value::Number(4.0)));
+        assert_eq!(find(&["c", "x"]), Some(Value::Number(1.0)));
+    }
+
+    #[test]
+    fn what_is_no_tree_is_refused_at_its_place() {
+        let nested = "[".repeat(100) + &"]".repeat(100);
+        let mut laughs = "l0: &l0 [x, x, x, x, x, x, x, x, x, x]\n".to_owned();
+        for n in 1..9 {
+            let again = vec![format!("*l{}", n - 1); 10].join(", ");
+            laughs += &format!("l{n}: &l{n} [{again}]\n");
+        }
+        let rows = [
+            ("a: 1\nb: 2\na: 3\n", 10, "the key `a` stands twice"),
+            ("a: 1\n---\nb: 2\n", 5, "several documents"),
+            ("{[1]: 2}", 0, "a key is a list"),
+            ("a: *b", 3, ""),
+            ("a: [1, 2", 8, ""),
+            ("x: !!int y", 9, "`y` is not a number"),
+            (&nested, 64, "more deeply nested"),
+            (&laughs, 0, "it is larger"),
+        ];
+        for (text, place, words) in rows {
+            let mistake = parse(text).expect_err(text);
+            assert!(mistake.to_string().contains(words), "{mistake}");
+            assert!(
+                place == 0 || mistake.span.start == place,
+                "{mistake} {:?}",
+                mistake.span
+            );
+        }
+    }
+
+    #[test]
+    fn places_are_bytes() {
+        let text = "\u{e4}: {b: [10, 20]}";
+        let list = parse(text).expect(text);
+        let Some(Node {
+            value: Value::List(list),
+            ..
+        }) = list.find(&["\u{e4}", "b"])
+        else {
+            panic!("a list");
+        };
+        assert_eq!(&text[list[1].span.clone()], "20");
+    }
 }
