@@ -2,6 +2,7 @@
 
 use super::cut::Cut;
 use super::error::SolveError;
+use super::frequencies::Estimated;
 use super::model::Model;
 use super::options::Options;
 use super::pairing::pair_by_name;
@@ -13,30 +14,6 @@ use super::tracking::{Ladder, MORE, frequencies};
 use super::workspace::{ErrorWorkspace, Workspace};
 use crate::elements::Mesh;
 use crate::tower::{Motion, Tower};
-
-/// A mode and the estimate of its error.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Estimated {
-    pub(super) key: ModeKey,
-    /// Its frequency on its own mesh, Hz.
-    pub(super) frequency_hz: f64,
-    /// The estimated discretization error, Hz.
-    pub(super) error_hz: f64,
-    /// The frequency of the beam, extrapolated, Hz.
-    pub(super) extrapolated_hz: f64,
-}
-
-impl Estimated {
-    /// A mode whose error is not known yet.
-    pub(super) fn new(key: ModeKey, frequency_hz: f64) -> Self {
-        Self {
-            key,
-            frequency_hz,
-            error_hz: 0.0,
-            extrapolated_hz: frequency_hz,
-        }
-    }
-}
 
 /// What the errors of a list of modes are from; the errors and the modes that do not converge with
 /// the powers of the method are in the workspace.

@@ -7,12 +7,13 @@
 use super::cut::Cut;
 use super::error::SolveError;
 use super::estimate::powers;
-use super::frequencies::{ModeFrequency, solve_keeping_vectors};
+use super::frequencies::ModeFrequency;
 use super::guesses::{Guesses, followed};
 use super::model::Model;
 use super::options::Options;
 use super::spectrum::{ModeKey, Spectrum};
 use super::stability::find_origin_again;
+use super::without_shapes::solve_keeping_vectors;
 use super::workspace::Workspace;
 use crate::Method;
 use crate::eigen::{EigenError, ShiftInvert};

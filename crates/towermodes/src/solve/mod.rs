@@ -2,7 +2,7 @@
 //!
 //! In the order of use: [`options`](Options) and limits → cost → model (the assembled subsystems) →
 //! spectrum → stability → naming and solution → one mesh → error estimates → warnings →
-//! [`Solver`], whose methods are in `tower`, `certain`, `until`, `frequencies` and `blade`.
+//! [`Solver`], whose methods are in `tower`, `certain`, `until`, `without_shapes` and `blade`.
 
 mod alignment;
 mod blade;
@@ -17,6 +17,7 @@ mod frequencies;
 mod frozen;
 mod guesses;
 mod limits;
+mod listing;
 #[cfg(feature = "serde")]
 mod mode_keys;
 mod model;
@@ -36,6 +37,7 @@ mod tower;
 mod tracking;
 mod until;
 mod warnings;
+mod without_shapes;
 mod workspace;
 
 pub use blade::{BladeFamily, BladeMode, BladeSolution};

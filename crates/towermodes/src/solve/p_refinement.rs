@@ -3,7 +3,7 @@
 use super::cost::{Cost, DEGREES};
 use super::cut::Cut;
 use super::error::SolveError;
-use super::frequencies::list;
+use super::listing::list;
 use super::one_mesh::{describe, solve_cut};
 use super::options::Options;
 use super::solution::Solution;

@@ -2,7 +2,8 @@
 
 use super::cut::Cut;
 use super::error::SolveError;
-use super::estimate::{Estimated, Estimates, estimate_errors, other_segments};
+use super::estimate::{Estimates, estimate_errors, other_segments};
+use super::frequencies::Estimated;
 use super::one_mesh::{Described, describe, solve_cut};
 use super::options::Options;
 use super::p_refinement;

@@ -1,8 +1,7 @@
 //! The memory of a solve.
 
 use super::cut::{Cut, LastCut};
-use super::estimate::Estimated;
-use super::frequencies::Frequencies;
+use super::frequencies::{Estimated, Frequencies};
 use super::guesses::Guesses;
 use super::model::Model;
 use super::naming::Naming;
