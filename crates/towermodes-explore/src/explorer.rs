@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use towermodes::{Method, Options, Solution, Solver, Tower};
+use towermodes::{Options, Solution, Solver, Tower};
 use towermodes_analysis::influence::influences;
 use towermodes_analysis::resonance::{
     Assessment, CampbellOptions, GivenRotor, assess, reach_hz, solve_to_reach,
@@ -53,15 +53,9 @@ pub struct Exploration {
 impl Exploration {
     /// What an explorer needs to know where only the file says how the tower is solved.
     pub fn of_file(input: TowerInput, file: String, report: Reporter, clock: fn() -> f64) -> Self {
-        let method = input.method.unwrap_or_default();
-        let borders_m = input.borders_m.clone();
-        let own = Options::default();
         let options = Options {
-            method,
-            modes: input.modes.unwrap_or(own.modes),
-            borders_m: borders_m.filter(|_| method == Method::Bmodes),
             points: POINTS,
-            ..own
+            ..input.prescribed.options(None, None)
         };
         Self {
             input,
@@ -235,7 +229,9 @@ impl Explorer {
     /// The options, without the elements of a deck where a height has changed.
     fn options(&self, input: &TowerInput) -> Options {
         let mut options = self.exploration.options.clone();
-        options.borders_m = options.borders_m.filter(|_| input.borders_m.is_some());
+        options.borders_m = options
+            .borders_m
+            .filter(|_| input.prescribed.borders_m.is_some());
         options
     }
 

@@ -1,7 +1,7 @@
 //! The numbers of a tower as groups of sliders, from the same list as the names of `--set`.
 
 use serde::Serialize;
-use towermodes::{Parameter, TowerDescription};
+use towermodes::{Parameter, Place, TowerDescription};
 
 use super::slider::Sliders;
 
@@ -102,7 +102,7 @@ pub(crate) fn groups_and_parameters(
             value: parameter.value(description),
             low,
             high,
-            drag: dragged(&name),
+            drag: dragged(parameter),
             name,
         });
     }
@@ -154,11 +154,16 @@ fn rows(name: &str) -> Vec<&str> {
 }
 
 /// Heights and diameters of stations can be dragged.
-fn dragged(name: &str) -> Option<Dragged> {
-    let (index, key) = name.strip_prefix("stations[")?.split_once("].")?;
-    let quantity = ["height", "diameter"].into_iter().find(|one| *one == key)?;
-    let station = index.parse().ok()?;
-    Some(Dragged { station, quantity })
+fn dragged(parameter: Parameter) -> Option<Dragged> {
+    match parameter.place() {
+        Place::Station { index, key } if parameter.is_of_stations() && key != "wall" => {
+            Some(Dragged {
+                station: index,
+                quantity: key,
+            })
+        }
+        _ => None,
+    }
 }
 
 #[cfg(test)]
@@ -188,14 +193,16 @@ mod tests {
 
     #[test]
     fn heights_and_diameters_of_stations_can_be_dragged() {
-        let quantity = |name| dragged(name).map(|of| (of.station, of.quantity));
-        assert_eq!(quantity("stations[12].height"), Some((12, "height")));
+        let description = TowerDescription {
+            materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+            stations: vec![Station::new(0.0, 6.0, 0.03), Station::new(80.0, 4.0, 0.02)],
+            ..TowerDescription::default()
+        };
+        let parameter = |name| Parameter::parse(name, &description).expect("a number");
+        let quantity = |name| dragged(parameter(name)).map(|of| (of.station, of.quantity));
+        assert_eq!(quantity("stations[1].height"), Some((1, "height")));
         assert_eq!(quantity("stations[0].diameter"), Some((0, "diameter")));
-        for other in [
-            "stations[0].wall",
-            "properties[0].z_m",
-            "stations[x].height",
-        ] {
+        for other in ["stations[0].wall", "material.density"] {
             assert_eq!(quantity(other), None, "{other}");
         }
     }

@@ -104,15 +104,18 @@ pub fn convert(
 
 /// The note that the format does not store the method and the number of modes of a BModes deck.
 fn prescription_note(input: &TowerInput, format: OutputFormat) -> Option<Note> {
-    let method = input.method?.name();
+    let method = input.prescribed.method?.name();
     if matches!(format, OutputFormat::Bmodes | OutputFormat::ElastoDyn) {
         return None;
     }
-    let elements = input.borders_m.as_ref().map(|borders| {
+    let elements = input.prescribed.borders_m.as_ref().map(|borders| {
         let count = borders.len().saturating_sub(1);
         format!(" with {count} elements of its own")
     });
-    let modes = input.modes.map(|modes| format!(" for {modes} modes"));
+    let modes = input
+        .prescribed
+        .modes
+        .map(|modes| format!(" for {modes} modes"));
     Some(Note::left_out(format!(
         "the deck is solved by the method {method}{}{}; the format cannot store this, so the converted tower is solved by the default method and number of modes unless others are given",
         elements.unwrap_or_default(),

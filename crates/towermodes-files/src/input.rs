@@ -1,12 +1,13 @@
 //! The result of a reader: the description of a tower or blade, and the place of each value.
 
 use towermodes::turbine::TurbineDescription;
-use towermodes::{Method, Place, Tower, TowerDescription, TowerError};
+use towermodes::{Place, Tower, TowerDescription, TowerError};
 
 use crate::diagnostic::line_and_column;
 use crate::error::ReadError;
 pub(crate) use crate::note::{Note, RotorNotes};
 use crate::places::Places;
+use crate::prescribed::Prescribed;
 use crate::source::Source;
 
 /// The kinds of file that describe a tower.
@@ -47,13 +48,8 @@ pub struct TowerInput {
     pub format: FileFormat,
     /// The content of the files; it may be changed before it is checked.
     pub description: TowerDescription,
-    /// The element borders that the file prescribes for the finite elements of BModes, m in the
-    /// datum of the stations, if it does.
-    pub borders_m: Option<Vec<f64>>,
-    /// The method that the file is made for, if any.
-    pub method: Option<Method>,
-    /// The number of modes that the file requests, if it does.
-    pub modes: Option<usize>,
+    /// What the file prescribes for the solution.
+    pub prescribed: Prescribed,
     /// Number of blades, if the files give it; they may give it without the rotor speed.
     pub blades: Option<usize>,
     /// One of the rotor's blades at standstill, if the files have it.
@@ -94,9 +90,7 @@ impl TowerInput {
             format,
             blades: description.rotor.map(|rotor| rotor.blades),
             description,
-            borders_m: None,
-            method: None,
-            modes: None,
+            prescribed: Prescribed::default(),
             blade: None,
             turbine: None,
             turbine_missing: None,

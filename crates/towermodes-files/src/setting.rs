@@ -221,8 +221,8 @@ impl TowerInput {
             matches!(parameter.place(), Place::Station { key: "height", .. })
         };
         let mut changed = changes.iter().flat_map(Change::parameters);
-        if self.borders_m.is_some() && changed.any(is_height) {
-            self.borders_m = None;
+        if self.prescribed.borders_m.is_some() && changed.any(is_height) {
+            self.prescribed.borders_m = None;
             self.notes.push(Note::approximation(
                 "the elements of the deck are not used, because the heights of the tower are changed",
             ));

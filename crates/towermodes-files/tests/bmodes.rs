@@ -34,9 +34,12 @@ fn a_tower_on_land() {
     let input = decks::tower(&tower_file(ALONE), SECTIONS, false);
     let tower = &input.description;
     assert_eq!(tower.name, "A small tower");
-    assert_eq!(input.method, Some(Method::Bmodes));
-    assert_eq!(input.modes, Some(10));
-    assert_eq!(input.borders_m, Some(vec![0.0, 20.0, 40.0, 60.0, 80.0]));
+    assert_eq!(input.prescribed.method, Some(Method::Bmodes));
+    assert_eq!(input.prescribed.modes, Some(10));
+    assert_eq!(
+        input.prescribed.borders_m,
+        Some(vec![0.0, 20.0, 40.0, 60.0, 80.0])
+    );
     assert_eq!(tower.foundation, Foundation::Clamped);
     assert_eq!(tower.gravity_m_per_s2, 0.0);
     let heights: Vec<f64> = tower.properties.iter().map(|row| row.height_m).collect();
@@ -81,7 +84,7 @@ fn line_ends_and_blank_lines_change_nothing() {
     );
     let other = decks::tower(main.trim_end(), sections.trim_end(), false);
     assert_eq!(plain.description, other.description);
-    assert_eq!(plain.borders_m, other.borders_m);
+    assert_eq!(plain.prescribed.borders_m, other.prescribed.borders_m);
 }
 
 #[test]
@@ -188,7 +191,10 @@ fn a_floating_tower() {
     assert_eq!(tower.properties[0].height_m, -6.0);
     assert_eq!(tower.properties[1].height_m, 37.0);
     assert_eq!(tower.properties[3].height_m, 80.0);
-    assert_eq!(input.borders_m.as_deref().expect("borders")[1], 15.5);
+    assert_eq!(
+        input.prescribed.borders_m.as_deref().expect("borders")[1],
+        15.5
+    );
     let Foundation::Floating(platform) = &tower.foundation else {
         panic!("{:?}", tower.foundation)
     };
@@ -367,7 +373,7 @@ fn more_modes_than_there_are_are_not_asked_for() {
     let main = with(&tower_file(ALONE), &[("10        modepr", "1000 modepr")]);
     let input = decks::tower(&main, SECTIONS, false);
     // Nine for each of four elements.
-    assert_eq!(input.modes, Some(36));
+    assert_eq!(input.prescribed.modes, Some(36));
     noted(&input.notes, 14, &["1000", "36"]);
 }
 
@@ -506,7 +512,10 @@ fn the_sample_towers_on_land() {
     };
     let input = sample_tower(&path, false);
     let tower = &input.description;
-    assert_eq!((tower.properties.len(), input.modes), (10, Some(20)));
+    assert_eq!(
+        (tower.properties.len(), input.prescribed.modes),
+        (10, Some(20))
+    );
     assert_eq!(tower.properties[9].height_m, 82.39);
     assert_eq!(tower.properties[9].properties.mass_kg_per_m, 644.666);
     assert_eq!(
@@ -538,7 +547,7 @@ fn the_sample_towers_on_land() {
         ),
         (3, 1.6e9, 30.0)
     );
-    let borders_m = input.borders_m.as_deref().expect("borders");
+    let borders_m = input.prescribed.borders_m.as_deref().expect("borders");
     assert_eq!(
         (wires[0].height_m, wires[1].height_m),
         (borders_m[5], borders_m[9])
@@ -555,7 +564,15 @@ fn the_sample_monopile() {
     let tower = &input.description;
     let ends = (tower.properties[0].height_m, tower.properties[12].height_m);
     assert_eq!(ends, (-20.0, 87.6));
-    assert_eq!(input.borders_m.as_deref().expect("borders").len(), 62);
+    assert_eq!(
+        input
+            .prescribed
+            .borders_m
+            .as_deref()
+            .expect("borders")
+            .len(),
+        62
+    );
     let Foundation::Stiffness(springs) = &tower.foundation else {
         panic!("{:?}", tower.foundation)
     };

@@ -148,11 +148,11 @@ fn files_are_those_that_were_read() {
 /// The elements of a deck are at heights of its tower.
 #[test]
 fn borders_of_a_deck_are_dropped_with_a_note_if_heights_change() {
-    assert!(input("nrel-5mw.bmi").borders_m.is_some());
+    assert!(input("nrel-5mw.bmi").prescribed.borders_m.is_some());
     let kept = set("nrel-5mw.bmi", &["scale(properties[*].mass_kg_per_m)=1.1"]);
-    assert!(kept.borders_m.is_some());
+    assert!(kept.prescribed.borders_m.is_some());
     let dropped = set("nrel-5mw.bmi", &["scale(properties[*].z_m)=1.1"]);
-    assert!(dropped.borders_m.is_none());
+    assert!(dropped.prescribed.borders_m.is_none());
     let is_said = |note: &towermodes_files::Note| note.message.contains("elements of the deck");
     assert!(dropped.notes.iter().any(is_said));
 }

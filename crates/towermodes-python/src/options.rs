@@ -1,7 +1,7 @@
 //! Arguments of Python as options of the library.
 
 use pyo3::prelude::*;
-use towermodes::elements::GAUSS_HINGE_POSITION;
+use towermodes::GAUSS_HINGE_POSITION;
 use towermodes::{Method, Options};
 use towermodes_files::TowerInput;
 
@@ -40,7 +40,8 @@ impl SolveOptions {
     /// `ValueError` for an unknown method, or an option that does not apply to it.
     pub fn of(&self, input: &TowerInput) -> PyResult<Options> {
         let asked = self.method.as_deref().map(method_named).transpose()?;
-        let method = asked.or(input.method).unwrap_or_default();
+        let own = input.prescribed.options(asked, self.segments);
+        let method = own.method;
         if self.hinge_position.is_some() && method != Method::Cardanic {
             return Err(usage(
                 "hinge_position applies only to the method cardanic; the joint positions of the other methods are fixed",
@@ -51,20 +52,15 @@ impl SolveOptions {
                 "degree applies only to the method spectral; use segments for the other methods",
             ));
         }
-        let own_elements = method == Method::Bmodes && self.segments.is_none();
-        let default = Options::default();
         Ok(Options {
-            method,
-            segments: self.segments,
-            borders_m: input.borders_m.clone().filter(|_| own_elements),
             degree: self.degree,
-            modes: self.modes.or(input.modes).unwrap_or(default.modes),
+            modes: self.modes.unwrap_or(own.modes),
             points: self.points,
             heights_m: self.heights_m.clone(),
             rotary_inertia: self.rotary_inertia,
             hinge_position: self.hinge_position.unwrap_or(GAUSS_HINGE_POSITION),
-            energy_parts: false,
             limits: self.limits,
+            ..own
         })
     }
 

@@ -66,7 +66,10 @@ const KINDS: [NoteKind; 8] = [
 
 /// The state of an input.
 pub fn state<'py>(py: Python<'py>, input: &TowerInput) -> PyResult<Bound<'py, PyTuple>> {
-    let method = input.method.map(|method| method.name().to_owned());
+    let method = input
+        .prescribed
+        .method
+        .map(|method| method.name().to_owned());
     let rotor = &input.rotor_notes;
     let state: State = (
         write_toml(&input.description).0,
@@ -77,8 +80,8 @@ pub fn state<'py>(py: Python<'py>, input: &TowerInput) -> PyResult<Bound<'py, Py
             notes_state(&rotor.blades),
             notes_state(&rotor.others),
         ),
-        (method, input.modes, input.blades),
-        input.borders_m.clone(),
+        (method, input.prescribed.modes, input.blades),
+        input.prescribed.borders_m.clone(),
         input.joint_m,
         input.blade.as_ref().map(blade_state),
         with_turbine(input),
@@ -104,10 +107,12 @@ pub fn restored(state: &Bound<'_, PyTuple>) -> PyResult<TowerInput> {
         others: notes_of(rotor.2)?,
     };
     let named = |name: String| Method::named(&name).ok_or_else(unknown);
-    input.method = method.map(named).transpose()?;
-    input.modes = modes;
+    input.prescribed = towermodes_files::Prescribed {
+        method: method.map(named).transpose()?,
+        borders_m,
+        modes,
+    };
     input.blades = blades;
-    input.borders_m = borders_m;
     input.joint_m = joint_m;
     input.blade = blade.map(blade_of);
     if let Some(whole) = whole {

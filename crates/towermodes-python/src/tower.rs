@@ -261,8 +261,7 @@ impl Tower {
         own.description == other.description
             && own.blade == other.blade
             && own.turbine == other.turbine
-            && (own.method, own.modes) == (other.method, other.modes)
-            && own.borders_m == other.borders_m
+            && own.prescribed == other.prescribed
     }
 
     /// All that [`restore`](Self::restore) needs.

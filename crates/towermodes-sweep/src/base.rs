@@ -1,7 +1,7 @@
 //! The tower that a sweep changes.
 
 use towermodes::{Method, Options, TowerDescription};
-use towermodes_files::{SweepResults, TowerInput};
+use towermodes_files::{Prescribed, SweepResults, TowerInput};
 
 /// Number of segments of a sweep if it is not given. With the extrapolation from half and twice as
 /// many, the frequencies of the first modes have five to seven correct digits, as those of 100
@@ -18,18 +18,15 @@ pub const DEFAULT_SWEEP_SEGMENTS: usize = 20;
 pub struct Base {
     /// The tower.
     pub description: TowerDescription,
-    /// The method that its file prescribes.
-    pub method: Option<Method>,
-    /// The ends of the elements that its file prescribes, m.
-    pub borders_m: Option<Vec<f64>>,
+    /// What its file prescribes.
+    pub prescribed: Prescribed,
 }
 
 impl From<TowerDescription> for Base {
     fn from(description: TowerDescription) -> Self {
         Self {
             description,
-            method: None,
-            borders_m: None,
+            prescribed: Prescribed::default(),
         }
     }
 }
@@ -38,8 +35,7 @@ impl From<&TowerInput> for Base {
     fn from(input: &TowerInput) -> Self {
         Self {
             description: input.description.clone(),
-            method: input.method,
-            borders_m: input.borders_m.clone(),
+            prescribed: input.prescribed.clone(),
         }
     }
 }
@@ -48,19 +44,15 @@ impl Base {
     /// The options of each solve, without shapes: those of `solve`, but
     /// [`DEFAULT_SWEEP_SEGMENTS`].
     pub(crate) fn options(&self, results: &SweepResults) -> Options {
-        let method = results.method.or(self.method).unwrap_or_default();
-        let own_elements = method == Method::Bmodes && results.segments.is_none();
-        let borders_m = self.borders_m.clone().filter(|_| own_elements);
+        let own = self.prescribed.options(results.method, results.segments);
         // The spectral method chooses its elements by itself.
-        let chooses = method == Method::Spectral || borders_m.is_some();
+        let chooses = own.method == Method::Spectral || own.borders_m.is_some();
         let default = (!chooses).then_some(DEFAULT_SWEEP_SEGMENTS);
         Options {
-            method,
             segments: results.segments.or(default),
-            borders_m,
             rotary_inertia: results.rotary_inertia,
             points: 2,
-            ..Options::default()
+            ..own
         }
     }
 }

@@ -337,13 +337,13 @@ fn no_rows_give_no_results() {
 #[test]
 fn a_deck_is_solved_as_it_prescribes() {
     let input = example("nrel-5mw.bmi");
-    assert_eq!(input.method, Some(Method::Bmodes));
+    assert_eq!(input.prescribed.method, Some(Method::Bmodes));
     let base = Base::from(&input);
     let sweep = sweep(base.clone(), &["scale(rna.mass)"], &SweepResults::default());
     let results = solved(&sweep, &[&[1.0]], 1);
     let options = Options {
         method: Method::Bmodes,
-        borders_m: input.borders_m.clone(),
+        borders_m: input.prescribed.borders_m.clone(),
         modes: 4,
         ..Options::default()
     };

@@ -8,10 +8,10 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use towermodes::chain::Chains;
-use towermodes::eigen::{EigenWorkspace, Pencil, lowest};
-use towermodes::elements::{Borders, Mesh, Recipe, assemble_chains};
-use towermodes::subsystem::{Eigenproblem, SubsystemPencil};
+use towermodes::internal::chain::Chains;
+use towermodes::internal::eigen::{EigenWorkspace, Pencil, lowest};
+use towermodes::internal::elements::{Borders, Mesh, Recipe, assemble_chains};
+use towermodes::internal::subsystem::{Eigenproblem, SubsystemPencil};
 use towermodes::turbine::{Turbine, TurbineMesh, TurbineModel, TurbineModes};
 use towermodes::{Change, Method, Options, Rna, Solver, Tower, TowerDescription};
 use towermodes_verify::towers::{

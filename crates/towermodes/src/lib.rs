@@ -53,28 +53,29 @@
 //! Data flows only in this order. SI units throughout; heights use the datum of the user; x is
 //! fore-aft (downwind), y side-side, z up.
 
-pub mod beam;
+mod beam;
 pub mod blade;
-pub mod chain;
-pub mod eigen;
-pub mod elements;
+mod chain;
+mod eigen;
+mod elements;
 pub mod inputs;
 mod method;
 pub mod modes;
 pub mod number;
 pub mod parameter;
-pub mod rotor;
-pub mod scalar;
+mod rotor;
+mod scalar;
 pub mod sensitivity;
 mod solve;
 pub mod space;
-pub mod subsystem;
-pub mod symmetric;
+mod subsystem;
+mod symmetric;
 pub mod tower;
 pub mod turbine;
 
 pub use blade::{Blade, BladeDescription, BladeError, BladeSection};
 pub use eigen::{EigenError, Statistics};
+pub use elements::GAUSS_HINGE_POSITION;
 pub use method::Method;
 pub use modes::{
     ByMotion, Energy, EnergyParts, Family, KineticParts, ModeName, ModeNameError, SecondFamily,
@@ -103,3 +104,26 @@ pub use tower::{
     Tower, TowerDescription, TowerError, Warning, Water, WinklerPile, Wires, is_printable,
     printable,
 };
+
+/// The rooms of the solver, for its own tests and benchmarks: nothing here is promised.
+#[doc(hidden)]
+pub mod internal {
+    pub mod beam {
+        pub use crate::beam::*;
+    }
+    pub mod chain {
+        pub use crate::chain::*;
+    }
+    pub mod eigen {
+        pub use crate::eigen::*;
+    }
+    pub mod elements {
+        pub use crate::elements::*;
+    }
+    pub mod rotor {
+        pub use crate::rotor::*;
+    }
+    pub mod subsystem {
+        pub use crate::subsystem::*;
+    }
+}

@@ -7,7 +7,7 @@ use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 ///
 /// # Example
 /// ```
-/// use towermodes::scalar::Complex;
+/// use towermodes::turbine::Complex;
 ///
 /// let i = Complex::new(0.0, 1.0);
 /// assert_eq!(i * i, Complex::new(-1.0, 0.0));

@@ -18,6 +18,7 @@
 //! Any other D is a compile-time error.
 
 use crate::scalar::Scalar;
+pub use crate::symmetric::eigenpairs;
 
 /// One entry of the rigid-body transformation X(h) = 1 + h·Σ sign·e_moved e_byᵀ.
 #[derive(Debug, Clone, Copy)]

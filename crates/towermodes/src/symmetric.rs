@@ -10,7 +10,7 @@ const MAX_SWEEPS: usize = 60;
 ///
 /// # Example
 /// ```
-/// use towermodes::symmetric::eigenpairs;
+/// use towermodes::space::eigenpairs;
 ///
 /// let (values, vectors) = eigenpairs([[2.0, 1.0], [1.0, 2.0]]);
 /// assert!((values[0] - 1.0).abs() < 1e-15 && (values[1] - 3.0).abs() < 1e-15);

@@ -2,11 +2,11 @@
 
 use crate::towers;
 
-use towermodes::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams};
-use towermodes::chain::Chains;
-use towermodes::eigen::{EigenWorkspace, lowest};
-use towermodes::elements::{Borders, Mesh, Recipe, assemble_chains};
-use towermodes::subsystem::{Eigenproblem, SubsystemPencil};
+use towermodes::internal::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams};
+use towermodes::internal::chain::Chains;
+use towermodes::internal::eigen::{EigenWorkspace, lowest};
+use towermodes::internal::elements::{Borders, Mesh, Recipe, assemble_chains};
+use towermodes::internal::subsystem::{Eigenproblem, SubsystemPencil};
 use towermodes::{Options, Solver, Tower, TowerDescription};
 use towers::{
     elliptic, floater, monopile, reference, reference_350t, reference_eccentric,

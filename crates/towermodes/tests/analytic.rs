@@ -5,10 +5,10 @@
 
 use crate::towers;
 
-use towermodes::chain::{Chain, ChainSubsystem};
-use towermodes::eigen::{EigenWorkspace, lowest};
-use towermodes::elements::{Borders, Mesh};
-use towermodes::subsystem::{Eigenproblem, MatrixKind, SubsystemPencil};
+use towermodes::internal::chain::{Chain, ChainSubsystem};
+use towermodes::internal::eigen::{EigenWorkspace, lowest};
+use towermodes::internal::elements::{Borders, Mesh};
+use towermodes::internal::subsystem::{Eigenproblem, MatrixKind, SubsystemPencil};
 use towermodes::tower::{Motion, Motions, Piece, compliance};
 use towermodes::{EigenError, Family, Method, Options, Plane, Shear, Tower, TowerDescription};
 use towermodes_verify::{Case, Run, manual};
@@ -149,7 +149,7 @@ fn tied_frequencies(
         )?;
         let values = eigen.eigenvalues().iter();
         Ok(values
-            .map(towermodes::eigen::Eigenvalue::frequency_hz)
+            .map(towermodes::internal::eigen::Eigenvalue::frequency_hz)
             .collect::<Vec<f64>>())
     };
     let (coarse, fine) = (frequencies(200)?, frequencies(400)?);

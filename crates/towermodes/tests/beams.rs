@@ -5,9 +5,9 @@ use crate::pencils;
 use crate::towers;
 
 use pencils::{check_counts, check_solve, dense_eigenvalues};
-use towermodes::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams};
-use towermodes::elements::{Borders, Mesh};
-use towermodes::subsystem::{Eigenproblem, SubsystemPencil};
+use towermodes::internal::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams};
+use towermodes::internal::elements::{Borders, Mesh};
+use towermodes::internal::subsystem::{Eigenproblem, SubsystemPencil};
 use towermodes::tower::{Properties, Section};
 use towermodes::{
     Family, Foundation, FoundationSprings, Method, Options, Planes, SoilRow, SoilStiffness, Tower,

@@ -5,10 +5,10 @@ use crate::towers;
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen, Vector3};
 use pencils::{check_counts, check_solve, dense_eigenvalues};
-use towermodes::chain::Chains;
-use towermodes::eigen::Pencil;
-use towermodes::elements::{Borders, Element, Mesh, Recipe, assemble_chains};
-use towermodes::subsystem::{Eigenproblem, SubsystemPencil};
+use towermodes::internal::chain::Chains;
+use towermodes::internal::eigen::Pencil;
+use towermodes::internal::elements::{Borders, Element, Mesh, Recipe, assemble_chains};
+use towermodes::internal::subsystem::{Eigenproblem, SubsystemPencil};
 use towermodes::{
     Foundation, FoundationSprings, Inertia, Method, Options, PointMass, SoilRow, SoilStiffness,
     Tower, TowerDescription, Water, Wires,

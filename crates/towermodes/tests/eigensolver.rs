@@ -4,7 +4,7 @@
 use crate::towers;
 
 use towermodes::EigenError;
-use towermodes::eigen::{EigenWorkspace, Pencil, lowest};
+use towermodes::internal::eigen::{EigenWorkspace, Pencil, lowest};
 use towers::assert_close;
 
 /// K = diag(k), M = diag(k/λ): every eigenvector is a unit vector.

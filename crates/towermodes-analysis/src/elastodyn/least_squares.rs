@@ -1,6 +1,6 @@
 //! Least squares with a few unknowns, by Householder's reflections.
 
-use towermodes::symmetric::eigenpairs;
+use towermodes::space::eigenpairs;
 
 /// A column is dependent on those before it if the rest is smaller than this fraction of it.
 const DEPENDENT: f64 = 1e-10;

@@ -35,6 +35,8 @@ pub enum Basis {
 pub struct Influence {
     /// The name of the number or the change.
     pub name: String,
+    /// What the change does with its value.
+    pub operation: Operation,
     /// The value on the tower as it is: of the number, 1 for a factor, 0 for an addition.
     pub value: f64,
     /// Its unit.
@@ -196,6 +198,7 @@ pub fn influences(
         };
         Influence {
             name: of.change.name().to_owned(),
+            operation: of.change.operation(),
             value: of.value,
             unit: of.change.unit(),
             basis,

@@ -21,5 +21,5 @@ pub(crate) use output::{Destination, Format, TextFormat, csv_lines, file_of};
 pub(crate) use picture::PictureFile;
 pub(crate) use rotor::RotorArguments;
 pub(crate) use soil::SoilArguments;
-pub(crate) use solver::{ModelArguments, Prescribed, SolverArguments, up_to_excitations};
+pub(crate) use solver::{ModelArguments, SolverArguments, up_to_excitations};
 pub(crate) use turbine::TurbineArguments;

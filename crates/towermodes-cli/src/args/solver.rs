@@ -1,8 +1,8 @@
 //! How a tower is solved: from the command line, else from the file, else the default.
 
 use clap::{Arg, Args};
-use towermodes::elements::GAUSS_HINGE_POSITION;
-use towermodes::{DEFAULT_MODES, DEFAULT_POINTS, MAX_SEGMENTS, Method, Options};
+use towermodes::GAUSS_HINGE_POSITION;
+use towermodes::{MAX_SEGMENTS, Method, Options};
 use towermodes_files::TowerInput;
 
 use super::parsers::{hinge_parser, method_parser, number_parser};
@@ -48,19 +48,20 @@ impl SolverArguments {
     ///
     /// # Errors
     /// The message for an option that does not apply to the method.
-    pub(crate) fn options(&self, prescribed: Prescribed) -> Result<Options, &'static str> {
-        prescribed.options(self.method, self.segments, &self.model)
+    pub(crate) fn options(&self, input: &TowerInput) -> Result<Options, &'static str> {
+        let of_file = input.prescribed.options(self.method, self.segments);
+        self.model.check(of_file.method)?;
+        Ok(self.model.in_place_of(of_file))
     }
 
     /// The same without mode shapes.
     ///
     /// # Errors
     /// As [`options`](Self::options).
-    pub(crate) fn frequencies(&self, prescribed: Prescribed) -> Result<Options, &'static str> {
-        let options = self.options(prescribed)?;
+    pub(crate) fn frequencies(&self, input: &TowerInput) -> Result<Options, &'static str> {
         Ok(Options {
             points: 2,
-            ..options
+            ..self.options(input)?
         })
     }
 }
@@ -142,60 +143,14 @@ impl ModelArguments {
         self.check(Method::Bmodes)
     }
 
-    /// The default options with these changed.
-    pub(crate) fn options(&self) -> Options {
+    /// Other options with these changed.
+    pub(crate) fn in_place_of(&self, options: Options) -> Options {
         Options {
-            modes: self.modes.unwrap_or(DEFAULT_MODES),
+            modes: self.modes.unwrap_or(options.modes),
             rotary_inertia: !self.no_rotary_inertia,
             hinge_position: self.hinges.unwrap_or(GAUSS_HINGE_POSITION),
             limits: !self.no_limits,
-            ..Options::default()
-        }
-    }
-}
-
-/// Solver options that a file contains.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Prescribed {
-    /// The method of the format.
-    pub(crate) method: Option<Method>,
-    /// The number of modes.
-    pub(crate) modes: Option<usize>,
-    /// The boundaries of its finite elements, m.
-    pub(crate) borders_m: Option<Vec<f64>>,
-}
-
-impl Prescribed {
-    /// The options in an input; takes the element boundaries out of it.
-    pub(crate) fn of(input: &mut TowerInput) -> Self {
-        Self {
-            method: input.method,
-            modes: input.modes,
-            borders_m: input.borders_m.take(),
-        }
-    }
-
-    /// The options of the library; the command line has priority.
-    ///
-    /// # Errors
-    /// The message for an option that does not apply to the method.
-    pub(crate) fn options(
-        self,
-        method: Option<Method>,
-        segments: Option<usize>,
-        model: &ModelArguments,
-    ) -> Result<Options, &'static str> {
-        let method = method.or(self.method).unwrap_or_default();
-        model.check(method)?;
-        let own_elements = method == Method::Bmodes && segments.is_none();
-        let options = model.options();
-        Ok(Options {
-            method,
-            segments,
-            borders_m: self.borders_m.filter(|_| own_elements),
-            modes: model.modes.or(self.modes).unwrap_or(options.modes),
-            points: DEFAULT_POINTS,
             ..options
-        })
+        }
     }
 }

@@ -7,7 +7,7 @@ use towermodes::{Change, TowerDescription};
 use towermodes_design::calibration::{CalibrationError, Problem, calibrate};
 use towermodes_files::{MeasuredFile, read_measured, write_calibration_json};
 
-use crate::args::{FoundArguments, InputArguments, Prescribed, SolverArguments, TextFormat};
+use crate::args::{FoundArguments, InputArguments, SolverArguments, TextFormat};
 use crate::failure::Failure;
 use crate::found::{check_output, study_source, write_tower};
 use crate::input::tower_input;
@@ -82,10 +82,10 @@ pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
     let output = arguments.found.output();
     let file = study_source(&arguments.measured, &arguments.input)?;
     let file = read_measured(&file)?;
-    let mut input = tower_input(&arguments.input)?;
+    let input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
     let tower = input.tower()?;
-    let options = arguments.solver.frequencies(Prescribed::of(&mut input))?;
+    let options = arguments.solver.frequencies(&input)?;
     note(&input.notes);
     warn(tower.warnings(), &input);
     let problem = problem_of(&input.description, &file, &arguments.free())?;

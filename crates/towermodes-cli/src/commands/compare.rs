@@ -123,7 +123,7 @@ impl Analysis for CompareArguments {
     ) -> Result<Answer, Failure> {
         let columns = self.columns();
         let progress = Progress::of(columns_in_words(&columns));
-        let mut solver = progress.solver(self.model.options());
+        let mut solver = progress.solver(self.model.in_place_of(Options::default()));
         let comparison = compare(tower, &columns, &mut solver, |column, options| {
             column.seconds_per_solve = Some(time_of(tower, options).as_secs_f64());
             progress.done();

@@ -104,10 +104,10 @@ impl Analysis for ConvergeArguments {
         fineness: Vec<Fineness>,
         format: Format,
     ) -> Result<Answer, Failure> {
-        let options = Options {
+        let options = self.model.in_place_of(Options {
             method: self.method,
-            ..self.model.options()
-        };
+            ..Options::default()
+        });
         let progress = Progress::of_weighted(fineness.iter().copied().map(said));
         let mut solver = progress.solver(options);
         let convergence = converge(tower, &fineness, &mut solver, |_| progress.done());

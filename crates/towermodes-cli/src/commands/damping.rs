@@ -9,7 +9,7 @@ use towermodes_files::{Note, TowerInput, write_damping_csv, write_damping_json};
 
 use super::campbell::notes_on;
 use crate::args::parsers::{loss_factor_parser, number_parser, positive_parser, speeds_parser};
-use crate::args::{Destination, Format, InputArguments, Prescribed, SolverArguments, csv_lines};
+use crate::args::{Destination, Format, InputArguments, SolverArguments, csv_lines};
 use crate::failure::Failure;
 use crate::progress::solve;
 use crate::recipe::{Analysis, Answer};
@@ -98,7 +98,7 @@ impl Analysis for DampingArguments {
     fn plan(&self, input: &mut TowerInput) -> Result<Options, Failure> {
         Ok(Options {
             energy_parts: true,
-            ..self.solver.frequencies(Prescribed::of(input))?
+            ..self.solver.frequencies(input)?
         })
     }
 

@@ -12,8 +12,7 @@ use towermodes_files::TowerInput;
 
 use super::report::page_of;
 use crate::args::{
-    InputArguments, Prescribed, ReadingArguments, RotorArguments, SolverArguments,
-    up_to_excitations,
+    InputArguments, ReadingArguments, RotorArguments, SolverArguments, up_to_excitations,
 };
 use crate::failure::Failure;
 use crate::input::{input_of, set_numbers};
@@ -87,13 +86,13 @@ fn file(arguments: &ExploreArguments) -> Result<TowerInput, Failure> {
 
 /// What the explorer needs to know.
 fn exploration(file: TowerInput, arguments: &ExploreArguments) -> Result<Exploration, Failure> {
-    let prescribed = Prescribed::of(&mut file.clone());
+    let options = Options {
+        points: POINTS,
+        ..arguments.solver.options(&file)?
+    };
     Ok(Exploration {
         input: file,
-        options: Options {
-            points: POINTS,
-            ..arguments.solver.options(prescribed)?
-        },
+        options,
         covers_excitations: !arguments.solver.has_modes(),
         rotor: arguments.rotor.given(),
         campbell: arguments.rotor.options(),

@@ -18,8 +18,8 @@ use towermodes_report::report::{
 use super::campbell::notes_on;
 use super::{Arguments, Command};
 use crate::args::{
-    Destination, Ending, InputArguments, Prescribed, RotorArguments, SoilArguments,
-    SolverArguments, up_to_excitations,
+    Destination, Ending, InputArguments, RotorArguments, SoilArguments, SolverArguments,
+    up_to_excitations,
 };
 use crate::explained::explained;
 use crate::failure::Failure;
@@ -152,10 +152,10 @@ pub(crate) fn run(arguments: &ReportArguments, words: &[OsString]) -> Result<(),
         PageFormat::Md => "a report",
     };
     check_terminal(arguments.destination.asked_output(), what, "report.html")?;
-    let mut input = tower_input(&arguments.input)?;
+    let input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
     let tower = input.tower()?;
-    let content = content(&mut input, tower.clone(), arguments, words);
+    let content = content(&input, tower.clone(), arguments, words);
     let content = explained(content, (&tower, &input))?;
     let text = match format {
         PageFormat::Html => html(&content).map_err(Failure::failed)?,
@@ -167,7 +167,7 @@ pub(crate) fn run(arguments: &ReportArguments, words: &[OsString]) -> Result<(),
 }
 
 /// The page that a command line of `report` writes, of an input that is read already.
-pub(crate) fn page_of(mut input: TowerInput, words: &[String]) -> Result<String, Failure> {
+pub(crate) fn page_of(input: TowerInput, words: &[String]) -> Result<String, Failure> {
     let words: Vec<OsString> = words.iter().map(OsString::from).collect();
     let parsed = Arguments::try_parse_from(&words);
     let parsed = parsed.map_err(Failure::failed)?;
@@ -175,19 +175,18 @@ pub(crate) fn page_of(mut input: TowerInput, words: &[String]) -> Result<String,
         return Err(Failure::usage("this is not the command report"));
     };
     let tower = input.tower()?;
-    let content = content(&mut input, tower, &arguments, &words)?;
+    let content = content(&input, tower, &arguments, &words)?;
     html(&content).map_err(Failure::failed)
 }
 
 /// The content of the report.
 fn content(
-    input: &mut TowerInput,
+    input: &TowerInput,
     tower: Tower,
     arguments: &ReportArguments,
     words: &[OsString],
 ) -> Result<ReportContent, Failure> {
-    let prescribed = Prescribed::of(input);
-    let options = arguments.solver.options(prescribed)?;
+    let options = arguments.solver.options(input)?;
     let rotor = arguments.rotor.rotor(input);
     let soil_factors = arguments.soil.factors(&input.description)?;
     // On a monopile the ElastoDyn tower is the part above it.

@@ -10,9 +10,7 @@ use towermodes_report::figures;
 
 use super::plot::deliver_picture;
 use crate::args::parsers::tolerance_parser;
-use crate::args::{
-    Destination, Format, InputArguments, PictureFile, Prescribed, SolverArguments, csv_lines,
-};
+use crate::args::{Destination, Format, InputArguments, PictureFile, SolverArguments, csv_lines};
 use crate::failure::Failure;
 use crate::output::{check_not_input, check_place};
 use crate::progress::Progress;
@@ -93,7 +91,7 @@ impl Analysis for SensitivitiesArguments {
     }
 
     fn plan(&self, input: &mut TowerInput) -> Result<Plan, Failure> {
-        let options = self.solver.frequencies(Prescribed::of(input))?;
+        let options = self.solver.frequencies(input)?;
         Ok(Plan {
             options: Options {
                 modes: self.solver.model.modes.unwrap_or(MODES),

@@ -32,7 +32,7 @@ pub enum StudyError {
 /// How the towers of a study are solved.
 pub fn options(study: &DesignStudy, input: &TowerInput) -> Options {
     Options {
-        method: study.method.or(input.method).unwrap_or_default(),
+        method: study.method.or(input.prescribed.method).unwrap_or_default(),
         segments: study.segments,
         rotary_inertia: study.rotary_inertia,
         ..Options::default()

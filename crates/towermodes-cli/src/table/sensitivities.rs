@@ -1,7 +1,7 @@
 //! What the numbers of a tower do to its frequencies, as text.
 
 use towermodes::number::{Plain, digits, four_digits};
-use towermodes::{NoDerivative, TowerDescription};
+use towermodes::{NoDerivative, Operation, TowerDescription};
 use towermodes_analysis::influence::{
     Basis, Influence, Influences, NEGLIGIBLE, Tolerance, Tolerances,
 };
@@ -79,9 +79,9 @@ fn header(influences: &Influences, has_tolerances: bool) -> Vec<String> {
 
 /// Factors have no value of their own, and additions begin at zero.
 fn value(number: &Influence) -> String {
-    match number.name.starts_with("scale(") || number.name.starts_with("add(") {
-        true => String::new(),
-        false => Plain(number.value).to_string(),
+    match number.operation {
+        Operation::Set => Plain(number.value).to_string(),
+        Operation::Scale | Operation::Add => String::new(),
     }
 }
 

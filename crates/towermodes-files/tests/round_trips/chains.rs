@@ -129,7 +129,7 @@ fn sizes(description: &TowerDescription) -> [usize; 4] {
 fn by_its_elements_hz(input: &TowerInput) -> Vec<f64> {
     let options = Options {
         method: Method::Bmodes,
-        borders_m: input.borders_m.clone(),
+        borders_m: input.prescribed.borders_m.clone(),
         points: 2,
         ..Options::default()
     };

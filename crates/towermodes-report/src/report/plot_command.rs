@@ -1,7 +1,7 @@
 //! The commands that reproduce the pictures and results of a report.
 
+use towermodes::GAUSS_HINGE_POSITION;
 use towermodes::Options;
-use towermodes::elements::GAUSS_HINGE_POSITION;
 use towermodes::number;
 use towermodes_analysis::resonance::{Campbell, DEFAULT_MARGIN};
 

@@ -51,9 +51,8 @@ impl Sweep {
     /// The resonance check with the rotor of the base and the usual options; none if the base has
     /// no rotor or lacks parts of the structure, or if a change varies its speed.
     pub fn margin_check(&self) -> Option<MarginCheck> {
-        let is_of_rotor = |name: String| name.starts_with("rotor.");
         let mut varied = self.changes().iter().flat_map(|change| change.parameters());
-        if varied.any(|parameter| is_of_rotor(parameter.to_string())) {
+        if varied.any(|parameter| parameter.is_of_rotor()) {
             return None;
         }
         if !self.base().missing_parts.is_empty() {

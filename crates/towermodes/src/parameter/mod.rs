@@ -211,6 +211,11 @@ impl Parameter {
         )
     }
 
+    /// Whether it is a height, diameter or wall thickness of a station.
+    pub fn is_of_stations(self) -> bool {
+        self.part().is(&structure::STATIONS)
+    }
+
     /// Whether it is a number of a row of the property table.
     pub(crate) fn is_of_rows(self) -> bool {
         self.part().is(&structure::PROPERTIES)

@@ -95,8 +95,7 @@ const CURVED: [&str; 3] = ["m", "deg", ""];
 /// that a central difference is exact.
 pub(super) fn is_quadratic(change: &Change) -> bool {
     change.parameters().iter().all(|parameter| {
-        let name = parameter.to_string();
-        let is_of_profile = name.ends_with(".diameter") || name.ends_with(".wall");
+        let is_of_profile = parameter.is_of_stations() && !parameter.is_height();
         // Between the rows of a table inertias are masses times squared radii of gyration.
         let is_of_rows = parameter.is_of_rows();
         let is_excluded = is_of_rows || parameter.is_of_ground();

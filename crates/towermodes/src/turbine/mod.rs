@@ -38,3 +38,6 @@ pub use model::TurbineModel;
 pub use name::TurbineModeName;
 pub use recount::MissedModes;
 pub use shape::{BladeDeflection, TowerMotion, TurbineShape};
+
+pub use crate::rotor::RotorError;
+pub use crate::scalar::Complex;

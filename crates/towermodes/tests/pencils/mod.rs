@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "each test uses a part")]
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
-use towermodes::eigen::Pencil;
+use towermodes::internal::eigen::Pencil;
 
 /// A matrix from a product, column by column; it must be symmetric.
 fn dense_of(size: usize, mut times: impl FnMut(&[f64], &mut [f64])) -> DMatrix<f64> {

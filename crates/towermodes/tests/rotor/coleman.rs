@@ -10,9 +10,9 @@
 use std::f64::consts::TAU;
 
 use super::assert_near;
-use towermodes::beam::Condensed;
-use towermodes::rotor::{Multiblade, TurningBody};
-use towermodes::scalar::Complex;
+use towermodes::internal::beam::Condensed;
+use towermodes::internal::rotor::{Multiblade, TurningBody};
+use towermodes::turbine::Complex;
 
 /// Mass (kg), length (m), distance of the hinge (m), spring (N m/rad) of a rod.
 const MASS: f64 = 60.0;

@@ -1,8 +1,8 @@
 //! Rigid rotors: a rotor that does not bend is a rigid body that spins freely.
 
 use super::assert_near;
-use towermodes::beam::TurningBlade;
-use towermodes::rotor::Multiblade;
+use towermodes::internal::beam::TurningBlade;
+use towermodes::internal::rotor::Multiblade;
 use towermodes::{Blade, BladeDescription, BladeSection, Inertia, RigidBody};
 
 /// A uniform section, stiff beyond all rounding.

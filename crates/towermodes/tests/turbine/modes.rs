@@ -2,7 +2,7 @@
 //! keep to kinematics, lists that counts check.
 
 use super::{FINE, SECTION, blade, model, rad_per_s, straight, tilted, tower};
-use towermodes::scalar::Complex;
+use towermodes::turbine::Complex;
 use towermodes::turbine::{
     BladeMotion, Harmonic, Turbine, TurbineDescription, TurbineMesh, TurbineMode, TurbineModel,
     TurbineModes, TurbinePart,

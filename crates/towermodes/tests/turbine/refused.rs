@@ -1,7 +1,7 @@
 //! What is no turbine.
 
 use super::{model, straight, tower};
-use towermodes::rotor::RotorError;
+use towermodes::turbine::RotorError;
 use towermodes::turbine::{Turbine, TurbineDescription, TurbineError, TurbineMesh, TurbineModel};
 use towermodes::{BladeError, Rna};
 

@@ -20,7 +20,7 @@ use towermodes_files::{
 };
 
 use self::coupled::{Coupled, Diagram, coupled_of, diagram_of};
-use crate::args::{Destination, Format, InputArguments, Prescribed, RotorArguments};
+use crate::args::{Destination, Format, InputArguments, RotorArguments};
 use crate::failure::Failure;
 use crate::progress::{Progress, solve};
 use crate::recipe::{Analysis, Answer};
@@ -78,7 +78,7 @@ impl Analysis for CampbellArguments {
             Diagram::Tower(reason) => Ok(Plan::Tower {
                 reason,
                 factors: self.soil.factors(&input.description)?.map(<[f64]>::to_vec),
-                options: self.solver.frequencies(Prescribed::of(input))?,
+                options: self.solver.frequencies(input)?,
             }),
         }
     }

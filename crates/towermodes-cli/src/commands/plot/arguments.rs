@@ -4,12 +4,11 @@ use std::path::{Path, PathBuf};
 
 use clap::{Arg, Args, ValueEnum};
 use towermodes::{MAX_SEGMENTS, Method, Options};
+use towermodes_files::TowerInput;
 use towermodes_report::svg::{Look, Theme};
 
 use crate::args::parsers::{method_parser, number_parser, scale_parser};
-use crate::args::{
-    InputArguments, ModelArguments, Prescribed, RotorArguments, TurbineArguments, file_of,
-};
+use crate::args::{InputArguments, ModelArguments, RotorArguments, TurbineArguments, file_of};
 
 const EXAMPLES: &str = "Examples:
   towermodes plot tower.toml --output shapes.svg
@@ -218,16 +217,19 @@ impl PlotArguments {
     ///
     /// # Errors
     /// The message for an option that does not apply to the method.
-    pub(crate) fn options(&self, prescribed: Prescribed) -> Result<Options, &'static str> {
-        prescribed.options(self.method, self.segments.first().copied(), &self.model)
+    pub(crate) fn options(&self, input: &TowerInput) -> Result<Options, &'static str> {
+        let segments = self.segments.first().copied();
+        let of_file = input.prescribed.options(self.method, segments);
+        self.model.check(of_file.method)?;
+        Ok(self.model.in_place_of(of_file))
     }
 
     /// The options of a convergence study or a comparison of methods.
     pub(crate) fn study_options(&self) -> Options {
-        Options {
+        self.model.in_place_of(Options {
             method: self.method.unwrap_or_default(),
-            ..self.model.options()
-        }
+            ..Options::default()
+        })
     }
 
     /// Whether options are given that apply only to the tower with a rigid rotor.

@@ -19,7 +19,7 @@ use towermodes_report::{figures, raster};
 use self::arguments::{PictureFormat, What};
 use super::campbell::coupled::{Coupled, Diagram, coupled_of, diagram_of};
 use super::campbell::{campbell_of, solved_to_reach};
-use crate::args::{PictureFile, Prescribed};
+use crate::args::PictureFile;
 use crate::explained::explained;
 use crate::failure::Failure;
 use crate::input::tower_input;
@@ -127,9 +127,8 @@ fn drawn(
     }
 }
 
-fn options(input: &mut TowerInput, arguments: &PlotArguments) -> Result<Options, Failure> {
-    let prescribed = Prescribed::of(input);
-    arguments.options(prescribed).map_err(Failure::from)
+fn options(input: &TowerInput, arguments: &PlotArguments) -> Result<Options, Failure> {
+    arguments.options(input).map_err(Failure::from)
 }
 
 fn shapes(

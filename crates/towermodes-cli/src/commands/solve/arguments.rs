@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use towermodes::{DEFAULT_POINTS, MAX_DEGREE, MAX_POINTS, Method, Options};
+use towermodes_files::TowerInput;
 
 use crate::args::parsers::number_parser;
-use crate::args::{Destination, Ending, Prescribed, ReadingArguments, SolverArguments};
+use crate::args::{Destination, Ending, ReadingArguments, SolverArguments};
 
 macro_rules! examples {
     () => {
@@ -206,10 +207,10 @@ impl SolveArguments {
     /// The message for an option that does not apply to the method.
     pub(crate) fn options(
         &self,
-        prescribed: Prescribed,
+        input: &TowerInput,
         format: SolveFormat,
     ) -> Result<Options, &'static str> {
-        let options = self.solver.options(prescribed)?;
+        let options = self.solver.options(input)?;
         if self.degree.is_some() && options.method != Method::Spectral {
             return Err(
                 "--degree applies only to --method spectral; use --segments for the other methods",

@@ -13,7 +13,6 @@ use towermodes_files::{
 use towermodes_report::terminal::{blade_shapes, shapes};
 
 use super::sensitivities::influences_of;
-use crate::args::Prescribed;
 use crate::explained::explained;
 use crate::failure::Failure;
 use crate::input::input;
@@ -41,17 +40,16 @@ pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
 }
 
 fn of_tower(
-    mut input: TowerInput,
+    input: TowerInput,
     arguments: &SolveArguments,
     format: SolveFormat,
 ) -> Result<Vec<u8>, Failure> {
     check_not_inputs(input.files(), arguments.destination.output())?;
     arguments.reading.check(&[input.format])?;
-    let prescribed = Prescribed::of(&mut input);
-    let borders_m = prescribed.borders_m.clone();
+    let borders_m = input.prescribed.borders_m.clone();
     let has_own_heights = borders_m.is_some();
     arguments.check_heights(format, has_own_heights)?;
-    let mut options = arguments.options(prescribed, format)?;
+    let mut options = arguments.options(&input, format)?;
     let tower = input.tower()?;
     let nodes = OutNodes::of_tower(&tower, borders_m, arguments.points(), input.layout);
     if format == SolveFormat::Bmodes {

@@ -11,7 +11,6 @@ use towermodes_files::{
 };
 
 use super::{SolveArguments, SolveFormat};
-use crate::args::Prescribed;
 use crate::failure::Failure;
 use crate::input::input;
 use crate::messages::{note_texts, warning_text};
@@ -119,13 +118,12 @@ struct Solved {
 
 fn solved(
     file: &str,
-    mut input: TowerInput,
+    input: TowerInput,
     arguments: &SolveArguments,
     format: SolveFormat,
     progress: &Progress,
 ) -> Result<Solved, Failure> {
-    let prescribed = Prescribed::of(&mut input);
-    let options = arguments.options(prescribed, format)?;
+    let options = arguments.options(&input, format)?;
     let tower = input.tower()?;
     let solution = progress.solver(options).solve_certain(&tower);
     let solution = solution.map_err(|error| {

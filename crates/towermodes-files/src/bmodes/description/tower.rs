@@ -12,6 +12,7 @@ use crate::diagnostic::Diagnostic;
 use crate::error::ReadError;
 use crate::input::{FileFormat, OutLayout, TowerInput};
 use crate::places::TABLE;
+use crate::prescribed::Prescribed;
 
 /// The tower of a deck; with `compatible` as BModes 3.00 understands it.
 pub(crate) fn tower(
@@ -34,9 +35,11 @@ pub(crate) fn tower(
     foundation(deck, &mut building, &mut notes).map_err(in_main)?;
     let modes = tower_notes(deck, compatible, &mut notes).map_err(in_main)?;
     Ok(TowerInput {
-        borders_m: Some(borders_m),
-        method: Some(Method::Bmodes),
-        modes: Some(modes),
+        prescribed: Prescribed {
+            method: Some(Method::Bmodes),
+            borders_m: Some(borders_m),
+            modes: Some(modes),
+        },
         layout: out_layout(deck),
         notes: notes.of(&sources),
         places: building.places,

@@ -1,6 +1,6 @@
 //! The turning turbine of an ElastoDyn model: nacelle, drivetrain and flexible blades.
 
-use towermodes::rotor::RotorError;
+use towermodes::turbine::RotorError;
 use towermodes::turbine::{Generator, Hub, TurbineDescription, TurbineError};
 use towermodes::{BladeDescription, Plain};
 

@@ -4,7 +4,7 @@ mod blade;
 mod mistake;
 mod spans;
 
-use towermodes::rotor::RotorError;
+use towermodes::turbine::RotorError;
 use towermodes::turbine::{Generator, Hub, TurbineDescription, TurbineError};
 use towermodes::{Place, RigidBody, Rna, Rotor};
 

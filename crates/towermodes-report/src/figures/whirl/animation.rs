@@ -1,7 +1,7 @@
 //! The data of a script that animates a turbine with its turning rotor in its modes.
 
 use serde::Serialize;
-use towermodes::scalar::Complex;
+use towermodes::turbine::Complex;
 use towermodes::turbine::{BladeDeflection, Turbine, TurbineMode, TurbineModes};
 
 use super::geometry::{Geometry, Place};

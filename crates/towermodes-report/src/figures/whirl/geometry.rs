@@ -1,6 +1,6 @@
 //! Where the points of a turning turbine are, at rest and in a mode.
 
-use towermodes::scalar::Complex;
+use towermodes::turbine::Complex;
 use towermodes::turbine::{BladeDeflection, TowerMotion, Turbine};
 
 /// A point in the axes of the tower: x downwind, y left, z up, m.
@@ -95,8 +95,8 @@ impl Moment {
 
 #[cfg(test)]
 mod tests {
-    use towermodes::scalar::Complex;
     use towermodes::turbine::BladeDeflection;
+    use towermodes::turbine::Complex;
 
     use super::{Geometry, Moment};
 

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use towermodes::scalar::Complex;
 use towermodes::tower::Rpm;
+use towermodes::turbine::Complex;
 use towermodes::turbine::{Turbine, TurbineMode, TurbineModes};
 
 use crate::number::{four_digits, short};

@@ -1,6 +1,6 @@
 //! Frequencies with their errors, the proof of completeness, energies and effective masses.
 
-use towermodes::elements::GAUSS_HINGE_POSITION;
+use towermodes::GAUSS_HINGE_POSITION;
 use towermodes::{ByMotion, Foundation, Method, Mode, Options, Solution};
 
 use super::super::content::ReportContent;

@@ -1,5 +1,6 @@
 //! The influence of the numbers on the frequencies.
 
+use towermodes::Operation;
 use towermodes::number::{Plain, four_digits};
 use towermodes_analysis::influence::{Influence, Influences, NEGLIGIBLE, Tolerances};
 
@@ -57,9 +58,9 @@ fn elasticities(influences: &Influences) -> Table {
 
 /// A step has no value of its own.
 fn value(number: &Influence) -> String {
-    match number.name.starts_with("add(") {
-        true => NOTHING.to_owned(),
-        false => Plain(number.value).to_string(),
+    match number.operation {
+        Operation::Add => NOTHING.to_owned(),
+        Operation::Set | Operation::Scale => Plain(number.value).to_string(),
     }
 }
 

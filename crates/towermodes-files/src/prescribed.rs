@@ -1,0 +1,32 @@
+//! How a file prescribes to solve its tower.
+
+use towermodes::{Method, Options};
+
+/// What a file prescribes for the solution of its tower: a BModes deck its method, its elements and
+/// its number of modes; other files nothing.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Prescribed {
+    /// The method that the file is made for, if any.
+    pub method: Option<Method>,
+    /// The element borders for the finite elements of BModes, m in the datum of the stations.
+    pub borders_m: Option<Vec<f64>>,
+    /// The number of modes.
+    pub modes: Option<usize>,
+}
+
+impl Prescribed {
+    /// The options of a solve: those given, else those of the file, else the default. The elements
+    /// of the file hold for the method `bmodes` without a number of segments.
+    pub fn options(&self, method: Option<Method>, segments: Option<usize>) -> Options {
+        let default = Options::default();
+        let method = method.or(self.method).unwrap_or_default();
+        let has_own_elements = method == Method::Bmodes && segments.is_none();
+        Options {
+            method,
+            segments,
+            borders_m: self.borders_m.clone().filter(|_| has_own_elements),
+            modes: self.modes.unwrap_or(default.modes),
+            ..default
+        }
+    }
+}
