@@ -21,15 +21,15 @@ seed = 7
 [sweep.vary]
 "rna.mass" = { uniform = [3.3e5, 3.7e5] }
 "material.youngs_modulus" = { normal = [2.1e11, 3e9], truncated = [2.0e11, 2.2e11] }
-"scale(stations[*].wall)" = { triangular = [0.95, 1.0, 1.05] }
+"scale(stations[*].wall)" = { normal = [1.0, 0.02] }
 "material.density" = { lognormal = [8500, 100] }
 "rna.center[2]" = { values = [1.9, 2.0] }
 [[sweep.correlation]]
 between = ["rna.mass", "material.density"]
-coefficient = 0.5
+score_coefficient = 0.5
 [[sweep.correlation]]
 between = ["material.density", "material.youngs_modulus"]
-coefficient = -0.2
+score_coefficient = -0.2
 [sweep.results]
 modes = ["fore-aft 1", "torsion 1"]
 segments = 30
@@ -96,10 +96,10 @@ fn a_study_is_what_its_text_says() {
     );
     assert_eq!(
         distributions[2],
-        &Distribution::Triangular {
-            low: 0.95,
-            mode: 1.0,
-            high: 1.05
+        &Distribution::Normal {
+            mean: 1.0,
+            deviation: 0.02,
+            truncated: None
         }
     );
     assert_eq!(distributions[4], &Distribution::Values(vec![1.9, 2.0]));
@@ -151,7 +151,7 @@ fn correlations_are_those_of_the_text() {
     assert_eq!(correlation_spans.len(), 2);
     let inline = GOOD.replacen(
         "seed = 7",
-        "correlation = [{ between = [\"rna.mass\", \"material.density\"], coefficient = 0.5 }]",
+        "correlation = [{ between = [\"rna.mass\", \"material.density\"], score_coefficient = 0.5 }]",
         1,
     );
     let inline = inline.split_once("[[sweep.correlation]]").expect("one").0;
@@ -191,9 +191,12 @@ fn correlations_that_are_wrong() {
     refused(first, "", "12:1", "has no `between`");
     all_refused(
         r#"
-        coefficient = 0.5 | coeficient = 0.5 | 14:1 | did you mean `coefficient`?
-        coefficient = 0.5 | coefficient = 1.5 | 12:1 | it must be from -1 to 1
-        coefficient = 0.5 | coefficient = nan | 14:15 | NaN
+        score_coefficient = 0.5 | score_coeficient = 0.5 | 14:1 | did you mean `score_coefficient`?
+        score_coefficient = 0.5 | score_coefficient = 1.5 | 12:1 | it must be from -1 to 1
+        score_coefficient = 0.5 | score_coefficient = nan | 14:21 | NaN
+        score_coefficient = 0.5 | coefficient = 0.5 | 12:1 | `rna.mass` is not one; give `score_coefficient`
+        score_coefficient = 0.5 | score_coefficient = 0.5\ncoefficient = 0.5 | 15:15 | `coefficient` has no effect beside `score_coefficient`
+        { normal = [1.0, 0.02] } | { triangular = [0.95, 1.0, 1.05] } | 9:31 | write { normal = [mean, deviation], truncated = [lowest, highest] }
         "material.density", "material.youngs_modulus" | "material.density", "rna.mass" | 15:1 | is given twice
         "#,
     );
@@ -338,7 +341,6 @@ fn distributions() {
         [3.3e5, 3.7e5] | [nan, 1] | 7:27 | uniform is NaN
         [2.1e11, 3e9] | [2.1e11, -1] | 8:40 | the standard deviation is -1
         [2.0e11, 2.2e11] | [2, 1] | 8:67 | the lower limit 2 is not below the upper limit 1
-        [0.95, 1.0, 1.05] | [0.95, 1.2, 1.05] | 9:44 | is not between
         [8500, 100] | [-1, 100] | 10:36 | the mean of a lognormal distribution is -1
         [1.9, 2.0] | [] | 11:30 | the list of values is empty
         "#,

@@ -62,20 +62,18 @@ fn lognormal(mean: f64, deviation: f64) -> Distribution {
     }
 }
 
-/// Normal, uniform and triangular inputs with a coefficient of variation.
+/// Normal, uniform and lognormal inputs with a coefficient of variation.
 fn of_each_kind(variation: f64) -> Vec<Varied> {
     let half = 3_f64.sqrt() * variation;
-    let side = 6_f64.sqrt() * variation;
     let uniform = Distribution::Uniform {
         low: 1.0 - half,
         high: 1.0 + half,
     };
-    let triangular = Distribution::Triangular {
-        low: 1.0 - side,
-        mode: 1.0,
-        high: 1.0 + side,
-    };
-    let distributions = [normal(MASS_KG, MASS_KG * variation), uniform, triangular];
+    let distributions = [
+        normal(MASS_KG, MASS_KG * variation),
+        uniform,
+        lognormal(1.0, variation),
+    ];
     let named = NAMES.iter().zip(distributions);
     named
         .map(|(name, distribution)| varied(name, distribution))
@@ -212,7 +210,10 @@ fn a_product_of_powers_has_the_closed_form() {
         varied(names[0], lognormal(1.1, 1.1 * e)),
         varied(names[1], lognormal(0.9, 0.9 * r)),
     ];
-    let sampling = sampling(1, vary, vec![pair(names[0], names[1], coefficient)]);
+    // The scores whose values have this coefficient (Liu and Der Kiureghian 1986).
+    let deviations = [e, r].map(|variation: f64| (variation * variation).ln_1p().sqrt());
+    let of_scores = (coefficient * e * r).ln_1p() / (deviations[0] * deviations[1]);
+    let sampling = sampling(1, vary, vec![pair(names[0], names[1], of_scores)]);
     let check = bare.margin_check().expect("a rotor");
     let first = bare
         .first_order(&sampling, Some(&check), Solver::default())

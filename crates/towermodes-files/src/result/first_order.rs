@@ -14,7 +14,7 @@ pub struct FirstOrderDocument {
     pub tower: String,
     /// The varied numbers.
     pub inputs: Vec<ScatteredInput>,
-    /// The correlations of their values.
+    /// Their correlations.
     pub correlations: Vec<CorrelatedInputs>,
     /// The required distance |n Ω/f − 1| of an excitation; null without the rotor speed.
     pub margin: Option<f64>,
@@ -44,7 +44,7 @@ pub struct ScatteredInput {
 pub struct CorrelatedInputs {
     /// Their names.
     pub between: [String; 2],
-    /// The correlation coefficient of the values.
+    /// The correlation coefficient of the normal scores.
     pub coefficient: f64,
 }
 

@@ -10,14 +10,14 @@ use super::{Distribution, Sampling, SamplingKind};
 
 /// The correlation of two varied numbers. Numbers without one are independent of each other.
 ///
-/// The dependence is a Gaussian copula: both values follow from standard normal scores, and these
-/// have the joint normal distribution with which the values have this correlation (Nataf 1962; Liu
-/// and Der Kiureghian 1986).
+/// The dependence is a Gaussian copula: each value follows from a standard normal score, and the
+/// scores have a joint normal distribution with these correlations (Nataf 1962).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Correlation {
     /// The names of the two numbers, as in [`Varied::name`](crate::Varied::name).
     pub between: [String; 2],
-    /// Pearson's correlation coefficient of the values themselves, from −1 to 1.
+    /// The correlation coefficient of the normal scores, from −1 to 1. Of two normal numbers without
+    /// limits it is that of the values too.
     pub coefficient: f64,
 }
 
@@ -69,18 +69,13 @@ pub enum CorrelationError {
         /// The number of numbers.
         count: usize,
     },
-    /// A coefficient that values with these distributions cannot have.
+    /// The correlation of the values of two numbers of which one is not normal.
     #[error(
-        "`{}` and `{}` cannot have the correlation {}: with their distributions it can be {}",
-        between[0], between[1], given(*.coefficient), Limits(*.limits)
+        "`coefficient` is that of the values, which only two normal numbers without limits can have, but `{name}` is not one; give `score_coefficient`, the correlation of the normal scores, or the rows as a table (`table = \"values.csv\"`)"
     )]
-    Unreachable {
-        /// The names.
-        between: [String; 2],
-        /// The coefficient.
-        coefficient: f64,
-        /// The lowest and the highest coefficient.
-        limits: [f64; 2],
+    OfValues {
+        /// The name of that number.
+        name: String,
     },
     /// A coefficient that contradicts the others: the matrix of all is not positive definite.
     #[error("the correlations contradict each other: {}", contradiction(between, *coefficient, *limits))]

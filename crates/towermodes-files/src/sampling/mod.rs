@@ -100,27 +100,17 @@ pub enum Distribution {
         /// As of a normal distribution.
         truncated: Option<[f64; 2]>,
     },
-    /// Rises linearly from the lowest value to the mode and falls linearly to the highest.
-    Triangular {
-        /// The lowest.
-        low: f64,
-        /// The most probable.
-        mode: f64,
-        /// The highest.
-        high: f64,
-    },
     /// One of several values, equally probable.
     Values(Vec<f64>),
 }
 
 impl Distribution {
-    /// Its name in a study: `uniform`, `normal`, `lognormal`, `triangular`, `values`.
+    /// Its name in a study: `uniform`, `normal`, `lognormal`, `values`.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Uniform { .. } => "uniform",
             Self::Normal { .. } => "normal",
             Self::LogNormal { .. } => "lognormal",
-            Self::Triangular { .. } => "triangular",
             Self::Values(_) => "values",
         }
     }
@@ -151,13 +141,6 @@ impl Distribution {
                 positive(deviation)?;
                 range(truncated.map(|[low, high]| [low.max(0.0), high]))
             }
-            Self::Triangular { low, mode, high } => {
-                rising(low, high)?;
-                match low <= mode && mode <= high {
-                    true => Ok(()),
-                    false => Err(SamplingError::Mode { low, mode, high }),
-                }
-            }
             Self::Values(ref values) => match values.is_empty() {
                 true => Err(SamplingError::NoValues),
                 false => Ok(()),
@@ -167,8 +150,8 @@ impl Distribution {
 
     /// All its numbers.
     fn numbers(&self) -> impl Iterator<Item = f64> {
-        let (own, truncated, values): ([f64; 3], _, &[f64]) = match self {
-            Self::Uniform { low, high } => ([*low, *high, 0.0], None, &[]),
+        let (own, truncated, values): ([f64; 2], _, &[f64]) = match self {
+            Self::Uniform { low, high } => ([*low, *high], None, &[]),
             Self::Normal {
                 mean,
                 deviation,
@@ -178,9 +161,8 @@ impl Distribution {
                 mean,
                 deviation,
                 truncated,
-            } => ([*mean, *deviation, 0.0], *truncated, &[]),
-            Self::Triangular { low, mode, high } => ([*low, *mode, *high], None, &[]),
-            Self::Values(values) => ([0.0; 3], None, values),
+            } => ([*mean, *deviation], *truncated, &[]),
+            Self::Values(values) => ([0.0; 2], None, values),
         };
         let truncated = truncated.into_iter().flatten();
         own.into_iter()
@@ -298,19 +280,6 @@ pub enum SamplingError {
     LogNormalMean {
         /// The mean.
         mean: f64,
-    },
-    /// A triangular distribution whose mode is outside.
-    #[error(
-        "the most probable value {} is not between {} and {}; the order is lowest, most probable, highest",
-        Plain(*.mode), Plain(*.low), Plain(*.high)
-    )]
-    Mode {
-        /// The lowest value.
-        low: f64,
-        /// The most probable value.
-        mode: f64,
-        /// The highest value.
-        high: f64,
     },
     /// An empty list of values.
     #[error("the list of values is empty")]
@@ -435,9 +404,6 @@ mod tests {
             &lognormal(1.0, Some([-2.0, -1.0])),
             "lower limit 0 is not below",
         );
-        let triangular = |low, mode, high| Distribution::Triangular { low, mode, high };
-        assert_eq!(triangular(1.0, 1.0, 2.0).check(), Ok(()));
-        refused(&triangular(1.0, 3.0, 2.0), "3 is not between 1 and 2");
         refused(&Distribution::Values(Vec::new()), "list of values is empty");
         refused(&Distribution::Values(vec![1.0, f64::NAN]), "NaN");
     }

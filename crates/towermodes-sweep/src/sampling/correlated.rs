@@ -3,8 +3,6 @@
 use towermodes_files::{CorrelationError, Sampling, SamplingError};
 
 use super::cholesky::{Excluded, cholesky};
-use super::scores::Series;
-use super::values::Values;
 
 /// The numbers that have correlations, and how their scores follow from independent ones: the rows
 /// of the Cholesky factor of the correlation matrix of the scores.
@@ -17,57 +15,31 @@ pub(super) struct Correlated {
 }
 
 impl Correlated {
-    /// The correlated numbers of a sampling.
+    /// The correlated numbers of a sampling, by the coefficients of their scores.
     ///
     /// # Errors
-    /// [`SamplingError::Correlation`] for a coefficient that the distributions or the other
-    /// coefficients exclude.
-    pub(super) fn new(sampling: &Sampling, values: &[Values]) -> Result<Self, SamplingError> {
-        let pairs = pairs(sampling)?;
+    /// [`SamplingError::Correlation`] for a coefficient that the other coefficients exclude.
+    pub(super) fn new(sampling: &Sampling) -> Result<Self, SamplingError> {
+        let given = sampling.correlations.iter().map(|pair| pair.coefficient);
+        Self::with(sampling, &given.collect::<Vec<_>>())
+    }
+
+    /// The same with other coefficients of the pairs.
+    ///
+    /// # Errors
+    /// [`SamplingError::Correlation`] as of [`new`](Self::new).
+    pub(super) fn with(sampling: &Sampling, coefficients: &[f64]) -> Result<Self, SamplingError> {
+        let pairs = sampling.correlated_places();
+        let pairs = pairs.map_err(SamplingError::from)?;
         let places = members(&pairs);
-        let of = |place: &usize| Series::new(&sampling.vary[*place].distribution, &values[*place]);
-        let series: Vec<Series> = places.iter().map(of).collect();
         let mut given = Lower::of(&places, None);
         let mut scores = Lower::of(&places, 0.0);
         for (index, pair) in pairs.iter().enumerate() {
             let [first, second] = pair.map(|place| member(&places, place));
-            let coefficient = sampling.correlations[index].coefficient;
-            let score = series[first].score_correlation(&series[second], coefficient);
-            let score = score.map_err(|limits| {
-                let between = sampling.correlations[index].between.clone();
-                let error = CorrelationError::Unreachable {
-                    between,
-                    coefficient,
-                    limits,
-                };
-                (index, error)
-            })?;
-            scores.0[second][first] = score;
+            scores.0[second][first] = coefficients[index];
             given.0[second][first] = Some(index);
         }
-        let factor = cholesky(&scores.0).map_err(|excluded| {
-            let [first, second] = excluded.pair.map(|member| &series[member]);
-            let limits = excluded.limits.map(|r| first.correlation(second, r));
-            contradiction(sampling, &places, &given, Excluded { limits, ..excluded })
-        })?;
-        Ok(Self { places, factor })
-    }
-
-    /// The same numbers with the factor of the correlation matrix of the values themselves.
-    ///
-    /// # Errors
-    /// [`SamplingError::Correlation`] as of [`new`](Self::new).
-    pub(super) fn of_values(sampling: &Sampling) -> Result<Self, SamplingError> {
-        let pairs = pairs(sampling)?;
-        let places = members(&pairs);
-        let mut values = Lower::of(&places, 0.0);
-        let mut given = Lower::of(&places, None);
-        for (index, pair) in pairs.iter().enumerate() {
-            let [first, second] = pair.map(|place| member(&places, place));
-            values.0[second][first] = sampling.correlations[index].coefficient;
-            given.0[second][first] = Some(index);
-        }
-        let factor = cholesky(&values.0);
+        let factor = cholesky(&scores.0);
         let factor =
             factor.map_err(|excluded| contradiction(sampling, &places, &given, excluded))?;
         Ok(Self { places, factor })
@@ -115,12 +87,6 @@ impl<T: Clone> Lower<T> {
         let rows = 0..places.len();
         Self(rows.map(|row| vec![entry.clone(); row]).collect())
     }
-}
-
-/// The places of the two numbers of each correlation, the smaller first.
-fn pairs(sampling: &Sampling) -> Result<Vec<[usize; 2]>, SamplingError> {
-    let pairs = sampling.correlated_places();
-    pairs.map_err(SamplingError::from)
 }
 
 /// All places of pairs, rising.

@@ -3,7 +3,7 @@
 use towermodes_files::{Sampling, SamplingError};
 
 use super::correlated::Correlated;
-use super::scores::moments;
+use super::moments::{moments, of_values};
 use super::values::Values;
 
 /// The first two moments of the joint distribution of the varied numbers.
@@ -11,7 +11,7 @@ use super::values::Values;
 pub(crate) struct Joint {
     /// Mean and standard deviation of each number.
     pub(crate) moments: Vec<[f64; 2]>,
-    /// The two places and the coefficient of each correlation.
+    /// The two places of each correlation and its coefficient, that of the values.
     pub(crate) correlations: Vec<([usize; 2], f64)>,
     /// As many directions as numbers, which vary independently with the variance 1: each has the
     /// places of the numbers that it moves, and by how much.
@@ -25,18 +25,24 @@ impl Joint {
     /// [`SamplingError`] for what cannot be drawn.
     pub(crate) fn of(sampling: &Sampling) -> Result<Self, SamplingError> {
         sampling.check()?;
-        let moments = sampling.vary.iter().map(|varied| {
-            let values = Values::new(&varied.distribution)?;
-            Ok(moments(&varied.distribution, &values))
+        let values = sampling.vary.iter();
+        let values: Result<Vec<Values>, _> = values.map(|v| Values::new(&v.distribution)).collect();
+        let values = values?;
+        let pairs = sampling.vary.iter().zip(&values);
+        let moments: Vec<[f64; 2]> = pairs.map(|(v, of)| moments(&v.distribution, of)).collect();
+        let places = sampling.correlated_places();
+        let places = places.map_err(SamplingError::from)?;
+        let pairs = places.iter().zip(&sampling.correlations);
+        let of_values = pairs.map(|(pair, correlation)| {
+            let scaled = pair.map(|place| (&values[place], moments[place]));
+            of_values(scaled, correlation.coefficient)
         });
-        let moments: Vec<[f64; 2]> = moments.collect::<Result<_, SamplingError>>()?;
-        let mut directions = Correlated::of_values(sampling)?.directions(moments.len());
+        let coefficients: Vec<f64> = of_values.collect();
+        let correlated = Correlated::with(sampling, &coefficients)?;
+        let mut directions = correlated.directions(moments.len());
         for (place, amount) in directions.iter_mut().flatten() {
             *amount *= moments[*place][1];
         }
-        let places = sampling.correlated_places();
-        let places = places.map_err(SamplingError::from)?;
-        let coefficients = sampling.correlations.iter().map(|pair| pair.coefficient);
         Ok(Self {
             correlations: places.into_iter().zip(coefficients).collect(),
             moments,

@@ -6,10 +6,10 @@
 mod cholesky;
 mod correlated;
 mod joint;
+mod moments;
 mod normal;
 mod permutation;
 mod philox;
-mod scores;
 mod sobol;
 mod sobol_numbers;
 mod values;
@@ -86,7 +86,7 @@ impl Draw {
         let values: Result<Vec<Values>, _> = values.map(|v| Values::new(&v.distribution)).collect();
         let values = values?;
         sampling.check()?;
-        let correlated = Correlated::new(sampling, &values)?;
+        let correlated = Correlated::new(sampling)?;
         let mut every = sampling.rows;
         let mut dimensions = Vec::new();
         for (index, (varied, values)) in sampling.vary.iter().zip(values).enumerate() {

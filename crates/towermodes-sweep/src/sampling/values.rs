@@ -9,7 +9,6 @@ use super::normal;
 pub(super) enum Values {
     Uniform { low: f64, high: f64 },
     Gaussian(Gaussian),
-    Triangular { low: f64, mode: f64, high: f64 },
     List(Vec<f64>),
 }
 
@@ -49,7 +48,6 @@ impl Values {
                 let [mean, deviation] = of_logarithm(mean, deviation);
                 Self::Gaussian(Gaussian::new(mean, deviation, true, truncated)?)
             }
-            Distribution::Triangular { low, mode, high } => Self::Triangular { low, mode, high },
             Distribution::Values(ref values) => Self::List(values.clone()),
         })
     }
@@ -59,7 +57,6 @@ impl Values {
         match self {
             Self::Uniform { low, high } => (low + u * (high - low)).min(*high),
             Self::Gaussian(gaussian) => gaussian.at(u),
-            Self::Triangular { low, mode, high } => triangular([*low, *mode, *high], u),
             Self::List(values) => {
                 let index = (u * values.len() as f64) as usize;
                 values[index.min(values.len() - 1)]
@@ -75,6 +72,11 @@ impl Values {
             _ => self
                 .at(normal::probability(score).clamp(f64::MIN_POSITIVE, 1.0 - f64::EPSILON / 2.0)),
         }
+    }
+
+    /// Whether it is a linear function of its score.
+    pub(super) fn is_normal(&self) -> bool {
+        matches!(self, Self::Gaussian(of) if of.has_no_limits() && !of.is_logarithm)
     }
 
     /// A value of a grid: one of the list, or of equal steps from the lowest to the highest.
@@ -159,16 +161,6 @@ impl Gaussian {
     }
 }
 
-/// The distribution function rises to the mode as a parabola, and so its quantile is a root.
-fn triangular([low, mode, high]: [f64; 3], u: f64) -> f64 {
-    let range = high - low;
-    let value = match u * range <= mode - low {
-        true => low + libm::sqrt(u * range * (mode - low)),
-        false => high - libm::sqrt((1.0 - u) * range * (high - mode)),
-    };
-    value.clamp(low, high)
-}
-
 #[cfg(test)]
 mod tests {
     use super::Values;
@@ -209,10 +201,6 @@ mod tests {
             (normal(0.0, 1.0, Some([-9.0, -8.0])), [-8.999396586071999, -8.467344634140217, -8.08488889901817, -8.012960571504212, -8.000000123109688]),
             // lognorm(sqrt(log1p(0.4**2)), scale=5e7/sqrt(1 + 0.4**2))
             (lognormal(5e7, 2e7, None), [7437547.956470215, 21043668.35900169, 46423834.54426291, 76060935.82657619, 289769212.434241]),
-            // triang(0.25, 1, 4)
-            (Distribution::Triangular { low: 1.0, mode: 2.0, high: 5.0 }, [1.002, 1.282842712474619, 2.550510257216822, 3.904554884989668, 4.9965358983848125]),
-            // triang(0, 1, 4)
-            (Distribution::Triangular { low: 1.0, mode: 1.0, high: 5.0 }, [1.0000020000004999, 1.0402020253553337, 2.1715728752538097, 3.7350889359326485, 4.995999999999943]),
             // exp(truncnorm((log(3e7) - mu)/s, (log(9e7) - mu)/s, mu, s)), mu and s of the
             // lognormal above
             (lognormal(5e7, 2e7, Some([3e7, 9e7])), [30000045.625303753, 30887660.903499838, 48388356.705669224, 72213856.50114259, 89999684.79993846]),

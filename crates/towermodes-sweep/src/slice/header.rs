@@ -216,7 +216,6 @@ fn numbers_of(distribution: &Distribution) -> String {
             deviation,
             truncated,
         } => format!("{mean:?} {deviation:?} {truncated:?}"),
-        Distribution::Triangular { low, mode, high } => format!("{low:?} {mode:?} {high:?}"),
         Distribution::Values(values) => format!("{values:?}"),
     }
 }

@@ -7,37 +7,86 @@ use super::super::table::{Table, suggestion};
 use super::super::values::{Value, every_row, list, number, text, wrong_kind};
 use super::schema::CORRELATION;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::sampling::{Correlation, CorrelationError, Sampling, SamplingError};
+use crate::sampling::{
+    Correlation, CorrelationError, Distribution, Sampling, SamplingError, Varied,
+};
 
 const HINT: &str = "write [[sweep.correlation]] in double brackets, once for each pair";
 const BETWEEN: &str = "between = [\"rna.mass\", \"rna.center[2]\"]";
 
-/// The correlations in the order of the file, with their places.
-pub(super) fn correlations(
-    sweep: &Table<'_>,
-    reading: &mut Reading,
-) -> Option<(Vec<Correlation>, Vec<Range<usize>>)> {
+/// A correlation with its place.
+pub(super) struct Placed {
+    pub(super) correlation: Correlation,
+    pub(super) span: Range<usize>,
+    /// Whether its coefficient is that of the values, as that of normal numbers is.
+    is_of_values: bool,
+}
+
+/// The correlations in the order of the file.
+pub(super) fn correlations(sweep: &Table<'_>, reading: &mut Reading) -> Option<Vec<Placed>> {
     let Some(value) = sweep.get("correlation") else {
-        return Some((Vec::new(), Vec::new()));
+        return Some(Vec::new());
     };
     let Some(rows) = value.get_ref().as_array() else {
         let mistake = wrong_kind(value, "correlation", "a list of tables");
         return reading.refuse(mistake.with_hint(HINT));
     };
-    let read = |_, row: &Value<'_>| Some((correlation(row, reading)?, row.span()));
-    Some(every_row(rows, read)?.into_iter().unzip())
+    every_row(rows, |_, row| correlation(row, reading))
 }
 
-fn correlation(row: &Value<'_>, reading: &mut Reading) -> Option<Correlation> {
+fn correlation(row: &Value<'_>, reading: &mut Reading) -> Option<Placed> {
     let table = Table::of(row, CORRELATION.name, &CORRELATION, reading)?;
     let between = table.require("between", BETWEEN, reading);
     let between = between.and_then(|value| pair(value, reading));
-    let coefficient = table.require("coefficient", "from -1 to 1", reading);
-    let coefficient = coefficient.and_then(|value| number(value, "coefficient", reading));
-    Some(Correlation {
+    let is_of_values = !table.has("score_coefficient");
+    let key = match is_of_values {
+        true => "coefficient",
+        false => {
+            let because = "beside `score_coefficient`";
+            table.refuse_unused("coefficient", because, "remove it", reading)?;
+            "score_coefficient"
+        }
+    };
+    let coefficient = table.require(key, "from -1 to 1", reading);
+    let coefficient = coefficient.and_then(|value| number(value, key, reading));
+    let correlation = Correlation {
         between: between?,
         coefficient: coefficient?,
+    };
+    let span = row.span();
+    Some(Placed {
+        correlation,
+        span,
+        is_of_values,
     })
+}
+
+/// The first correlation of values that only normal numbers can have, and of which one is not.
+pub(super) fn of_values(placed: &[Placed], vary: &[Varied]) -> Result<(), SamplingError> {
+    let is_normal = |name: &str| {
+        let varied = vary.iter().find(|varied| varied.name.trim() == name.trim());
+        varied.is_some_and(|varied| {
+            matches!(
+                varied.distribution,
+                Distribution::Normal {
+                    truncated: None,
+                    ..
+                }
+            )
+        })
+    };
+    for (index, pair) in placed
+        .iter()
+        .enumerate()
+        .filter(|(_, pair)| pair.is_of_values)
+    {
+        let mut names = pair.correlation.between.iter();
+        if let Some(name) = names.find(|name| !is_normal(name)) {
+            let name = name.trim().to_owned();
+            return Err((index, CorrelationError::OfValues { name }).into());
+        }
+    }
+    Ok(())
 }
 
 /// Two names.

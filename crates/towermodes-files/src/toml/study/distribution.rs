@@ -15,9 +15,15 @@ use crate::sampling::{Distribution, SamplingError, SamplingKind, Varied};
 
 /// The keys of [`VARY`] that name a distribution; of the others `truncated` belongs to normal and
 /// lognormal values, `levels` to grids.
-const DISTRIBUTIONS: [&str; 5] = ["uniform", "normal", "lognormal", "triangular", "values"];
+const DISTRIBUTIONS: [&str; 4] = ["uniform", "normal", "lognormal", "values"];
 
-const HINT: &str = "write one of { uniform = [lowest, highest] }, { normal = [mean, deviation] }, { lognormal = [mean, deviation] }, { triangular = [lowest, most probable, highest] }, { values = [...] }";
+const HINT: &str = "write one of { uniform = [lowest, highest] }, { normal = [mean, deviation] }, { lognormal = [mean, deviation] }, { values = [...] }";
+
+/// What to write in place of a distribution that there was.
+fn gone(key: &str) -> Option<String> {
+    let hint = "write { normal = [mean, deviation], truncated = [lowest, highest] }, or the rows as a table (table = \"values.csv\")";
+    (key == "triangular").then(|| hint.to_owned())
+}
 
 /// What varies, by its name, and its values.
 pub(super) fn varied(
@@ -35,7 +41,10 @@ pub(super) fn varied(
         return reading
             .refuse(wrong_kind(value, &what, "a distribution in braces").with_hint(HINT));
     }
-    let table = Table::of(value, &what, &VARY, reading)?;
+    let table = Table::with_elsewhere(value, &what, &VARY, gone, reading)?;
+    if table.get("triangular").is_some() {
+        return None;
+    }
     let found = one_distribution(&table, &what, reading)?;
     let distribution = distribution(&table, found, reading);
     let levels = levels(&table, found, kind, reading)?;
@@ -117,10 +126,6 @@ fn distribution(
         "uniform" => {
             let [low, high] = numbers(value, found, reading)?;
             Distribution::Uniform { low, high }
-        }
-        "triangular" => {
-            let [low, mode, high] = numbers(value, found, reading)?;
-            Distribution::Triangular { low, mode, high }
         }
         "values" => Distribution::Values(any_numbers(value, found, reading)?),
         gaussian => {

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::super::reading::Reading;
 use super::super::table::{Table, suggestion};
 use super::super::values::{Value, text, whole};
-use super::correlation::{correlations, refused_pair};
+use super::correlation::{correlations, of_values, refused_pair};
 use super::distribution::varied;
 use super::refuse_keys;
 use super::schema::VARY;
@@ -26,7 +26,7 @@ pub(super) fn sampled(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepR
     let rows = rows(sweep, kind, reading);
     let correlations = correlations(sweep, reading);
     let (vary_value, (vary, spans)) = (vary_value?, vary?);
-    let (correlations, correlation_spans) = correlations?;
+    let correlations = correlations?;
     let rows = match rows? {
         Some(rows) => rows,
         // A grid of too many rows is refused below.
@@ -38,15 +38,16 @@ pub(super) fn sampled(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepR
         rows,
         seed,
         vary,
-        correlations,
+        correlations: correlations
+            .iter()
+            .map(|one| one.correlation.clone())
+            .collect(),
     };
-    if let Err(error) = sampling.check() {
+    let checked = sampling.check();
+    if let Err(error) = checked.and_then(|()| of_values(&correlations, &sampling.vary)) {
         if let SamplingError::Correlation { index, .. } = error {
-            return reading.refuse(refused_pair(
-                error,
-                &sampling,
-                correlation_spans.get(index).cloned().unwrap_or(0..0),
-            ));
+            let span = correlations[index].span.clone();
+            return reading.refuse(refused_pair(error, &sampling, span));
         }
         let span = place_of(&error, &sampling, &spans, sweep, of_kind, vary_value.span());
         return reading.refuse(Diagnostic::new(span, DiagnosticKind::Sampling(error)));
@@ -54,7 +55,7 @@ pub(super) fn sampled(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepR
     Some(SweepRows::Sampled {
         sampling,
         spans,
-        correlation_spans,
+        correlation_spans: correlations.into_iter().map(|one| one.span).collect(),
     })
 }
 

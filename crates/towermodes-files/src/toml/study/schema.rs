@@ -36,7 +36,6 @@ tables! {
         optional "uniform" Numbers "" "uniform distribution between lowest and highest value";
         optional "normal" Numbers "" "mean and standard deviation";
         optional "lognormal" Numbers "" "mean and standard deviation of the value, not of its logarithm";
-        optional "triangular" Numbers "" "lowest, most probable and highest value";
         optional "values" Numbers "" "a list; each value is equally probable";
         optional "truncated" Numbers "" "with normal and lognormal: lowest and highest value";
         optional "levels" Number "" "of a grid with uniform: number of equally spaced values, both ends included";
@@ -44,7 +43,8 @@ tables! {
     /// `[[sweep.correlation]]`.
     CORRELATION = "[[sweep.correlation]]":
         required "between" Any "" "a list of two names of [sweep.vary]";
-        required "coefficient" Number "" "correlation coefficient of their values, from -1 to 1";
+        optional "coefficient" Number "" "correlation coefficient of two normal numbers without limits, from -1 to 1";
+        optional "score_coefficient" Number "" "correlation coefficient of the normal scores of two numbers with any distributions, from -1 to 1";
 
     /// `[sweep.results]`.
     RESULTS = "[sweep.results]":
