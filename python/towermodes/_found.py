@@ -62,7 +62,7 @@ class Found(Tabular):
 
 
 class Design(Found):
-    """The lightest tower whose frequencies are in given bands.
+    """A light tower whose frequencies are in given bands.
 
     >>> import towermodes as tm
     >>> tower = tm.read("examples/nrel-5mw.toml")
@@ -75,7 +75,7 @@ class Design(Found):
     >>> design = tower.design(study)
     >>> design.values
     {'scale(stations[*].wall)': 0.86543...}
-    >>> round(design.mass_kg), design.is_proved
+    >>> round(design.mass_kg), design.is_stationary
     (300877, True)
     """
 
@@ -93,10 +93,10 @@ class Design(Found):
         return mass
 
     @property
-    def is_proved(self) -> bool:
-        """Whether the KKT residual proves that the mass is a minimum."""
-        is_proved: bool = self.data["is_proved"]
-        return is_proved
+    def is_stationary(self) -> bool:
+        """Whether the first-order conditions of a local minimum hold (KKT residual), without steps."""
+        is_stationary: bool = self.data["is_stationary"]
+        return is_stationary
 
     @property
     def warnings(self) -> list[str]:

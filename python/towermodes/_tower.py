@@ -493,9 +493,9 @@ class Tower:
     def design(
         self, study: Study, *, progress: Callable[[int], object] | None = None
     ) -> Design:
-        """Finds the lightest tower whose frequencies are in given bands.
+        """Finds a light tower whose frequencies are in given bands.
 
-        The minimum is found from exact derivatives and proved by its KKT residual. Other Python
+        A local minimum of the mass, found from exact derivatives; a lighter tower may exist elsewhere. Other Python
         threads run meanwhile, and Ctrl-C ends it.
 
         Args:

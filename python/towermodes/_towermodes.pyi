@@ -739,7 +739,7 @@ def columns_of_stream(capsule: "object", choose: "object") -> "list[tuple[str, I
 
 def design(tower: Tower, text: str, name: str, *, progress: Any | None = None) -> Found:
     """
-    The lightest tower of a study.
+    The tower that a study finds.
     """
 
 def mode_named(name: str) -> tuple[str, int, str]:

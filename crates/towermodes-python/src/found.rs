@@ -1,4 +1,4 @@
-//! Towers whose numbers are found: the lightest within bands of frequencies, and the one that has
+//! Towers whose numbers are found: a light one within bands of frequencies, and the one that has
 //! the measured frequencies.
 
 use std::path::PathBuf;
@@ -57,7 +57,7 @@ impl Found {
     }
 }
 
-/// The lightest tower of a study.
+/// The tower that a study finds.
 #[pyfunction]
 #[pyo3(signature = (tower, text, name, *, progress = None))]
 pub fn design(

@@ -39,9 +39,9 @@ A study is a TOML file with [design]; for example:
   diameter_to_wall = 200
   cone_angle = 3
 
-The lightest tower within these limits is found from exact derivatives, proved to be a minimum by its KKT residual (0 at an exact minimum) and solved once more. If no tower meets the limits, the message gives the nearest one. `towermodes parameters FILE` lists the names of the numbers.
+The search from the original tower uses exact derivatives and ends at a local minimum of the mass (its KKT residual is 0 at an exact one); the tower found is solved once more. If none is found that meets the limits, the message gives the nearest one. `towermodes parameters FILE` lists the names of the numbers.
 
-Exit codes: 0 the tower is found, 1 no tower meets the limits, the computation or the output failed, 2 wrong usage or wrong input.";
+Exit codes: 0 the tower is found, 1 no tower is found that meets the limits, the computation or the output failed, 2 wrong usage or wrong input.";
 
 /// The arguments of `design`.
 #[derive(Debug, Args)]
@@ -61,7 +61,7 @@ pub(crate) struct DesignArguments {
     plot: Option<PathBuf>,
 }
 
-/// Finds the lightest tower of a study, and writes it.
+/// Finds the tower of a study, and writes it.
 pub(crate) fn run(arguments: &DesignArguments) -> Result<(), Failure> {
     check_output(&arguments.found, &arguments.input, &arguments.study)?;
     let picture = PictureFile::requested(arguments.plot.as_deref())?;

@@ -56,7 +56,7 @@ pub(crate) enum Command {
     Sensitivities(Deferred<sensitivities::SensitivitiesArguments>),
     /// Solve a tower many times with changed numbers: the rows of a table, or of a study.
     Sweep(Deferred<sweep::SweepArguments>),
-    /// Find the lightest tower whose frequencies are in given bands.
+    /// Find a light tower whose frequencies are in given bands.
     Design(Deferred<design::DesignArguments>),
     /// Fit numbers of a tower to measured frequencies.
     Calibrate(Deferred<calibrate::CalibrateArguments>),

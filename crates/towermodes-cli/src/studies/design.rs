@@ -124,7 +124,7 @@ fn mistake(span: Range<usize>, sentence: String, study: &DesignStudy) -> ReadErr
 /// What a user must know about a result.
 pub fn warnings(found: &Design) -> Vec<String> {
     let mut warnings = Vec::new();
-    if !found.is_proved() {
+    if !found.is_stationary() {
         warnings.push(format!(
             "the KKT residual is {:.1e}: the tower meets all limits, but a lighter one may exist",
             found.kkt_residual
@@ -207,7 +207,7 @@ pub fn document(
         frequencies: frequencies.collect(),
         active: active.collect(),
         kkt_residual: found.kkt_residual,
-        is_proved: found.is_proved(),
+        is_stationary: found.is_stationary(),
         steps_are_searched: found.steps.map(|steps| steps.is_searched),
         certified: found.certificate.complete,
         solves: found.solves,

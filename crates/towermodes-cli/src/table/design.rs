@@ -6,7 +6,7 @@ use towermodes_design::design::{Design, DesignProblem, Goal, OtherHolder, Reache
 use super::text::{name_line, text_table, tonnes, wrapped};
 
 /// Variables, masses and frequencies before and after; the limits that keep the tower from being
-/// lighter; how the minimum is proved.
+/// lighter; what is known of the minimum.
 pub fn design(name: &str, problem: &DesignProblem, found: &Design) -> String {
     let mut text = name_line(name);
     text.push_str(&values(problem, found));
@@ -117,18 +117,18 @@ fn limits(problem: &DesignProblem, found: &Design) -> String {
     text_table(header, rows, [1])
 }
 
-/// What is proved of the minimum without steps, and what was searched with them.
-fn in_steps(steps: &Steps, mass_kg: f64, proof: &str, residual: &str) -> String {
+/// What is known of the minimum without steps, and what was searched with them.
+fn in_steps(steps: &Steps, mass_kg: f64, conditions: &str) -> String {
     let least = steps.without_steps_kg;
     let loss = mass_kg - least;
     let searched = match steps.is_searched {
         true => {
-            "No change by one step and no exchange of two that the derivatives predict to be lighter is lighter."
+            "No change by one step and no exchange of two that the derivatives predict to be lighter is lighter; other combinations were not searched."
         }
         false => "The search of steps ended after its number of solves.",
     };
     format!(
-        "Without steps {} is {proof}: KKT residual {residual}. The steps add {} ({} %); this is not proved to be the least. {searched}",
+        "Without steps the tower of {} {conditions}. The steps add {} ({} %). {searched}",
         tonnes(least),
         tonnes(loss),
         digits(100.0 * loss / least, 2),
@@ -137,21 +137,20 @@ fn in_steps(steps: &Steps, mass_kg: f64, proof: &str, residual: &str) -> String 
 
 /// How good the minimum is.
 fn conclusion(found: &Design) -> String {
-    let proof = match found.is_proved() {
-        true => "a minimum",
-        false => "not proved to be a minimum",
-    };
     // Below this it is rounding.
     let residual = match found.kkt_residual < 1e-9 {
         true => "below 1e-9".to_owned(),
         false => format!("{:.0e}", found.kkt_residual),
     };
+    let meets = match found.is_stationary() {
+        true => "meets",
+        false => "does not meet",
+    };
+    let conditions =
+        format!("{meets} the first-order conditions of a local minimum (KKT residual {residual})");
     let mut text = match &found.steps {
-        None => {
-            let (first, rest) = proof.split_at(1);
-            format!("{}{rest}: KKT residual {residual}.", first.to_uppercase())
-        }
-        Some(steps) => in_steps(steps, found.mass_kg[1], proof, &residual),
+        None => format!("The tower {conditions}."),
+        Some(steps) => in_steps(steps, found.mass_kg[1], &conditions),
     };
     if found.certificate.complete {
         text.push_str(" Certificate of the frequencies: complete.");

@@ -6,21 +6,9 @@ use towermodes::{
 };
 
 use super::error::DesignError;
-use super::moves::multiple;
-use super::point::{End, tower_with};
 use super::problem::Goal;
-use super::scaled::Scale;
-use super::steps::met_again;
-
-/// Solves before a tower is given up that violates limits by rounding.
-const MOST_ROUNDS: usize = 12;
-/// A limit that is exceeded by less, scaled, is met: rounding of its sum.
-const ROUNDING: f64 = 1e-12;
-/// A violated limit is tightened by this many times the violation, and by this much more: the next
-/// values are rounded anew.
-const TIGHTER: (f64, f64) = (2.0, 2e-9);
-/// More modes are not searched.
-const MOST_MODES: usize = 64;
+use super::steps::multiple;
+use super::towers::{End, MOST_MODES, Towers};
 
 /// A goal and the frequency of the tower that was found.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,7 +23,8 @@ pub struct Reached {
     pub error_hz: f64,
     /// The share of the family of its name in the energy of the mode.
     pub share: f64,
-    /// The other modes that hold the name, by rising frequency: the band is theirs too.
+    /// The other modes that hold the name, by rising frequency, if the mode that has it is coupled:
+    /// the band is theirs too.
     pub others: Vec<OtherHolder>,
 }
 
@@ -51,7 +40,7 @@ pub struct OtherHolder {
 }
 
 impl Reached {
-    /// Whether the frequency of the mode, and of each other that holds its name, is in the band.
+    /// Whether the frequency of the mode, and of each other one that the band binds, is in the band.
     pub fn is_met(&self) -> bool {
         let others = self.others.iter().map(|other| other.hz);
         let mut all = others.chain([self.after_hz]);
@@ -65,87 +54,63 @@ pub(super) struct Confirmed {
     pub(super) tower: TowerDescription,
     pub(super) reached: Vec<Reached>,
     pub(super) certificate: Certificate,
-    /// The largest violation, scaled.
-    violation: f64,
+    /// The limits, scaled: positive where they are violated.
+    pub(super) limits: Vec<f64>,
 }
 
-/// The tower with scaled values, written with few digits and solved. Where rounding, or the mesh of
-/// the solve, violates a limit, the limit is tightened by as much and the tower is searched again.
-pub(super) fn confirmed(
-    scale: &mut Scale<'_>,
-    mut scaled: Vec<f64>,
-) -> Result<Confirmed, DesignError> {
-    let before = Tower::new(scale.base.clone())?;
-    let before = scale.solution(&before, &options(scale, None)).ok();
-    let mut best: Option<Confirmed> = None;
-    for _ in 0..MOST_ROUNDS {
-        let (confirmed, limits) = solved(scale, &scaled, before.as_ref())?;
-        let is_met = confirmed.violation <= ROUNDING;
-        let is_better = |best: &Confirmed| confirmed.violation < best.violation;
-        if best.as_ref().is_none_or(is_better) {
-            best = Some(confirmed);
-        }
-        if is_met {
-            break;
-        }
-        for (room, value) in scale.room.iter_mut().zip(limits) {
-            if value > ROUNDING {
-                *room += TIGHTER.0 * value + TIGHTER.1;
-            }
-        }
-        scale.forget();
-        match met_again(scale, &scaled)? {
-            Some(next) => scaled = next,
-            None => break,
-        }
+impl Confirmed {
+    /// The largest violation.
+    pub(super) fn violation(&self) -> f64 {
+        self.limits.iter().copied().fold(0.0, f64::max)
     }
-    best.ok_or(DesignError::NoGoals)
+}
+
+/// The original tower, solved as any tower; none if that is not possible.
+pub(super) fn original(towers: &mut Towers<'_>) -> Option<Solution> {
+    let tower = Tower::new(towers.base.clone()).ok()?;
+    let options = options(towers);
+    towers.solution(&tower, &options).ok()
 }
 
 /// How a tower is solved by `solve`: with its default number of segments, if that is finer than the
 /// one of the design.
-fn options(scale: &Scale<'_>, modes: Option<usize>) -> Options {
-    let own = scale.options;
-    let is_coarse = own
-        .segments
-        .is_some_and(|segments| segments < DEFAULT_SEGMENTS);
+fn options(towers: &Towers<'_>) -> Options {
+    let own = towers.options;
     Options {
         points: 2,
         heights_m: Vec::new(),
-        segments: own.segments.filter(|_| !is_coarse),
-        modes: modes.unwrap_or(own.modes),
+        segments: own
+            .segments
+            .filter(|segments| *segments >= DEFAULT_SEGMENTS),
         ..own.clone()
     }
 }
 
-/// The tower with scaled values, and its limits, scaled.
-fn solved(
-    scale: &mut Scale<'_>,
+/// The tower with scaled values, written with few digits and solved.
+pub(super) fn confirmed(
+    towers: &mut Towers<'_>,
     scaled: &[f64],
     before: Option<&Solution>,
-) -> Result<(Confirmed, Vec<f64>), DesignError> {
-    let problem = scale.problem;
-    let values = written(scale, scaled);
-    let description = tower_with(problem, scale.base, &values);
+) -> Result<Confirmed, DesignError> {
+    let values = written(towers, scaled);
+    let description = towers.problem.tower(towers.base, &values);
     let tower = Tower::new(description.clone())?;
-    let mut options = options(scale, None);
+    let mut options = options(towers);
     loop {
-        let after = scale.solution(&tower, &options)?;
+        let after = towers.solution(&tower, &options)?;
         let is_last = options.modes >= MOST_MODES;
-        let all = problem.goals.iter();
+        let all = towers.problem.goals.iter();
         let all = all.map(|goal| reached(goal, &after, before, is_last).ok_or(goal.mode));
         match all.collect::<Result<Vec<_>, ModeName>>() {
             Ok(all) => {
                 let (reached, ends): (Vec<Reached>, Vec<[End; 2]>) = all.into_iter().unzip();
-                let limits = scale.limit_values(&ends, &description);
-                let confirmed = Confirmed {
-                    violation: limits.iter().copied().fold(0.0, f64::max),
+                return Ok(Confirmed {
+                    limits: towers.limit_values(&ends, &description),
                     certificate: after.certificate,
                     tower: description,
                     values,
                     reached,
-                };
-                return Ok((confirmed, limits));
+                });
             }
             Err(mode) if is_last => {
                 let modes = options.modes;
@@ -156,8 +121,8 @@ fn solved(
     }
 }
 
-/// What a solution has of a goal, and the lowest and the highest frequency of its holders; none if
-/// the mode, or another holder, may be above the list.
+/// What a solution has of a goal, and the lowest and the highest frequency that it binds; none if
+/// the mode, or another one that it binds, may be above the list.
 fn reached(
     goal: &Goal,
     after: &Solution,
@@ -166,7 +131,7 @@ fn reached(
 ) -> Option<(Reached, [End; 2])> {
     let name = goal.mode;
     let modes = &after.modes;
-    let holders = Holders::of(name, modes.iter().map(|mode| (mode.name(), &mode.shares)))?;
+    let holders = Holders::bound(name, modes.iter().map(|mode| (mode.name(), &mode.shares)))?;
     if !holders.is_complete && !is_last {
         return None;
     }
@@ -195,9 +160,9 @@ fn reached(
 }
 
 /// The values as they are written: steps, bounds, and other values with eight digits.
-fn written(scale: &Scale<'_>, scaled: &[f64]) -> Vec<f64> {
-    let values = scale.values(scaled);
-    let pairs = scale.problem.variables.iter().zip(values);
+fn written(towers: &Towers<'_>, scaled: &[f64]) -> Vec<f64> {
+    let values = towers.values(scaled);
+    let pairs = towers.problem.variables.iter().zip(values);
     pairs
         .map(|(variable, value)| match variable.step {
             Some(step) => multiple((value / step).round(), step),

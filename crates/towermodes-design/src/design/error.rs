@@ -4,8 +4,10 @@ use thiserror::Error;
 use towermodes::number::Plain;
 use towermodes::{ModeName, NoDerivative, SensitivityError, SolveError, TowerError};
 
-use super::problem::WIDEST;
-use super::result::Infeasible;
+use super::unmet::Infeasible;
+
+/// Bounds may be this many times as large as the present value: beyond it a unit is mistaken.
+pub(super) const WIDEST: f64 = 1e3;
 
 /// Why there is no design.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -134,7 +136,7 @@ pub enum DesignError {
         "no tower is possible at the present values, in the middle or at the ends of the bounds: {0}; check the bounds of the variables (lengths are in m)"
     )]
     NoStart(Box<DesignError>),
-    /// No tower within the bounds meets the goals.
+    /// No tower was found within the bounds that meets the goals.
     #[error("{0}")]
     Infeasible(Box<Infeasible>),
     /// There is a tower, but none was found in steps.

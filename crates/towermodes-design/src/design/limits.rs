@@ -1,4 +1,5 @@
-//! The limits of a design, and those of the shape as linear functions of the numbers of the tower.
+//! The limits of a design, in words and those of the shape as linear functions of the numbers of the
+//! tower.
 
 use towermodes::{Operation, Parameter, TowerDescription};
 
@@ -74,14 +75,10 @@ impl Row {
     /// The limit in its unit, and by how much its value changes per unit by which it is relaxed.
     pub(super) fn unit(&self, problem: &DesignProblem, tower: &TowerDescription) -> (f64, f64) {
         let (value, raw) = match self.limit {
-            Limit::DiameterToWall { station, side } => {
-                let [low, high] = problem.diameter_to_wall.unwrap_or_default();
-                let ratio = match side {
-                    Side::Lowest => low,
-                    Side::Highest => high,
-                };
-                (ratio, tower.stations[station].wall_thickness_m)
-            }
+            Limit::DiameterToWall { station, side } => (
+                problem.ratio(side),
+                tower.stations[station].wall_thickness_m,
+            ),
             Limit::ConeAngle { station } => {
                 let degrees = problem.cone_angle_deg.unwrap_or_default();
                 let [below, above] = [station, station + 1].map(|i| tower.stations[i].height_m);
@@ -181,4 +178,45 @@ fn cones(problem: &DesignProblem, station: usize, base: &TowerDescription) -> Ve
         true => Vec::new(),
         false => vec![row(1.0), row(-1.0)],
     }
+}
+
+impl DesignProblem {
+    /// A limit in words: "fore-aft 1 at least 0.3 Hz".
+    pub fn words(&self, limit: &Limit) -> String {
+        let end = |side: Side| match side {
+            Side::Lowest => "at least",
+            Side::Highest => "at most",
+        };
+        match *limit {
+            Limit::Bound { variable, side } => {
+                let of = &self.variables[variable];
+                let unit = match (of.change.operation(), of.change.unit()) {
+                    (Operation::Scale, _) | (_, "") => String::new(),
+                    (_, unit) => format!(" {unit}"),
+                };
+                let bound = short(of.bound(side));
+                format!("{} {} {bound}{unit}", of.change.name(), end(side))
+            }
+            Limit::Frequency { goal, side } => {
+                let goal = &self.goals[goal];
+                let hz = [goal.min_hz, goal.max_hz][side as usize];
+                format!("{} {} {} Hz", goal.mode, end(side), short(hz))
+            }
+            Limit::Falling { below, above } => format!("{above} at most {below}"),
+            Limit::DiameterToWall { station, side } => {
+                let (end, ratio) = (end(side), short(self.ratio(side)));
+                format!("diameter/wall at stations[{station}] {end} {ratio}")
+            }
+            Limit::ConeAngle { station } => {
+                let angle = short(self.cone_angle_deg.unwrap_or_default());
+                format!("cone angle above stations[{station}] at most {angle} degrees")
+            }
+        }
+    }
+}
+
+/// A number with six significant digits, without zeros at the end.
+pub(super) fn short(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    format!("{rounded}")
 }

@@ -1,31 +1,31 @@
-//! The lightest tower whose frequencies are in given bands.
+//! A light tower whose frequencies are in given bands.
 //!
-//! `problem` defines variables, goals and limits, `window` the band between multiples of the rotor
-//! speed. `limits` are the limits of the shape, linear in the numbers of the tower; `point` is a
-//! tower with mass, frequencies and all derivatives, which `minimum` gives to the optimizer.
-//! `optimality` proves a minimum by its multipliers; `dive` brings its values into steps, a few at
-//! a time, `steps` improves them by `moves`, `together` with variables that have no steps;
-//! `confirm` solves the tower found as any tower, and `result` describes it.
+//! Each file uses those before it: `problem`, what is chosen and what is required; `limits`, one
+//! limit each, those of the shape as linear functions; `unmet`, limits that no tower found meets;
+//! `error`; `check`, what contradicts itself; `towers`, mass, limits and all derivatives at values
+//! of the variables; `optimality`, the first-order conditions of a minimum, by `nonnegative` least
+//! squares; `minimum`, a local minimum by the library `slsqp`; `steps`, values in steps; `confirm`,
+//! the tower found solved as any tower; `result`, which puts these together. `window` is the band
+//! between multiples of the rotor speed.
 
+mod check;
 mod confirm;
-mod dive;
 mod error;
 mod limits;
 mod minimum;
-mod moves;
 mod nonnegative;
 mod optimality;
-mod point;
 mod problem;
 mod result;
-mod scaled;
 mod steps;
-mod together;
+mod towers;
+mod unmet;
 mod window;
 
 pub use confirm::{OtherHolder, Reached};
 pub use error::DesignError;
 pub use limits::Limit;
 pub use problem::{DesignProblem, Goal, Side, Variable};
-pub use result::{ActiveLimit, Conflict, Design, Infeasible, Steps, design};
+pub use result::{ActiveLimit, Design, Steps, design};
+pub use unmet::{Conflict, Infeasible};
 pub use window::{WindowError, window_hz};

@@ -1,14 +1,13 @@
-//! The proof of a minimum by the conditions of Karush, Kuhn and Tucker.
+//! The first-order conditions of a minimum (Karush, Kuhn and Tucker).
 //!
-//! At a minimum the gradient of the mass is a combination −Σ λᵢ ∇gᵢ of those of the active limits
+//! At a local minimum the gradient of the mass is a combination −Σ λᵢ ∇gᵢ of those of the active limits
 //! with λᵢ ≥ 0 (Nocedal & Wright, Numerical Optimization, 2006, theorem 12.1). The multipliers are
 //! found from the exact gradients by nonnegative least squares, independently of the optimizer.
 
 use super::limits::Limit;
-use super::minimum::{Least, is_relaxed};
 use super::nonnegative::{nonnegative, residual};
 use super::problem::Side;
-use super::scaled::Scaled;
+use super::towers::{Point, Slopes, Towers};
 
 /// A limit nearer than this, scaled, is active.
 const ACTIVE: f64 = 1e-6;
@@ -16,7 +15,45 @@ const ACTIVE: f64 = 1e-6;
 /// value.
 const ACTIVE_BOUND: f64 = 1e-8;
 
-/// The multipliers of the active limits, and how well they prove the minimum.
+/// What is minimized.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Least {
+    /// The mass, within all limits.
+    Mass,
+    /// The largest violation of a frequency, within the limits of the shape.
+    FrequencyViolation,
+    /// The largest violation of a limit of the shape, which decides alone about it.
+    ShapeViolation,
+}
+
+impl Optimality {
+    /// Nothing is known.
+    pub(super) fn none() -> Self {
+        Self {
+            active: Vec::new(),
+            residual: f64::INFINITY,
+        }
+    }
+}
+
+impl Least {
+    /// Whether a limit may be violated by as much as is minimized.
+    pub(super) fn relaxes(self, limit: &Limit) -> bool {
+        let is_frequency = matches!(limit, Limit::Frequency { .. });
+        match self {
+            Self::Mass => false,
+            Self::FrequencyViolation => is_frequency,
+            Self::ShapeViolation => !is_frequency,
+        }
+    }
+
+    /// Whether a limit counts.
+    pub(super) fn counts(self, limit: &Limit) -> bool {
+        self != Self::ShapeViolation || self.relaxes(limit)
+    }
+}
+
+/// The multipliers of the active limits, and how well the conditions hold with them.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Optimality {
     /// The active limits with their scaled multipliers.
@@ -25,44 +62,34 @@ pub(super) struct Optimality {
     pub(super) residual: f64,
 }
 
-/// The proof of the minimum of the mass, or of the violation, which is given, at a point with its
-/// upper bounds.
+/// The first-order conditions of the least mass or violation, which is given, with respect to the
+/// free variables.
 pub(super) fn optimality(
-    at: &Scaled,
-    limits: &[Limit],
+    towers: &Towers<'_>,
+    slopes: &Slopes,
+    (at, scaled): (&Point, &[f64]),
     free: &[usize],
-    [scaled, highest]: [&[f64]; 2],
     (least, violation): (Least, f64),
 ) -> Optimality {
-    let Some(slopes) = &at.slopes else {
-        return Optimality {
-            active: Vec::new(),
-            residual: f64::INFINITY,
-        };
-    };
-    let count = free.len();
+    let of_free = |row: &[f64]| free.iter().map(|i| row[*i]).collect::<Vec<f64>>();
     let mut columns: Vec<Vec<f64>> = Vec::new();
     let mut active: Vec<Limit> = Vec::new();
-    for ((limit, value), slope) in limits.iter().zip(&at.limits).zip(&slopes.limits) {
-        let is_relaxed = is_relaxed(limit, least);
-        let is_kept = least != Least::ShapeViolation || is_relaxed;
+    for ((limit, value), slope) in towers.limits.iter().zip(&at.limits).zip(&slopes.limits) {
+        let is_relaxed = least.relaxes(limit);
         let distance = value - if is_relaxed { violation } else { 0.0 };
-        if is_kept && distance >= -ACTIVE {
-            let mut column = slope.clone();
+        if least.counts(limit) && distance >= -ACTIVE {
+            let mut column = of_free(slope);
             column.push(if is_relaxed { -1.0 } else { 0.0 });
             columns.push(column);
             active.push(*limit);
         }
     }
     for (place, &variable) in free.iter().enumerate() {
-        let sides = [(Side::Lowest, -1.0), (Side::Highest, 1.0)];
-        for (side, sign) in sides {
-            let distance = match side {
-                Side::Lowest => scaled[variable],
-                Side::Highest => highest[variable] - scaled[variable],
-            };
+        let below = scaled[variable];
+        let above = towers.highest[variable] - below;
+        for (side, sign, distance) in [(Side::Lowest, -1.0, below), (Side::Highest, 1.0, above)] {
             if distance <= ACTIVE_BOUND {
-                let mut column = vec![0.0; count + 1];
+                let mut column = vec![0.0; free.len() + 1];
                 column[place] = sign;
                 columns.push(column);
                 active.push(Limit::Bound { variable, side });
@@ -70,8 +97,8 @@ pub(super) fn optimality(
         }
     }
     let mut target: Vec<f64> = match least {
-        Least::Mass => slopes.mass.iter().map(|slope| -slope).collect(),
-        _ => vec![0.0; count],
+        Least::Mass => of_free(&slopes.mass).iter().map(|slope| -slope).collect(),
+        _ => vec![0.0; free.len()],
     };
     target.push(if least == Least::Mass { 0.0 } else { -1.0 });
     let multipliers = nonnegative(&columns, &target);
@@ -80,7 +107,7 @@ pub(super) fn optimality(
     let residual = size(&rest) / size(&target).max(f64::MIN_POSITIVE);
     Optimality {
         active: active.into_iter().zip(multipliers).collect(),
-        // What overflows proves nothing.
+        // What overflows says nothing.
         residual: match residual.is_nan() {
             true => f64::INFINITY,
             false => residual,

@@ -1,13 +1,7 @@
 //! What is to be designed.
 
-use std::collections::HashMap;
-
 use towermodes::{Change, ModeName, Operation, Parameter, TowerDescription};
 
-use super::error::DesignError;
-
-/// Bounds may be this many times as large as the present value: beyond it a unit is mistaken.
-pub(super) const WIDEST: f64 = 1e3;
 /// The search moves in units of the range, but of at most this many times the present value: wider
 /// bounds would hide the values that matter.
 const LARGEST_UNIT: f64 = 10.0;
@@ -25,9 +19,9 @@ pub struct Variable {
     pub step: Option<f64>,
 }
 
-/// The band of a frequency: of the mode with a name, and of every other mode that holds the name
-/// ([`Holders`](towermodes::modes::Holders)), because where two modes share a motion, a small
-/// change of the tower exchanges their names.
+/// The band of a frequency: of the mode with a name and, if that mode is coupled, of every other
+/// mode that holds the name ([`Holders::bound`](towermodes::modes::Holders::bound)), because where
+/// two modes share a motion, a small change of the tower exchanges their names.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Goal {
     /// The name of the mode.
@@ -47,7 +41,7 @@ pub enum Side {
     Highest,
 }
 
-/// The lightest tower within these limits is to be found. The mass is that of
+/// A light tower within these limits is to be found. The mass is that of
 /// [`Tower::mass_kg`](towermodes::Tower::mass_kg).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DesignProblem {
@@ -105,6 +99,14 @@ impl Variable {
         self.change.operation() == Operation::Set && values.any(|value| Some(value) != first)
     }
 
+    /// One of its bounds.
+    pub(super) fn bound(&self, side: Side) -> f64 {
+        match side {
+            Side::Lowest => self.low,
+            Side::Highest => self.high,
+        }
+    }
+
     /// The lowest and highest multiple of the step within the bounds.
     pub(super) fn multiples(&self, step: f64) -> [f64; 2] {
         /// A bound that is a multiple up to rounding counts.
@@ -114,51 +116,8 @@ impl Variable {
         [low, high]
     }
 
-    fn check(&self) -> Result<(), DesignError> {
-        let variable = || self.change.name().to_owned();
-        let (low, high) = (self.low, self.high);
-        if !(low.is_finite() && high.is_finite() && low < high) {
-            let variable = variable();
-            return Err(DesignError::Bounds {
-                variable,
-                low,
-                high,
-            });
-        }
-        if self.change.operation() == Operation::Scale && low <= 0.0 {
-            let variable = variable();
-            return Err(DesignError::Factor { variable, low });
-        }
-        if self.is_size() && low <= 0.0 {
-            let variable = variable();
-            return Err(DesignError::NotPositive { variable, low });
-        }
-        let Some(step) = self.step else { return Ok(()) };
-        let [first, last] = self.multiples(step);
-        match step > 0.0 && first <= last {
-            true => Ok(()),
-            false => Err(DesignError::NoStep {
-                variable: variable(),
-                step,
-                low,
-                high,
-            }),
-        }
-    }
-}
-
-impl Variable {
-    /// Whether its values are diameters or wall thicknesses.
-    fn is_size(&self) -> bool {
-        let is_size = |number: &Parameter| {
-            let name = number.to_string();
-            name.ends_with(".wall") || name.ends_with(".diameter")
-        };
-        self.change.operation() == Operation::Set && self.change.parameters().iter().any(is_size)
-    }
-
     /// The size of its numbers: the largest on a tower, 1 for a factor.
-    fn size(&self, base: &TowerDescription) -> f64 {
+    pub(super) fn size(&self, base: &TowerDescription) -> f64 {
         match self.change.operation() {
             Operation::Scale => 1.0,
             Operation::Set | Operation::Add => {
@@ -177,95 +136,20 @@ impl Variable {
             size => range.min(LARGEST_UNIT * size),
         }
     }
-
-    /// Refuses bounds far beyond the present value.
-    fn check_width(&self, base: &TowerDescription) -> Result<(), DesignError> {
-        let present = self.size(base);
-        let (low, high) = (self.low, self.high);
-        // Of a number that is 0 no size is known, but double precision has its limits.
-        let widest = match present == 0.0 {
-            true => 1e15,
-            false => WIDEST * present,
-        };
-        match low.abs().max(high.abs()) <= widest {
-            true => Ok(()),
-            false => Err(DesignError::Wide {
-                variable: self.change.name().to_owned(),
-                low,
-                high,
-                present,
-            }),
-        }
-    }
 }
 
 impl DesignProblem {
-    /// Refuses bounds that are far beyond the values of the tower.
-    pub(super) fn check_widths(&self, base: &TowerDescription) -> Result<(), DesignError> {
-        let mut variables = self.variables.iter();
-        variables.try_for_each(|variable| variable.check_width(base))
+    /// The original tower with other values of the variables.
+    pub(super) fn tower(&self, base: &TowerDescription, values: &[f64]) -> TowerDescription {
+        let mut tower = base.clone();
+        for (variable, value) in self.variables.iter().zip(values) {
+            variable.change.apply(&mut tower, *value);
+        }
+        tower
     }
 
-    /// # Errors
-    /// [`DesignError`] for what contradicts itself, whatever the tower.
-    pub fn check(&self) -> Result<(), DesignError> {
-        if self.variables.is_empty() {
-            return Err(DesignError::NoVariables);
-        }
-        if self.goals.is_empty() {
-            return Err(DesignError::NoGoals);
-        }
-        self.variables.iter().try_for_each(Variable::check)?;
-        self.check_numbers()?;
-        for &Goal {
-            mode,
-            min_hz,
-            max_hz,
-        } in &self.goals
-        {
-            if !(min_hz >= 0.0 && min_hz.is_finite() && min_hz < max_hz) {
-                return Err(DesignError::Band {
-                    mode,
-                    min_hz,
-                    max_hz,
-                });
-            }
-        }
-        self.check_limits()
-    }
-
-    /// No number is changed twice.
-    fn check_numbers(&self) -> Result<(), DesignError> {
-        let mut changed: HashMap<Parameter, &str> = HashMap::new();
-        for variable in &self.variables {
-            let second = variable.change.name();
-            for &parameter in variable.change.parameters() {
-                if let Some(first) = changed.insert(parameter, second) {
-                    return Err(DesignError::Twice {
-                        parameter: parameter.to_string(),
-                        first: first.to_owned(),
-                        second: second.to_owned(),
-                    });
-                }
-            }
-        }
-        Ok(())
-    }
-
-    fn check_limits(&self) -> Result<(), DesignError> {
-        if let Some([low, high]) = self.diameter_to_wall
-            && !(low >= 0.0 && low < high)
-        {
-            let what = "diameter/wall";
-            return Err(DesignError::Limit { what, low, high });
-        }
-        match self.cone_angle_deg {
-            Some(angle) if !(angle > 0.0 && angle < 90.0) => Err(DesignError::Limit {
-                what: "cone angle in degrees",
-                low: angle,
-                high: 90.0,
-            }),
-            _ => Ok(()),
-        }
+    /// One end of the range of diameter to wall thickness.
+    pub(super) fn ratio(&self, side: Side) -> f64 {
+        self.diameter_to_wall.unwrap_or_default()[side as usize]
     }
 }

@@ -1,19 +1,18 @@
 //! Finds a design, checks it and describes it.
 
-use std::fmt;
+use towermodes::{Certificate, Family, ModeName, Solver, Tower, TowerDescription};
 
-use towermodes::{Certificate, Family, ModeName, Operation, Solver, Tower, TowerDescription};
-
-use super::confirm::{Reached, confirmed};
+use super::confirm::{Confirmed, Reached, confirmed, original};
 use super::error::DesignError;
-use super::limits::Limit;
-use super::minimum::{Least, MET, Minimum, OPTIMAL, from_start, least_mass};
-use super::point::{End, Point};
-use super::problem::{DesignProblem, Goal, Side};
-use super::scaled::Scale;
-use super::steps::in_steps;
+use super::limits::{Limit, short};
+use super::minimum::{MET, Minimum, OPTIMAL, from_near, minimum};
+use super::optimality::Least;
+use super::problem::{DesignProblem, Goal};
+use super::steps::{in_steps, parted};
+use super::towers::{End, Point, Towers};
+use super::unmet::{Conflict, Infeasible};
 
-/// The lightest tower of a design.
+/// The lightest tower that a design found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Design {
     /// The tower.
@@ -45,8 +44,7 @@ pub struct Design {
 /// What is known of a tower in steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Steps {
-    /// The mass of the minimum without steps, kg: no tower in steps is lighter, if that minimum is
-    /// the only one.
+    /// The mass of the minimum without steps, kg.
     pub without_steps_kg: f64,
     /// Whether no change by one step, and no exchange of two, that the derivatives predict to be
     /// lighter makes a lighter tower; otherwise the search ended after its number of solves.
@@ -65,70 +63,21 @@ pub struct ActiveLimit {
     pub kg_per_percent: Option<f64>,
 }
 
-/// That no tower meets all limits, and the nearest one.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Infeasible {
-    /// The violated limits, the worst first.
-    pub violated: Vec<Conflict>,
-    /// The limits that prevent a nearer tower, in words.
-    pub in_the_way: Vec<String>,
-    /// The values of the variables of the nearest tower.
-    pub values: Vec<f64>,
-    /// Modes of equal frequency by symmetry whose bands exclude each other.
-    pub equal: Vec<[ModeName; 2]>,
-}
-
-/// A limit that no tower meets together with the others.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Conflict {
-    /// The limit.
-    pub limit: Limit,
-    /// The limit in words: "fore-aft 1 at least 0.3 Hz".
-    pub wanted: String,
-    /// How near the nearest tower comes, in words: "0.284 Hz".
-    pub nearest: String,
-}
-
 impl Design {
-    /// Whether the conditions of a minimum are met up to rounding, by the minimum without steps.
-    pub fn is_proved(&self) -> bool {
+    /// Whether the first-order conditions of a local minimum hold up to rounding, without steps.
+    pub fn is_stationary(&self) -> bool {
         self.kkt_residual <= OPTIMAL
     }
 }
 
-impl fmt::Display for Infeasible {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut text = Vec::new();
-        for Conflict {
-            wanted, nearest, ..
-        } in &self.violated
-        {
-            text.push(format!("{wanted} (nearest: {nearest})"));
-        }
-        write!(f, "no tower meets {}", text.join(" and "))?;
-        if !self.in_the_way.is_empty() {
-            write!(f, "; what prevents it: {}", self.in_the_way.join(", "))?;
-        }
-        for [first, second] in &self.equal {
-            write!(
-                f,
-                "; {first} and {second} have the same frequency, because the tower is equal in both directions, so that their bands must overlap"
-            )?;
-        }
-        Ok(())
-    }
-}
-
-/// Finds the lightest tower within the limits of a design.
-///
-/// The minimum is proved by its KKT residual. It is a local one; the optimizer begins at the
-/// values of the original tower.
+/// Finds a light tower within the limits of a design: a local minimum of the mass, from the values
+/// of the original tower on. A lighter tower may exist elsewhere.
 ///
 /// # Errors
-/// [`DesignError`]; [`DesignError::Infeasible`] if no tower meets the limits.
+/// [`DesignError`]; [`DesignError::Infeasible`] if no tower is found that meets the limits.
 ///
 /// # Example
-/// The wall thickness of the lightest tower of given diameters with a first frequency of at least
+/// The wall thickness of a light tower of given diameters with a first frequency of at least
 /// 0.3 Hz:
 /// ```
 /// use towermodes::{
@@ -153,7 +102,7 @@ impl fmt::Display for Infeasible {
 ///     ..DesignProblem::default()
 /// };
 /// let found = design(&base, &problem, &mut Solver::default())?;
-/// assert!(found.is_proved() && found.reached[0].is_met());
+/// assert!(found.is_stationary() && found.reached[0].is_met());
 /// // Walls of 27 and 19 mm give 0.3002 Hz, with more mass:
 /// let stations = vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)];
 /// let known = Tower::new(TowerDescription { stations, ..base.clone() })?;
@@ -168,35 +117,21 @@ pub fn design(
     let options = solver.options.clone();
     problem.check()?;
     problem.check_widths(base)?;
-    let before: Vec<f64> = problem
-        .variables
-        .iter()
-        .map(|of| of.present(base))
-        .collect();
-    let mut scale = Scale::new(problem, base, &options, solver);
-    let present = scale.scaled(&before);
-    let starts = starts(&mut scale, &before)?;
-    let minimum = minimum(&mut scale, &starts)?;
-    let active = active(&scale, &minimum);
-    let without_steps_kg = minimum.mass * scale.mass_kg;
-    let is_stepped = problem.variables.iter().any(|of| of.step.is_some());
-    let (scaled, steps) = match is_stepped {
-        false => (minimum.scaled.clone(), None),
-        true => match in_steps(&mut scale, &minimum.scaled, &present)? {
-            Some((scaled, is_searched)) => {
-                let steps = Steps {
-                    without_steps_kg,
-                    is_searched,
-                };
-                (scaled, Some(steps))
-            }
-            None => {
-                let kg = without_steps_kg;
-                return Err(DesignError::NoCombination { kg });
-            }
-        },
+    let variables = problem.variables.iter();
+    let before: Vec<f64> = variables.map(|of| of.present(base)).collect();
+    let mut towers = Towers::new(problem, base, &options, solver);
+    let present = towers.scaled(&before);
+    let all: Vec<usize> = (0..before.len()).collect();
+    let start = start(&mut towers, &present)?;
+    let minimum = lightest(&mut towers, &start, &all)?;
+    let active = active(&towers, &minimum);
+    let without_steps_kg = minimum.mass * towers.mass_kg;
+    let search = Search {
+        minimum: &minimum.scaled,
+        present: &present,
+        kg: without_steps_kg,
     };
-    let found = confirmed(&mut scale, scaled)?;
+    let (found, is_searched) = search.met(&mut towers)?;
     let masses = [base, &found.tower].map(|tower| Tower::new(tower.clone()));
     let [before_kg, after_kg] = masses.map(|tower| tower.map(|tower| tower.mass_kg()));
     let variables = problem.variables.iter();
@@ -208,151 +143,238 @@ pub fn design(
         values: found.values,
         reached: found.reached,
         certificate: found.certificate,
-        steps,
+        steps: is_searched.map(|is_searched| Steps {
+            without_steps_kg,
+            is_searched,
+        }),
         active,
         kkt_residual: minimum.optimality.residual,
-        solves: scale.solves,
+        solves: towers.solves,
     })
 }
 
-/// Where the optimizer begins: at the present values, in the middle of the bounds, at their ends.
-/// A tower that cannot be solved is left out; the mass of the first is the unit of mass.
-fn starts(scale: &mut Scale<'_>, before: &[f64]) -> Result<Vec<Vec<f64>>, DesignError> {
-    let count = before.len();
-    let all = [
-        scale.scaled(before),
-        vec![0.5; count],
-        vec![1.0; count],
-        vec![0.0; count],
-    ];
-    let mut starts = Vec::new();
+/// Where the optimizer begins: at the present values, otherwise in the middle of the bounds or at
+/// their ends where a tower can be solved. Its mass is the unit of mass.
+fn start(towers: &mut Towers<'_>, present: &[f64]) -> Result<Vec<f64>, DesignError> {
+    let part = |part: f64| {
+        towers
+            .highest
+            .iter()
+            .map(|highest| part * highest)
+            .collect()
+    };
+    let starts = [present.to_vec(), part(0.5), part(1.0), part(0.0)];
     let mut failure = None;
-    for start in all {
-        match scale.at(&start, false) {
-            Ok(at) if starts.is_empty() => {
-                scale.mass_kg = at.point.mass_kg;
-                starts.push(start);
-            }
-            Ok(_) => starts.push(start),
+    for start in starts {
+        match towers.begin_at(&start) {
+            Ok(()) => return Ok(start),
             Err(error) => failure = failure.or(Some(error)),
         }
     }
-    scale.forget();
-    match failure {
-        Some(failure @ (DesignError::Sensitivity(_) | DesignError::Tower(_)))
-            if starts.is_empty() =>
-        {
-            Err(DesignError::NoStart(Box::new(failure)))
+    Err(match failure {
+        Some(failure @ (DesignError::Sensitivity(_) | DesignError::Tower(_))) => {
+            DesignError::NoStart(Box::new(failure))
         }
-        Some(failure) if starts.is_empty() => Err(failure),
-        _ => Ok(starts),
-    }
+        other => other.unwrap_or(DesignError::NoVariables),
+    })
 }
 
-/// The lightest tower.
+/// The lightest tower that is found, without steps.
 ///
 /// # Errors
-/// [`DesignError::Infeasible`].
-fn minimum(scale: &mut Scale<'_>, starts: &[Vec<f64>]) -> Result<Minimum, DesignError> {
-    let found = least_mass(scale, &starts[..1])?;
-    if found.is_proved() {
+/// [`DesignError::Infeasible`] where the least violation that is found is none of rounding.
+fn lightest(towers: &mut Towers<'_>, start: &[f64], all: &[usize]) -> Result<Minimum, DesignError> {
+    let found = minimum(towers, start, all, Least::Mass)?;
+    if found.is_feasible() {
         return Ok(found);
     }
-    if found.is_feasible() {
-        let other = least_mass(scale, &starts[1..]);
-        let other = other
-            .ok()
-            .filter(|other| other.is_feasible() && (other.is_proved() || other.mass < found.mass));
-        return Ok(other.unwrap_or(found));
+    let mut nearest = found.scaled;
+    for least in [Least::ShapeViolation, Least::FrequencyViolation] {
+        let found = minimum(towers, &nearest, all, least)?;
+        if !found.is_feasible() {
+            return Err(infeasible(towers, &found));
+        }
+        nearest = found.scaled;
     }
-    let shape = least_violation(scale, &found, starts, Least::ShapeViolation)?;
-    if shape.violation > MET {
-        return Err(infeasible(scale, &shape));
-    }
-    let nearest = least_violation(scale, &shape, starts, Least::FrequencyViolation)?;
-    if nearest.violation > MET {
-        return Err(infeasible(scale, &nearest));
-    }
-    let again = least_mass(scale, std::slice::from_ref(&nearest.scaled))?;
-    match again.is_feasible() {
-        true => Ok(again),
-        // The tower with the least violation meets all limits, although the lightest is not found.
-        false => from_start(scale, &nearest.scaled, Least::Mass),
-    }
+    minimum(towers, &nearest, all, Least::Mass)
 }
 
-/// The least violation from the point where the mass was minimized; from other starts only if that
-/// is not proved to be a minimum.
-fn least_violation(
-    scale: &mut Scale<'_>,
-    from: &Minimum,
-    starts: &[Vec<f64>],
-    least: Least,
-) -> Result<Minimum, DesignError> {
-    let mut nearest = from_start(scale, &from.scaled, least)?;
-    for start in starts {
-        if nearest.violation <= MET || nearest.optimality.residual <= OPTIMAL {
-            break;
-        }
-        let other = from_start(scale, start, least)?;
-        let is_nearer = match least {
-            Least::FrequencyViolation => is_nearer(scale, &other, &nearest),
-            _ => other.violation < nearest.violation,
+/// The search for a tower in steps, and for one that meets all limits as it is written.
+struct Search<'s> {
+    minimum: &'s [f64],
+    present: &'s [f64],
+    /// The mass without steps.
+    kg: f64,
+}
+
+impl Search<'_> {
+    /// The tower found, and whether all moves of steps were tried; none without steps. Where
+    /// rounding, or the mesh of the solve, violates a limit, the limit is tightened by as much and
+    /// the tower is searched again.
+    fn met(&self, towers: &mut Towers<'_>) -> Result<(Confirmed, Option<bool>), DesignError> {
+        /// Towers that are tried.
+        const MOST: usize = 12;
+        /// A limit that is exceeded by less, scaled, is met: rounding of its sum.
+        const ROUNDING: f64 = 1e-12;
+        let before = original(towers);
+        let (stepped, others) = parted(towers);
+        let (mut scaled, mut is_searched) = match stepped.is_empty() {
+            true => (self.minimum.to_vec(), None),
+            false => self.in_steps(towers)?,
         };
-        if is_nearer {
-            nearest = other;
+        let mut best = confirmed(towers, &scaled, before.as_ref())?;
+        for _ in 1..MOST {
+            if best.violation() <= ROUNDING {
+                break;
+            }
+            towers.tighten(&best.limits, ROUNDING);
+            match met_again(towers, &scaled, &others)? {
+                Some(moved) => scaled = moved,
+                None if is_searched.is_some() => (scaled, is_searched) = self.in_steps(towers)?,
+                None => break,
+            }
+            let next = confirmed(towers, &scaled, before.as_ref())?;
+            if next.violation() < best.violation() {
+                best = next;
+            }
         }
+        Ok((best, is_searched))
     }
-    Ok(nearest)
+
+    fn in_steps(&self, towers: &mut Towers<'_>) -> Result<(Vec<f64>, Option<bool>), DesignError> {
+        let found = in_steps(towers, self.minimum, self.present)?;
+        let (scaled, is_searched) = found.ok_or(DesignError::NoCombination { kg: self.kg })?;
+        Ok((scaled, Some(is_searched)))
+    }
 }
 
-/// Whether the frequencies of a point within the limits of the shape are nearer to their bands.
-fn is_nearer(scale: &mut Scale<'_>, other: &Minimum, nearest: &Minimum) -> bool {
-    let limits = scale.limits.clone();
-    let Ok(at) = scale.at(&other.scaled, false) else {
-        return false;
-    };
-    let mut of_shape = limits.iter().zip(&at.limits);
-    let is_within =
-        of_shape.all(|(limit, value)| matches!(limit, Limit::Frequency { .. }) || *value <= MET);
-    is_within && other.violation < nearest.violation
+/// Values near given ones that meet all limits after these were tightened by a little; none if none
+/// are found by a change of the free variables.
+fn met_again(
+    towers: &mut Towers<'_>,
+    scaled: &[f64],
+    free: &[usize],
+) -> Result<Option<Vec<f64>>, DesignError> {
+    /// Solves of the search, which begins near its end.
+    const MOST_SOLVES: usize = 150;
+    let moved = moved_within(towers, scaled, free)?;
+    if moved.is_some() || free.is_empty() {
+        return Ok(moved);
+    }
+    let found = from_near(towers, scaled, free, MOST_SOLVES)?;
+    Ok(found.is_feasible().then_some(found.scaled))
+}
+
+/// The free variables moved by a little, so that the limits are met to first order: to each limit
+/// that is violated in turn, by the shortest way (Kaczmarz 1937).
+fn moved_within(
+    towers: &mut Towers<'_>,
+    scaled: &[f64],
+    free: &[usize],
+) -> Result<Option<Vec<f64>>, DesignError> {
+    /// Turns until the limits are given up.
+    const MOST_TURNS: usize = 10_000;
+    let at = towers.at(scaled, true)?;
+    let limits: &[Vec<f64>] = at.slopes.as_ref().map_or(&[], |slopes| &slopes.limits);
+    let mut next = scaled.to_vec();
+    for _ in 0..MOST_TURNS {
+        let values = at.limits.iter().zip(limits).map(|(value, row)| {
+            let change: f64 = free.iter().map(|&i| row[i] * (next[i] - scaled[i])).sum();
+            (value + change, row)
+        });
+        let worst = values.max_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((value, row)) = worst.filter(|(value, _)| *value > 0.0) else {
+            return Ok(Some(next));
+        };
+        let square: f64 = free.iter().map(|&i| row[i] * row[i]).sum();
+        if square == 0.0 {
+            return Ok(None);
+        }
+        for &i in free {
+            // A little further, so that the last turns end.
+            let moved = next[i] - 1.001 * value * row[i] / square;
+            next[i] = moved.clamp(0.0, towers.highest[i]);
+        }
+    }
+    Ok(None)
 }
 
 /// What stands in the way, at the nearest tower.
-fn infeasible(scale: &mut Scale<'_>, nearest: &Minimum) -> DesignError {
-    let problem = scale.problem;
-    let limits = scale.limits.clone();
-    let values = scale.values(&nearest.scaled);
-    let tower = scale.tower(&nearest.scaled);
-    let at = match scale.at(&nearest.scaled, false) {
-        Ok(at) => at.clone(),
+fn infeasible(towers: &mut Towers<'_>, nearest: &Minimum) -> DesignError {
+    let problem = towers.problem;
+    let tower = towers.tower(&nearest.scaled);
+    let at = match towers.at(&nearest.scaled, false) {
+        Ok(at) => at,
         Err(error) => return error,
     };
     let mut violated: Vec<(f64, Conflict)> = Vec::new();
-    for (limit, value) in limits.iter().zip(&at.limits) {
+    for (limit, value) in towers.limits.iter().zip(&at.limits) {
         // The multipliers name those that decide; others are violated as much.
         if *value > MET {
             let conflict = Conflict {
                 limit: *limit,
                 wanted: problem.words(limit),
-                nearest: problem.nearest(limit, &at.point, &tower),
+                nearest: nearest_words(problem, limit, &at, &tower),
             };
             violated.push((*value, conflict));
         }
     }
     violated.sort_by(|a, b| b.0.total_cmp(&a.0));
+    // Where the mode with the name meets the limit, the shared motion prevents it, not a bound.
+    let is_met_by_name = |limit: &Limit| match *limit {
+        Limit::Frequency { goal, .. } => problem.goals[goal].allows(at.named_hz[goal]),
+        _ => false,
+    };
+    let is_prevented = !violated.iter().all(|(_, of)| is_met_by_name(&of.limit));
     let is_violated = |limit: &Limit| violated.iter().any(|(_, of)| of.limit == *limit);
-    let active = nearest.optimality.active.iter();
+    let active = nearest.optimality.active.iter().filter(|_| is_prevented);
     let in_the_way = active
         .filter(|(limit, multiplier)| *multiplier > 1e-9 && !is_violated(limit))
         .map(|(limit, _)| problem.words(limit))
         .collect();
     DesignError::Infeasible(Box::new(Infeasible {
-        equal: excluded_by_symmetry(&problem.goals, &at.point),
+        equal: excluded_by_symmetry(&problem.goals, &at),
         in_the_way,
-        values,
+        values: towers.values(&nearest.scaled),
         violated: violated.into_iter().map(|(_, conflict)| conflict).collect(),
     }))
+}
+
+/// The value of a limited quantity on a tower, in words.
+fn nearest_words(
+    problem: &DesignProblem,
+    limit: &Limit,
+    at: &Point,
+    tower: &TowerDescription,
+) -> String {
+    let station = |i: usize| &tower.stations[i];
+    match *limit {
+        Limit::Frequency { goal, side } => {
+            let End { mode, hz } = at.ends[goal][side as usize];
+            let (named, hz) = (problem.goals[goal].mode, short(hz));
+            match mode == named {
+                true => format!("{hz} Hz"),
+                false => format!(
+                    "{hz} Hz, of {mode}; the limit holds for every mode that shares the motion of {named}, and {named} itself has {} Hz",
+                    short(at.named_hz[goal])
+                ),
+            }
+        }
+        Limit::Falling { below, above } => {
+            let [above, below] = [above, below].map(|number| short(number.value(tower)));
+            format!("{above} above {below}")
+        }
+        Limit::DiameterToWall { station: i, .. } => {
+            short(station(i).outer_diameter_m / station(i).wall_thickness_m)
+        }
+        Limit::ConeAngle { station: i } => {
+            let (below, above) = (station(i), station(i + 1));
+            let radii = (above.outer_diameter_m - below.outer_diameter_m).abs() / 2.0;
+            let angle = (radii / (above.height_m - below.height_m)).atan();
+            format!("{} degrees", short(angle.to_degrees()))
+        }
+        Limit::Bound { .. } => String::new(),
+    }
 }
 
 /// The pairs of fore-aft and side-side modes of one order that have the same frequency, although
@@ -381,14 +403,14 @@ fn excluded_by_symmetry(goals: &[Goal], at: &Point) -> Vec<[ModeName; 2]> {
 }
 
 /// The multipliers of the active limits in units.
-fn active(scale: &Scale<'_>, minimum: &Minimum) -> Vec<ActiveLimit> {
-    let tower = scale.tower(&minimum.scaled);
+fn active(towers: &Towers<'_>, minimum: &Minimum) -> Vec<ActiveLimit> {
+    let tower = towers.tower(&minimum.scaled);
     let all = minimum.optimality.active.iter();
     let all = all.filter(|(_, multiplier)| *multiplier > 1e-9);
     let mut active: Vec<ActiveLimit> = all
         .map(|(limit, multiplier)| {
-            let (value, per_unit) = scale.unit(limit, &tower);
-            let kg_per_unit = multiplier * scale.mass_kg * per_unit;
+            let (value, per_unit) = towers.unit(limit, &tower);
+            let kg_per_unit = multiplier * towers.mass_kg * per_unit;
             ActiveLimit {
                 limit: *limit,
                 kg_per_unit,
@@ -399,85 +421,4 @@ fn active(scale: &Scale<'_>, minimum: &Minimum) -> Vec<ActiveLimit> {
     let effect = |of: &ActiveLimit| of.kg_per_percent.unwrap_or(0.0);
     active.sort_by(|a, b| effect(b).total_cmp(&effect(a)));
     active
-}
-
-impl DesignProblem {
-    /// A limit in words: "fore-aft 1 at least 0.3 Hz".
-    pub fn words(&self, limit: &Limit) -> String {
-        let end = |side: Side| match side {
-            Side::Lowest => "at least",
-            Side::Highest => "at most",
-        };
-        match *limit {
-            Limit::Bound { variable, side } => {
-                let of = &self.variables[variable];
-                let bound = match side {
-                    Side::Lowest => of.low,
-                    Side::Highest => of.high,
-                };
-                let unit = match (of.change.operation(), of.change.unit()) {
-                    (Operation::Scale, _) | (_, "") => String::new(),
-                    (_, unit) => format!(" {unit}"),
-                };
-                format!("{} {} {}{unit}", of.change.name(), end(side), short(bound))
-            }
-            Limit::Frequency { goal, side } => {
-                let goal = &self.goals[goal];
-                let hz = match side {
-                    Side::Lowest => goal.min_hz,
-                    Side::Highest => goal.max_hz,
-                };
-                format!("{} {} {} Hz", goal.mode, end(side), short(hz))
-            }
-            Limit::Falling { below, above } => format!("{above} at most {below}"),
-            Limit::DiameterToWall { station, side } => {
-                let [low, high] = self.diameter_to_wall.unwrap_or_default();
-                let ratio = match side {
-                    Side::Lowest => low,
-                    Side::Highest => high,
-                };
-                let (end, ratio) = (end(side), short(ratio));
-                format!("diameter/wall at stations[{station}] {end} {ratio}")
-            }
-            Limit::ConeAngle { station } => {
-                let angle = short(self.cone_angle_deg.unwrap_or_default());
-                format!("cone angle above stations[{station}] at most {angle} degrees")
-            }
-        }
-    }
-
-    /// The value of a limited quantity on a tower, in words.
-    fn nearest(&self, limit: &Limit, at: &Point, tower: &TowerDescription) -> String {
-        let station = |i: usize| &tower.stations[i];
-        match *limit {
-            Limit::Frequency { goal, side } => {
-                let End { mode, hz } = at.end(goal, side);
-                match mode == self.goals[goal].mode {
-                    true => format!("{} Hz", short(hz)),
-                    false => format!("{} Hz, of {mode}, which shares its motion", short(hz)),
-                }
-            }
-            Limit::Falling { below, above } => format!(
-                "{} above {}",
-                short(above.value(tower)),
-                short(below.value(tower))
-            ),
-            Limit::DiameterToWall { station: i, .. } => {
-                short(station(i).outer_diameter_m / station(i).wall_thickness_m)
-            }
-            Limit::ConeAngle { station: i } => {
-                let (below, above) = (station(i), station(i + 1));
-                let radii = (above.outer_diameter_m - below.outer_diameter_m).abs() / 2.0;
-                let angle = (radii / (above.height_m - below.height_m)).atan();
-                format!("{} degrees", short(angle.to_degrees()))
-            }
-            Limit::Bound { .. } => String::new(),
-        }
-    }
-}
-
-/// A number with six significant digits, without zeros at the end.
-fn short(value: f64) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    format!("{rounded}")
 }

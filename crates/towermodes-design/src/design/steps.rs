@@ -1,237 +1,318 @@
-//! Values in steps, such as plate thicknesses: the minimum is brought into steps and improved by
-//! single steps and exchanges of two, whose effect the derivatives predict.
+//! Values in steps, such as plate thicknesses: a minimum is brought into steps a few variables at a
+//! time, and improved by single steps and exchanges of two, whose effect the derivatives predict.
+//! The variables without steps are optimized again after each of them.
 
-use super::dive::dive;
+use towermodes::Parameter;
+
 use super::error::DesignError;
-use super::minimum::{MET, from_near, least_mass};
-use super::moves::{Candidate, Stepped, candidates, violation};
-use super::scaled::Scale;
-use super::together::{improve_together, lighter_present};
+use super::limits::Limit;
+use super::minimum::{MET, from_near};
+use super::optimality::{Least, optimality};
+use super::towers::Towers;
 
+/// Of the variables that are left this part is brought into steps at a time, one at least.
+const PART: usize = 8;
 /// Moves of one search.
 const MOST_MOVES: usize = 200;
-/// Repairs that are computed exactly before the search ends.
-const MOST_REPAIRS: usize = 30;
-/// Predicted improvements that are computed exactly before the search ends.
-const MOST_TRIALS: usize = 200;
+/// Solves of one search, about a second for a large tower.
+const MOST_SOLVES: usize = 1500;
+/// Solves of one optimization, which begins near its end.
+const MOST_SOLVES_NEAR: usize = 60;
+/// A move whose predicted change of the relative mass is above this is not tried: whole steps are
+/// predicted to this accuracy.
+const PREDICTED_MASS: f64 = 1e-5;
 /// A predicted limit may be this wrong, relatively.
-const PREDICTION: f64 = 2e-4;
-/// A repair reduces the violation at least to this share.
-const LEAST_GAIN: f64 = 1.0 - 1e-6;
+const PREDICTED_LIMIT: f64 = 2e-4;
+/// A smaller change of the relative mass is none.
+const LEAST_GAIN: f64 = 1e-9;
 
 /// Scaled values in which every variable with a step has a multiple of it, with all limits met, and
-/// whether no single change is left that is predicted to be lighter; none if the search finds none.
+/// whether no move is left that is predicted to be lighter; none if the search finds none.
 pub(super) fn in_steps(
-    scale: &mut Scale<'_>,
+    towers: &mut Towers<'_>,
     minimum: &[f64],
     present: &[f64],
 ) -> Result<Option<(Vec<f64>, bool)>, DesignError> {
-    let (variables, others) = parted(scale);
-    let mut found = dive(scale, minimum, &variables)?;
-    for rounding in [f64::round, f64::ceil, f64::floor] {
-        if found.is_some() {
-            break;
-        }
-        let stepped = Stepped::rounded(scale, variables.clone(), minimum, rounding);
-        found = search(scale, stepped, &others, minimum)?;
-    }
-    let Some(mut scaled) = found else {
+    let (stepped, others) = parted(towers);
+    let Some(mut found) = dive(towers, minimum, (&stepped, &others))? else {
         return Ok(None);
     };
-    let mut is_searched = improved(scale, (&variables, &others), &mut scaled)?;
-    let stepped = Stepped::rounded(scale, variables.clone(), present, f64::round);
-    if let Some(mut lighter) = lighter_present(scale, &stepped, present, &scaled)? {
-        is_searched = improved(scale, (&variables, &others), &mut lighter)?;
-        scaled = lighter;
+    let mut is_searched = improve(towers, (&stepped, &others), &mut found)?;
+    if let Some(mut lighter) = lighter_present(towers, &stepped, present, &found)? {
+        is_searched = improve(towers, (&stepped, &others), &mut lighter)?;
+        found = lighter;
     }
-    Ok(Some((scaled, is_searched)))
+    Ok(Some((found, is_searched)))
 }
 
 /// The variables with steps, and the others.
-fn parted(scale: &Scale<'_>) -> (Vec<usize>, Vec<usize>) {
-    let is_stepped = |i: &usize| scale.problem.variables[*i].step.is_some();
-    (0..scale.problem.variables.len()).partition(is_stepped)
+pub(super) fn parted(towers: &Towers<'_>) -> (Vec<usize>, Vec<usize>) {
+    let is_stepped = |i: &usize| towers.problem.variables[*i].step.is_some();
+    (0..towers.problem.variables.len()).partition(is_stepped)
 }
 
-/// Moves steps while that reduces the mass; false if the search ended before.
-fn improved(
-    scale: &mut Scale<'_>,
-    (variables, others): (&[usize], &[usize]),
-    scaled: &mut Vec<f64>,
-) -> Result<bool, DesignError> {
-    let mut stepped = Stepped::rounded(scale, variables.to_vec(), scaled, f64::round);
-    match others.is_empty() {
-        true => {
-            scale.set_free(variables.to_vec());
-            improve(scale, &mut stepped, scaled)
-        }
-        false => improve_together(scale, &mut stepped, others, scaled),
+/// A multiple of a step: of 0.001 the number that is written 0.021, not its neighbour.
+pub(super) fn multiple(count: f64, step: f64) -> f64 {
+    let per_unit = (1.0 / step).round();
+    match (per_unit * step - 1.0).abs() < 1e-12 {
+        true => count / per_unit,
+        false => count * step,
     }
 }
 
-/// Scaled values near given ones that meet all limits after these were tightened by a little; none
-/// if there are none.
-pub(super) fn met_again(
-    scale: &mut Scale<'_>,
-    scaled: &[f64],
-) -> Result<Option<Vec<f64>>, DesignError> {
-    /// Solves of one search, which begins near its end.
-    const MOST_SOLVES: usize = 150;
-    let (variables, others) = parted(scale);
-    if !others.is_empty() {
-        scale.set_free(others);
-        let moved = moved_within(scale, scaled)?;
-        if moved.is_some() {
-            return Ok(moved);
-        }
-        let found = from_near(scale, scaled, MOST_SOLVES)?;
-        if found.is_feasible() || variables.is_empty() {
-            return Ok(found.is_feasible().then_some(found.scaled));
-        }
+impl Towers<'_> {
+    fn step(&self, variable: usize) -> f64 {
+        self.problem.variables[variable].step.unwrap_or(1.0)
     }
-    let mut scaled = scaled.to_vec();
-    let mut stepped = Stepped::rounded(scale, variables.clone(), &scaled, f64::round);
-    scale.set_free(variables);
-    let is_met = repair(scale, &mut stepped, &mut scaled)?;
-    Ok(is_met.then_some(scaled))
+
+    /// How many steps a scaled value is.
+    fn steps(&self, variable: usize, scaled: f64) -> f64 {
+        let low = self.problem.variables[variable].low;
+        (low + scaled * self.units[variable]) / self.step(variable)
+    }
+
+    /// The scaled value of the multiple of a step that is nearest within the bounds.
+    fn of_steps(&self, variable: usize, count: f64) -> f64 {
+        let of = &self.problem.variables[variable];
+        let [low, high] = of.multiples(self.step(variable));
+        let value = multiple(count.clamp(low, high), self.step(variable));
+        (value - of.low) / self.units[variable]
+    }
 }
 
-/// The free variables moved by a little, so that the limits are met to first order: to each limit
-/// that is violated in turn, by the shortest way (Kaczmarz 1937).
-fn moved_within(scale: &mut Scale<'_>, scaled: &[f64]) -> Result<Option<Vec<f64>>, DesignError> {
-    /// Turns until the limits are given up.
-    const MOST_TURNS: usize = 10_000;
-    let at = scale.at(scaled, true)?.clone();
-    let Some(slopes) = at.slopes else {
-        return Ok(None);
-    };
-    let mut next = scaled.to_vec();
-    for _ in 0..MOST_TURNS {
-        let limits = at.limits.iter().zip(&slopes.limits);
-        let values = limits.map(|(value, row)| {
-            let moves = row.iter().zip(&scale.free);
-            let change: f64 = moves.map(|(d, &i)| d * (next[i] - scaled[i])).sum();
-            (value + change, row)
-        });
-        let worst = values.max_by(|a, b| a.0.total_cmp(&b.0));
-        let Some((value, row)) = worst.filter(|(value, _)| *value > 0.0) else {
-            return Ok(Some(next));
-        };
-        let square: f64 = row.iter().map(|d| d * d).sum();
-        if square == 0.0 {
-            return Ok(None);
-        }
-        for (d, &i) in row.iter().zip(&scale.free) {
-            // A little further, so that the last turns end.
-            let moved = next[i] - 1.001 * value * d / square;
-            next[i] = moved.clamp(0.0, scale.highest[i]);
-        }
-    }
-    Ok(None)
-}
-
-/// The search from a rounded minimum; `others` are the variables without steps.
-fn search(
-    scale: &mut Scale<'_>,
-    mut stepped: Stepped,
-    others: &[usize],
+/// Values in steps from those of the minimum without steps: the variables that are nearest to a
+/// step first, while the others are optimized again. None if the limits cannot be met with the
+/// variables that are left.
+fn dive(
+    towers: &mut Towers<'_>,
     minimum: &[f64],
+    (stepped, others): (&[usize], &[usize]),
 ) -> Result<Option<Vec<f64>>, DesignError> {
     let mut scaled = minimum.to_vec();
-    stepped.put_into(&mut scaled, scale);
-    let mut best: Option<(Vec<f64>, f64)> = None;
-    /// Searches between which the other variables are optimized again.
-    const MOST_ROUNDS: usize = 4;
-    for _ in 0..MOST_ROUNDS {
-        scale.set_free(stepped.variables.clone());
-        let is_met = repair(scale, &mut stepped, &mut scaled)?;
-        if is_met {
-            improve(scale, &mut stepped, &mut scaled)?;
-        }
-        let mut is_feasible = is_met;
-        if !others.is_empty() {
-            scale.set_free(others.to_vec());
-            let found = least_mass(scale, std::slice::from_ref(&scaled))?;
-            is_feasible = found.is_feasible();
-            scaled = found.scaled;
-        }
-        let mass = scale.at(&scaled, false)?.mass;
-        let is_better = best.as_ref().is_none_or(|(_, least)| mass < least - 1e-9);
-        if !is_feasible || !is_better {
-            break;
-        }
-        best = Some((scaled.clone(), mass));
-        if others.is_empty() {
-            break;
-        }
-    }
-    Ok(best.map(|(scaled, _)| scaled))
-}
-
-/// Moves until all limits are met; false if no move helps.
-fn repair(
-    scale: &mut Scale<'_>,
-    stepped: &mut Stepped,
-    scaled: &mut [f64],
-) -> Result<bool, DesignError> {
-    'moves: for _ in 0..MOST_MOVES {
-        let at = scale.at(scaled, true)?.clone();
-        let now = violation(at.limits.iter().copied());
-        if now == 0.0 {
-            return Ok(true);
-        }
-        let mut all = candidates(scale, stepped, &at);
-        all.retain(|one| one.violation < now * LEAST_GAIN);
-        // The cheapest of those that meet all limits, then those that cost least per violation.
-        let cost = |one: &Candidate| match one.violation == 0.0 {
-            true => (0, one.mass),
-            false => (1, one.mass.max(1e-12) / (now - one.violation)),
+    let mut loose = stepped.to_vec();
+    while !loose.is_empty() {
+        let from_step = |i: usize| {
+            let steps = towers.steps(i, scaled[i]);
+            (steps - steps.round()).abs()
         };
-        all.sort_by(|a, b| {
-            let (a, b) = (cost(a), cost(b));
-            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
-        });
-        for one in all.iter().take(MOST_REPAIRS) {
-            let trial = stepped.moved(&one.moves);
-            let mut next = scaled.to_vec();
-            trial.put_into(&mut next, scale);
-            let after = violation(scale.at(&next, false)?.limits.iter().copied());
-            if after < now * LEAST_GAIN {
-                *stepped = trial;
-                scaled.copy_from_slice(&next);
+        loose.sort_by(|a, b| from_step(*a).total_cmp(&from_step(*b)));
+        // Fewer at a time where that meets not all limits; one alone also at its other side.
+        let mut count = loose.len().div_ceil(PART);
+        let next = loop {
+            let (now, later) = loose.split_at(count);
+            let free = [later, others].concat();
+            let sides: &[fn(f64) -> f64] = match count {
+                1 => &[f64::round, f64::ceil, f64::floor],
+                _ => &[f64::round],
+            };
+            let mut next = None;
+            for rounded in sides {
+                let mut trial = scaled.clone();
+                for &i in now {
+                    trial[i] = towers.of_steps(i, rounded(towers.steps(i, scaled[i])));
+                }
+                next = met_near(towers, trial, &free)?;
+                if next.is_some() {
+                    break;
+                }
+            }
+            if next.is_some() || count == 1 {
+                break next;
+            }
+            count = count.div_ceil(2);
+        };
+        let Some((next, _)) = next else {
+            return Ok(None);
+        };
+        scaled = next;
+        loose.drain(..count);
+    }
+    Ok(Some(scaled))
+}
+
+/// The least mass near a trial over the free variables with its values, if all limits are met.
+fn met_near(
+    towers: &mut Towers<'_>,
+    trial: Vec<f64>,
+    free: &[usize],
+) -> Result<Option<(Vec<f64>, f64)>, DesignError> {
+    if free.is_empty() {
+        // A tower that cannot be solved meets no limits.
+        let Ok(at) = towers.at(&trial, false) else {
+            return Ok(None);
+        };
+        return Ok((at.violation() <= MET).then_some((trial, at.mass)));
+    }
+    let found = from_near(towers, &trial, free, MOST_SOLVES_NEAR).ok();
+    let found = found.filter(|found| found.is_feasible());
+    Ok(found.map(|found| (found.scaled, found.mass)))
+}
+
+/// Moves steps, with the others optimized after each move, until none that is predicted to reduce
+/// the mass does so; false if the search ended before. The limits are met before and after.
+fn improve(
+    towers: &mut Towers<'_>,
+    (stepped, others): (&[usize], &[usize]),
+    scaled: &mut Vec<f64>,
+) -> Result<bool, DesignError> {
+    let last = towers.solves + MOST_SOLVES;
+    'moves: for _ in 0..MOST_MOVES {
+        let mass = towers.at(scaled, true)?.mass;
+        for trial in lighter(towers, (stepped, others), scaled)? {
+            if towers.solves > last {
+                return Ok(false);
+            }
+            if let Some((next, lighter)) = met_near(towers, trial, others)?
+                && lighter < mass - LEAST_GAIN
+            {
+                *scaled = next;
                 continue 'moves;
             }
         }
-        return Ok(false);
+        return Ok(true);
     }
     Ok(false)
 }
 
-/// Moves that reduce the mass and violate nothing, until there are none; false if the search ended
-/// before.
-fn improve(
-    scale: &mut Scale<'_>,
-    stepped: &mut Stepped,
-    scaled: &mut [f64],
-) -> Result<bool, DesignError> {
-    'moves: for _ in 0..MOST_MOVES {
-        let at = scale.at(scaled, true)?.clone();
-        let mut all = candidates(scale, stepped, &at);
-        all.retain(|one| one.mass < -1e-9 && one.violation < PREDICTION);
-        all.sort_by(|a, b| a.mass.total_cmp(&b.mass));
-        for one in all.iter().take(MOST_TRIALS) {
-            let trial = stepped.moved(&one.moves);
-            let mut next = scaled.to_vec();
-            trial.put_into(&mut next, scale);
-            let of_next = scale.at(&next, false)?;
-            let is_met = of_next.limits.iter().all(|limit| *limit <= MET);
-            if is_met && of_next.mass < at.mass {
-                *stepped = trial;
-                scaled.copy_from_slice(&next);
-                continue 'moves;
+/// The values after each single step and each exchange of two that is predicted to reduce the mass
+/// and to meet the limits, the lightest first.
+///
+/// The prediction is linear. With others it is that of the mass after they are optimized again,
+/// dm/ds + Σ λᵢ dgᵢ/ds with the multipliers λ of their minimum; of the limits only those of the
+/// shape are judged, by the best that the others can do within their bounds.
+fn lighter(
+    towers: &mut Towers<'_>,
+    (stepped, others): (&[usize], &[usize]),
+    scaled: &[f64],
+) -> Result<Vec<Vec<f64>>, DesignError> {
+    let at = towers.at(scaled, true)?;
+    let Some(slopes) = &at.slopes else {
+        return Ok(Vec::new());
+    };
+    let mut mass = slopes.mass.clone();
+    let reduced = optimality(towers, slopes, (&at, scaled), others, (Least::Mass, 0.0));
+    for (limit, row) in towers.limits.iter().zip(&slopes.limits) {
+        let of_limit = reduced.active.iter().find(|(active, _)| active == limit);
+        let multiplier = of_limit.map_or(0.0, |(_, multiplier)| *multiplier);
+        let entries = mass.iter_mut().zip(row);
+        entries.for_each(|(mass, slope)| *mass += multiplier * slope);
+    }
+    let along = |row: &[f64], moved: &[f64]| -> f64 {
+        let entries = stepped.iter().map(|&i| row[i] * (moved[i] - scaled[i]));
+        entries.sum()
+    };
+    let can_be_met = |moved: &[f64]| {
+        let mut limits = towers.limits.iter().zip(&at.limits).zip(&slopes.limits);
+        limits.all(|((limit, value), row)| {
+            let best = others.iter().map(|&i| {
+                let ends = [-scaled[i], towers.highest[i] - scaled[i]];
+                ends.map(|by| row[i] * by)
+                    .into_iter()
+                    .fold(f64::INFINITY, f64::min)
+            });
+            let is_open = matches!(limit, Limit::Frequency { .. }) && !others.is_empty();
+            is_open || value + along(row, moved) + best.sum::<f64>() <= PREDICTED_LIMIT
+        })
+    };
+    let moves = moves(towers, stepped, scaled).into_iter();
+    let all = moves.map(|moved| (along(&mass, &moved), moved));
+    let mut all: Vec<(f64, Vec<f64>)> = all
+        .filter(|(mass, moved)| *mass < PREDICTED_MASS && can_be_met(moved))
+        .collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.dedup_by(|a, b| a.1 == b.1);
+    Ok(all.into_iter().map(|(_, moved)| moved).collect())
+}
+
+/// The values after one step of one variable, and of two in opposite directions, within the bounds.
+/// Where that breaks an order of numbers, the neighbours move along.
+fn moves(towers: &Towers<'_>, stepped: &[usize], scaled: &[f64]) -> Vec<Vec<f64>> {
+    let pairs = ordered(towers, stepped);
+    let mut all = Vec::new();
+    for &i in stepped {
+        for by in [-1.0, 1.0] {
+            // With itself: one step alone.
+            for &j in stepped {
+                let mut counts: Vec<f64> = (0..scaled.len())
+                    .map(|k| towers.steps(k, scaled[k]))
+                    .collect();
+                counts[i] = counts[i].round() + by;
+                if j != i {
+                    counts[j] = counts[j].round() - by;
+                }
+                in_order(towers, &pairs, scaled, &mut counts);
+                let mut moved = scaled.to_vec();
+                for &k in stepped {
+                    moved[k] = towers.of_steps(k, counts[k].round());
+                }
+                let is_within = stepped.iter().all(|&k| {
+                    let [low, high] = towers.problem.variables[k].multiples(towers.step(k));
+                    (low..=high).contains(&counts[k].round())
+                });
+                if is_within && moved != scaled {
+                    all.push(moved);
+                }
             }
         }
-        return Ok(all.len() <= MOST_TRIALS);
     }
-    Ok(false)
+    all
+}
+
+/// The variables of which the second must not exceed the first.
+fn ordered(towers: &Towers<'_>, stepped: &[usize]) -> Vec<[usize; 2]> {
+    let of = |number: &Parameter| {
+        let mut all = stepped.iter().copied();
+        all.find(|i| {
+            towers.problem.variables[*i]
+                .change
+                .parameters()
+                .contains(number)
+        })
+    };
+    let pairs = towers.limits.iter().filter_map(|limit| match limit {
+        Limit::Falling { below, above } => Some([of(below)?, of(above)?]),
+        _ => None,
+    });
+    pairs.collect()
+}
+
+/// Lets the neighbours in a falling order follow a move: upwards those below, downwards those
+/// above.
+fn in_order(towers: &Towers<'_>, pairs: &[[usize; 2]], scaled: &[f64], counts: &mut [f64]) {
+    let value = |counts: &[f64], i: usize| counts[i] * towers.step(i);
+    for _ in 0..counts.len() {
+        let broken = pairs
+            .iter()
+            .find(|[below, above]| value(counts, *above) > value(counts, *below) * (1.0 + 1e-9));
+        match broken {
+            None => break,
+            Some(&[below, above]) if counts[above] > towers.steps(above, scaled[above]) + 0.5 => {
+                counts[below] += 1.0;
+            }
+            Some(&[_, above]) => counts[above] -= 1.0,
+        }
+    }
+}
+
+/// The present values, if they are in steps, meet all limits and make a lighter tower than `found`.
+fn lighter_present(
+    towers: &mut Towers<'_>,
+    stepped: &[usize],
+    present: &[f64],
+    found: &[f64],
+) -> Result<Option<Vec<f64>>, DesignError> {
+    /// Of the range of a variable.
+    const ROUNDING: f64 = 1e-9;
+    let mut in_steps = present.to_vec();
+    for &i in stepped {
+        in_steps[i] = towers.of_steps(i, towers.steps(i, present[i]).round());
+        if (in_steps[i] - present[i]).abs() > ROUNDING {
+            return Ok(None);
+        }
+    }
+    let least = towers.at(found, false)?.mass;
+    let met = met_near(towers, in_steps, &[])?;
+    Ok(met
+        .filter(|(_, mass)| *mass < least)
+        .map(|(present, _)| present))
 }

@@ -27,8 +27,9 @@ pub struct DesignDocument {
     /// The residual of the conditions of a minimum (Karush, Kuhn, Tucker) of the problem without
     /// steps, relative.
     pub kkt_residual: f64,
-    /// Whether the residual proves the minimum of the problem without steps.
-    pub is_proved: bool,
+    /// Whether the residual is that of rounding: the problem without steps has a point that meets the
+    /// first-order conditions of a local minimum.
+    pub is_stationary: bool,
     /// Whether no change by one step, and no exchange of two, that the derivatives predict to be
     /// lighter makes a lighter tower; null if no variable has steps.
     pub steps_are_searched: Option<bool>,
@@ -78,7 +79,8 @@ pub struct DesignedFrequency {
     pub error_hz: f64,
     /// The share of the family of its name in the energy of the mode.
     pub share: f64,
-    /// The other modes with at least a quarter of this motion: the limits are theirs too.
+    /// Where the mode has less than 60 % of its energy in the motion of its name, the other modes
+    /// with at least a quarter of this motion: the limits are theirs too.
     pub others: Vec<DesignedOther>,
 }
 

@@ -76,6 +76,25 @@ impl Holders {
         })
     }
 
+    /// The modes that a limit on a name binds: all holders, if the mode that has the name is coupled
+    /// (less than 60 % of its energy is in the family); otherwise that mode alone, because no small
+    /// change of the tower gives the name to another one.
+    pub fn bound<'m>(
+        name: ModeName,
+        modes: impl Iterator<Item = (ModeName, &'m Shares)> + Clone,
+    ) -> Option<Self> {
+        let holders = Self::of(name, modes.clone())?;
+        let (_, shares) = modes.clone().nth(holders.named)?;
+        match shares.is_coupled(name.family) {
+            true => Some(holders),
+            false => Some(Self {
+                named: holders.named,
+                places: vec![holders.named],
+                is_complete: true,
+            }),
+        }
+    }
+
     /// The holders beside the mode that has the name.
     pub fn others(&self) -> impl Iterator<Item = usize> {
         self.places
@@ -190,6 +209,19 @@ mod tests {
         // What the lower modes lack of their units does not make the next one a holder.
         assert_eq!(held("side-side 2", [0.95, 0.3, 0.7, 1.0]), [1, 2]);
         assert_eq!(held("side-side 4", [1.0; 4]), [0; 0]);
+    }
+
+    /// The mode with the name is coupled below 60 %.
+    #[test]
+    fn a_limit_binds_other_holders_only_where_the_mode_with_the_name_is_coupled() {
+        let bound = |side_side| {
+            let modes = modes(side_side);
+            let all = modes.iter().map(|(name, shares, _)| (*name, shares));
+            let bound = Holders::bound("side-side 2".parse().expect("a name"), all);
+            bound.expect("it is in the list").places
+        };
+        assert_eq!(bound([1.0, 0.41, 0.59, 1.0]), [1, 2]);
+        assert_eq!(bound([1.0, 0.39, 0.61, 1.0]), [2]);
     }
 
     #[test]
