@@ -10,8 +10,9 @@ use towermodes_report::figures::{self, AnimationData, animation_data};
 use towermodes_report::svg::Look;
 use towermodes_report::wording::{buckling_load_factor, completeness, computed_by, mode_shape};
 
-use super::explorer::Solved;
-use super::refusal::names_at;
+use super::explorer::{Explorer, Solved};
+use super::refusal::{Refusal, names_at};
+use super::state::State;
 
 /// A solved tower.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -120,6 +121,23 @@ pub struct Resonance {
     pub word: Verdict,
     /// The conclusion in sentences, then the remarks of the check.
     pub conclusion: Vec<String>,
+}
+
+impl Explorer {
+    /// Solves the tower with changed numbers.
+    ///
+    /// # Errors
+    /// [`Refusal`]: the tower cannot be, or cannot be solved.
+    pub fn solve(&self, state: &State) -> Result<Answer, Refusal> {
+        let started = self.now_ms();
+        let solved = self.solved(state)?;
+        let mut answer = Answer::new(&solved, &self.exploration.input);
+        answer.time = Timed {
+            solve_ms: solved.solve_ms,
+            answer_ms: self.now_ms() - started,
+        };
+        Ok(answer)
+    }
 }
 
 impl Answer {

@@ -3,9 +3,11 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
-use towermodes::{Change, TowerDescription};
-use towermodes_analysis::influence::Influences;
+use towermodes::{Change, Options, TowerDescription};
+use towermodes_analysis::influence::{Influences, influences};
 
+use super::explorer::Explorer;
+use super::refusal::Refusal;
 use super::state::State;
 
 /// A question for the elasticities of a mode.
@@ -25,6 +27,30 @@ pub struct Elasticities {
     pub mode: String,
     /// By the name of the number; those that are zero or have no derivative are left out.
     pub elasticities: BTreeMap<String, f64>,
+}
+
+impl Explorer {
+    /// The elasticities of one mode with respect to all numbers.
+    ///
+    /// # Errors
+    /// [`Refusal`].
+    pub fn elasticities(&self, question: &ElasticityQuestion) -> Result<Elasticities, Refusal> {
+        if question.mode == 0 {
+            let message = "the number of the mode is 0; modes are counted from 1".to_owned();
+            return Err(Refusal::new(message, None, Vec::new()));
+        }
+        let (input, _) = self.changed(&question.state)?;
+        let options = Options {
+            modes: question.mode,
+            points: 2,
+            ..self.options(&input)
+        };
+        let of = self.solver().with(options, |solver| {
+            influences(&input.description, None, solver)
+        });
+        of.map(|of| Elasticities::new(&of, question.mode, &input.description))
+            .map_err(|error| Refusal::new(error.to_string(), None, Vec::new()))
+    }
 }
 
 impl Elasticities {

@@ -1,21 +1,15 @@
-//! A tower as its file describes it, and the answers to what a page asks about it.
+//! A tower as its file describes it, solved with changed numbers. Each answer to a page has a file.
 
 use std::sync::{Mutex, PoisonError};
 
 use towermodes::{Options, Solution, Solver, Tower};
-use towermodes_analysis::influence::influences;
 use towermodes_analysis::resonance::{
     Assessment, CampbellOptions, GivenRotor, assess, reach_hz, solve_to_reach,
 };
 use towermodes_files::TowerInput;
 
-use super::answer::{Answer, Timed};
-use super::elasticity::{Elasticities, ElasticityQuestion};
 use super::refusal::Refusal;
-use super::reproduction::Reproduction;
-use super::sheet::{Sheet, groups_and_parameters};
 use super::state::State;
-use super::take::{Take, TakeError, Taken};
 
 /// Writes the report of an input: the page, or why there is none. The words are the command that
 /// writes the same report.
@@ -98,71 +92,6 @@ impl Explorer {
         }
     }
 
-    /// The numbers of the tower with the ranges of their sliders.
-    pub fn sheet(&self) -> Sheet {
-        let input = &self.exploration.input;
-        let (groups, parameters) = groups_and_parameters(&input.description);
-        Sheet {
-            version: env!("CARGO_PKG_VERSION"),
-            file: self.exploration.file.clone(),
-            format: input.format.name(),
-            command: self.command("explore", &State::default()),
-            groups,
-            parameters,
-            notes: input.notes.iter().map(ToString::to_string).collect(),
-        }
-    }
-
-    /// Solves the tower with changed numbers.
-    ///
-    /// # Errors
-    /// [`Refusal`]: the tower cannot be, or cannot be solved.
-    pub fn solve(&self, state: &State) -> Result<Answer, Refusal> {
-        let started = self.now_ms();
-        let solved = self.solved(state)?;
-        let mut answer = Answer::new(&solved, &self.exploration.input);
-        answer.time = Timed {
-            solve_ms: solved.solve_ms,
-            answer_ms: self.now_ms() - started,
-        };
-        Ok(answer)
-    }
-
-    /// The elasticities of one mode with respect to all numbers.
-    ///
-    /// # Errors
-    /// [`Refusal`].
-    pub fn elasticities(&self, question: &ElasticityQuestion) -> Result<Elasticities, Refusal> {
-        if question.mode == 0 {
-            let message = "the number of the mode is 0; modes are counted from 1".to_owned();
-            return Err(Refusal::new(message, None, Vec::new()));
-        }
-        let (input, _) = self.changed(&question.state)?;
-        let options = Options {
-            modes: question.mode,
-            points: 2,
-            ..self.options(&input)
-        };
-        let of = self.solver().with(options, |solver| {
-            influences(&input.description, None, solver)
-        });
-        of.map(|of| Elasticities::new(&of, question.mode, &input.description))
-            .map_err(|error| Refusal::new(error.to_string(), None, Vec::new()))
-    }
-
-    /// The lines that reproduce a state.
-    pub fn reproduce(&self, state: &State) -> Reproduction {
-        Reproduction::new(self, state)
-    }
-
-    /// A file of the tower with changed numbers.
-    ///
-    /// # Errors
-    /// [`TakeError`].
-    pub fn take(&self, take: &Take) -> Result<Taken, TakeError> {
-        Taken::new(self, take)
-    }
-
     /// The tower with changed numbers, and its description checked.
     pub(crate) fn changed(&self, state: &State) -> Result<(TowerInput, Tower), Refusal> {
         let input = state.apply(&self.exploration.input);
@@ -227,7 +156,7 @@ impl Explorer {
     }
 
     /// The options, without the elements of a deck where a height has changed.
-    fn options(&self, input: &TowerInput) -> Options {
+    pub(crate) fn options(&self, input: &TowerInput) -> Options {
         let mut options = self.exploration.options.clone();
         options.borders_m = options
             .borders_m
@@ -235,11 +164,11 @@ impl Explorer {
         options
     }
 
-    fn now_ms(&self) -> f64 {
+    pub(crate) fn now_ms(&self) -> f64 {
         (self.exploration.clock)()
     }
 
-    fn solver(&self) -> std::sync::MutexGuard<'_, Solver> {
+    pub(crate) fn solver(&self) -> std::sync::MutexGuard<'_, Solver> {
         // Its memory is scratch: a panic leaves nothing in it that the next solve reads.
         self.solver.lock().unwrap_or_else(PoisonError::into_inner)
     }

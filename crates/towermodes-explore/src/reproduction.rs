@@ -32,6 +32,11 @@ impl Reproduction {
 }
 
 impl Explorer {
+    /// The lines that reproduce a state.
+    pub fn reproduce(&self, state: &State) -> Reproduction {
+        Reproduction::new(self, state)
+    }
+
     /// A command on the file with the numbers of a state, for a shell.
     pub(crate) fn command(&self, name: &str, state: &State) -> String {
         let words = self.words(name, state);

@@ -3,7 +3,9 @@
 use serde::Serialize;
 use towermodes::{Parameter, Place, TowerDescription};
 
+use super::explorer::Explorer;
 use super::slider::Sliders;
+use super::state::State;
 
 /// A tower as its file describes it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -22,6 +24,23 @@ pub struct Sheet {
     pub parameters: Vec<SheetParameter>,
     /// Notes of the reader.
     pub notes: Vec<String>,
+}
+
+impl Explorer {
+    /// The numbers of the tower with the ranges of their sliders.
+    pub fn sheet(&self) -> Sheet {
+        let input = &self.exploration.input;
+        let (groups, parameters) = groups_and_parameters(&input.description);
+        Sheet {
+            version: env!("CARGO_PKG_VERSION"),
+            file: self.exploration.file.clone(),
+            format: input.format.name(),
+            command: self.command("explore", &State::default()),
+            groups,
+            parameters,
+            notes: input.notes.iter().map(ToString::to_string).collect(),
+        }
+    }
 }
 
 /// A part of the tower.

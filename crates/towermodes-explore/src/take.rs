@@ -90,6 +90,16 @@ impl From<Refusal> for TakeError {
     }
 }
 
+impl Explorer {
+    /// A file of the tower with changed numbers.
+    ///
+    /// # Errors
+    /// [`TakeError`].
+    pub fn take(&self, take: &Take) -> Result<Taken, TakeError> {
+        Taken::new(self, take)
+    }
+}
+
 impl Taken {
     pub(crate) fn new(explorer: &Explorer, take: &Take) -> Result<Self, TakeError> {
         let stem = stem(&explorer.exploration.file);

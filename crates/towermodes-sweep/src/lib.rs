@@ -21,7 +21,6 @@
 
 mod base;
 mod digest;
-mod failed;
 mod first;
 mod first_order;
 mod lowest;
@@ -42,7 +41,6 @@ mod threads;
 mod warned;
 
 pub use base::{Base, DEFAULT_SWEEP_SEGMENTS};
-pub use failed::FailedRows;
 pub use first_order::{FirstOrder, FirstOrderError, InputScatter, ModeScatter, NoScatter, Scatter};
 pub use remedy::Remedy;
 pub use results::Results;

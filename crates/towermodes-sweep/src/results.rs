@@ -4,7 +4,6 @@ use std::collections::TryReserveError;
 
 use towermodes::ModeName;
 
-use crate::failed::FailedRows;
 use crate::row::Cells;
 use crate::warned::RowRemarks;
 
@@ -31,7 +30,7 @@ pub struct Results {
     /// next row; rows × modes.
     pub share: Vec<f64>,
     /// What failed or is missing.
-    pub failures: FailedRows,
+    pub failures: Vec<(u64, String)>,
     /// Rows that were solved here with input that is probably a mistake; files do not have them.
     pub warnings: RowRemarks,
     /// Rows that were solved here in which modes share the motion of a name; files have the shares
@@ -67,7 +66,7 @@ impl Results {
             frequency_hz: numbers(cells)?,
             error_hz: numbers(cells)?,
             share: numbers(cells)?,
-            failures: FailedRows::default(),
+            failures: Vec::new(),
             warnings: RowRemarks::default(),
             shared: RowRemarks::default(),
         })
@@ -104,7 +103,7 @@ impl Results {
         let rows = self.first_row..self.first_row + self.rows() as u64;
         rows.map(move |row| {
             let failure = failures.next_if(|(failed, _)| *failed == row)?;
-            Some(failure.1)
+            Some(failure.1.as_str())
         })
     }
 
@@ -131,8 +130,7 @@ impl Results {
         append(&mut self.frequency_hz, &mut next.frequency_hz)?;
         append(&mut self.error_hz, &mut next.error_hz)?;
         append(&mut self.share, &mut next.share)?;
-        let mut failures = next.failures.iter();
-        failures.try_for_each(|(row, sentence)| self.failures.push(row, sentence))
+        append(&mut self.failures, &mut next.failures)
     }
 
     /// Makes room for further rows.

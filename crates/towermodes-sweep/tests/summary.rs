@@ -8,8 +8,8 @@ use towermodes::Rotor;
 use towermodes_analysis::resonance::CampbellOptions;
 use towermodes_files::{Distribution, Sampling, SamplingKind, Varied};
 use towermodes_sweep::{
-    FailedRows, MarginCheck, MarginSummary, QUANTILES, Results, RowRemarks, Slice, Slices, Sweep,
-    SweepSource, run,
+    MarginCheck, MarginSummary, QUANTILES, Results, RowRemarks, Slice, Slices, Sweep, SweepSource,
+    run,
 };
 
 use crate::towers::{Folder, lowest, names};
@@ -24,7 +24,7 @@ fn results(frequency_hz: &[f64]) -> Results {
         certified: vec![true; rows],
         frequency_hz: frequency_hz.to_vec(),
         error_hz: vec![1e-6; rows],
-        failures: FailedRows::default(),
+        failures: Vec::new(),
         share: vec![1.0; rows],
         warnings: RowRemarks::default(),
         shared: RowRemarks::default(),

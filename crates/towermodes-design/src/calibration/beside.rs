@@ -6,7 +6,8 @@
 
 use super::determined::NO_EFFECT;
 use super::error::CalibrationError;
-use super::fit::{Found, Point, Towers, fit};
+use super::fit::{Found, fit};
+use super::point::{Point, Towers};
 
 /// The step beside the start, relative to what is known of the size of the unknown: the standard
 /// deviation of its prior, or the width of its bounds, or its value; of a logarithm relative to 1.

@@ -1,6 +1,6 @@
 //! Whether measurements and priors determine the unknowns.
 
-use super::fit::Point;
+use super::point::Point;
 use super::singular::Singular;
 use super::variable::Variable;
 

@@ -1,16 +1,13 @@
 //! Weighted least squares by the method of Levenberg and Marquardt.
 
+use towermodes::ModeName;
 use towermodes::number::Rounded;
-use towermodes::{ModeFrequency, ModeName, Operation, Options, Solver, TowerDescription};
 
 use super::determined::{Undetermined, undetermined};
 use super::error::CalibrationError;
-use super::pairing::MOST_MODES;
-use super::problem::Problem;
-use super::remark::LARGE_RESIDUAL;
-use super::result::AtBound;
-use super::singular::{Singular, norm};
-use super::variable::{Variable, apply};
+use super::point::{LARGE_RESIDUAL, Point, Towers};
+use super::singular::Singular;
+use super::variable::Variable;
 
 /// Iterations at most.
 const MOST_ITERATIONS: usize = 200;
@@ -32,32 +29,6 @@ const JUMP: f64 = 1e-3;
 /// No logarithm moves by more than this in one step.
 const LONGEST_STEP: f64 = 1.5;
 
-/// The towers at the coordinates of the unknowns.
-pub(super) struct Towers<'a> {
-    problem: &'a Problem,
-    pub(super) variables: &'a [Variable],
-    names: &'a [ModeName],
-    /// Whether some measured frequency changes with each unknown, if not to first order.
-    pub(super) has_effect: Vec<bool>,
-    pub(super) options: Options,
-    solver: &'a mut Solver,
-    description: TowerDescription,
-}
-
-/// One tower: the measured modes' frequencies and their derivatives.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Point {
-    pub(super) x: Vec<f64>,
-    /// The frequency of each measurement, Hz.
-    pub(super) frequencies_hz: Vec<f64>,
-    /// The names and frequencies (Hz) of all modes of the list.
-    modes: Vec<(ModeName, f64)>,
-    /// The residuals of the measurements, then of the priors, in standard deviations.
-    pub(super) residuals: Vec<f64>,
-    /// The derivatives of the residuals, a column for each unknown.
-    pub(super) columns: Vec<Vec<f64>>,
-}
-
 /// The fit.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Found {
@@ -69,90 +40,7 @@ pub(super) struct Found {
     pub(super) iterations: usize,
 }
 
-impl<'a> Towers<'a> {
-    pub(super) fn new(
-        problem: &'a Problem,
-        variables: &'a [Variable],
-        names: &'a [ModeName],
-        options: Options,
-        solver: &'a mut Solver,
-    ) -> Self {
-        Self {
-            description: problem.base.clone(),
-            problem,
-            has_effect: vec![true; variables.len()],
-            variables,
-            names,
-            options,
-            solver,
-        }
-    }
-
-    /// The tower at a point.
-    pub(super) fn evaluate(&mut self, x: &[f64]) -> Result<Point, CalibrationError> {
-        self.description.clone_from(&self.problem.base);
-        apply(self.variables, x, &mut self.description);
-        let changes: Vec<_> = self.variables.iter().map(|v| v.change.clone()).collect();
-        let found = loop {
-            self.solver.options.clone_from(&self.options);
-            let found = self.solver.sensitivities(&self.description, &changes)?;
-            let is_there = |name: &ModeName| found.modes.iter().any(|mode| mode.name() == *name);
-            let modes = self.options.modes;
-            let is_last = modes >= MOST_MODES || found.modes.len() < modes;
-            if is_last || self.names.iter().all(is_there) {
-                break found;
-            }
-            // A mode that has moved up.
-            self.options.modes = (2 * modes).min(MOST_MODES);
-        };
-        let (n, data) = (x.len(), self.names.len());
-        let mut point = Point {
-            x: x.to_vec(),
-            frequencies_hz: Vec::with_capacity(data),
-            modes: (found.modes.iter())
-                .map(|mode| (mode.name(), mode.extrapolated_hz))
-                .collect(),
-            residuals: Vec::with_capacity(data + n),
-            columns: vec![Vec::with_capacity(data + n); n],
-        };
-        for (index, (name, measured)) in self.names.iter().zip(&self.problem.measured).enumerate() {
-            let is_it = |mode: &ModeFrequency| mode.name() == *name;
-            let Some(mode) = found.modes.iter().position(is_it) else {
-                return Err(CalibrationError::NoMode {
-                    index,
-                    mode: *name,
-                    computed: found.modes.len(),
-                    there: names(&found.modes),
-                });
-            };
-            let hz = found.modes[mode].extrapolated_hz;
-            point.frequencies_hz.push(hz);
-            let deviation_hz = measured.deviation_hz;
-            point
-                .residuals
-                .push((hz - measured.frequency_hz) / deviation_hz);
-            for (j, (variable, change)) in self.variables.iter().zip(&found.changes).enumerate() {
-                let derivative = change.modes[mode].map_err(|reason| {
-                    let (mode, change) = (*name, variable.change.name().to_owned());
-                    CalibrationError::NoDerivative {
-                        mode,
-                        change,
-                        reason,
-                    }
-                })?;
-                let per_value = match variable.change.operation() {
-                    // The factor of the changed tower is 1.
-                    Operation::Scale => derivative.hz_per_unit / variable.value(x[j]),
-                    _ => derivative.hz_per_unit,
-                };
-                let slope = variable.slope(x[j]);
-                point.columns[j].push(per_value * slope / deviation_hz);
-            }
-        }
-        self.add_priors(&mut point);
-        Ok(point)
-    }
-
+impl Towers<'_> {
     /// The fit that ends at a point.
     fn found(
         &self,
@@ -262,18 +150,6 @@ impl<'a> Towers<'a> {
             values: values_at(self.variables, &point.x),
         })
     }
-
-    fn add_priors(&self, point: &mut Point) {
-        for (j, variable) in self.variables.iter().enumerate() {
-            let Some([mean, deviation]) = variable.prior else {
-                continue;
-            };
-            point.residuals.push((point.x[j] - mean) / deviation);
-            for (k, column) in point.columns.iter_mut().enumerate() {
-                column.push(if k == j { 1.0 / deviation } else { 0.0 });
-            }
-        }
-    }
 }
 
 /// The unknowns with their values at coordinates.
@@ -284,77 +160,6 @@ fn values_at(variables: &[Variable], x: &[f64]) -> String {
         format!("{} = {value}", variable.change.name())
     });
     values.collect::<Vec<_>>().join(", ")
-}
-
-/// The names of modes, in a list.
-fn names(modes: &[ModeFrequency]) -> String {
-    let name = |mode: &ModeFrequency| {
-        let (family, order) = (mode.family, mode.order);
-        ModeName { family, order }.to_string()
-    };
-    modes.iter().map(name).collect::<Vec<_>>().join(", ")
-}
-
-impl Point {
-    /// The sum of the squares of the residuals.
-    pub(super) fn chi_square(&self) -> f64 {
-        self.residuals.iter().map(|r| r * r).sum()
-    }
-
-    /// The columns of some unknowns, each for one unit of its coordinate.
-    pub(super) fn scaled(&self, units: &[f64], is_free: &[bool]) -> Vec<Vec<f64>> {
-        let all = self.columns.iter().zip(units).zip(is_free);
-        let free = all.filter(|(_, is_free)| **is_free);
-        free.map(|((column, unit), _)| column.iter().map(|c| c * unit).collect())
-            .collect()
-    }
-
-    /// The length of each column.
-    pub(super) fn lengths(&self) -> Vec<f64> {
-        self.columns.iter().map(|column| norm(column)).collect()
-    }
-
-    /// The unit of each coordinate: its scale. A coordinate without one has the unit with which the
-    /// measurements change as much as with the unit of the others.
-    fn units(&self, variables: &[Variable]) -> Vec<f64> {
-        let all = variables.iter().zip(self.lengths());
-        let of_scales = all
-            .clone()
-            .map(|(v, length)| v.scale.unwrap_or(0.0) * length);
-        let longest = Some(of_scales.fold(0.0, f64::max)).filter(|longest| *longest > 0.0);
-        let unit = |(variable, length): (&Variable, f64)| match (variable.scale, length > 0.0) {
-            (Some(scale), _) => scale,
-            (None, true) => longest.unwrap_or(1.0) / length,
-            (None, false) => 1.0,
-        };
-        all.map(unit).collect()
-    }
-
-    /// The unknowns at bounds beyond which a frequency would be nearer to its measurement.
-    pub(super) fn held_by(&self, variables: &[Variable], index: usize) -> Vec<(usize, AtBound)> {
-        let all = variables.iter().zip(&self.x).zip(&self.columns).enumerate();
-        let held = all.filter_map(|(j, ((variable, x), column))| {
-            let [low, high] = variable.bounds;
-            let gradient = self.residuals[index] * column[index];
-            match gradient {
-                g if g > 0.0 && *x <= low => Some((j, AtBound::Lower)),
-                g if g < 0.0 && *x >= high => Some((j, AtBound::Upper)),
-                _ => None,
-            }
-        });
-        held.collect()
-    }
-
-    /// The unknowns that are not at a bound towards which the sum of squares falls.
-    fn free(&self, variables: &[Variable]) -> Vec<bool> {
-        let of = |j: usize| {
-            let column = self.columns[j].iter().zip(&self.residuals);
-            let gradient: f64 = column.map(|(c, r)| c * r).sum();
-            let [low, high] = variables[j].bounds;
-            !(self.x[j] <= low && gradient >= 0.0 || self.x[j] >= high && gradient <= 0.0)
-        };
-        (0..self.x.len()).map(of).collect()
-    }
 }
 
 /// The point with the least sum of squares.

@@ -18,6 +18,7 @@ mod determined;
 mod error;
 mod fit;
 mod pairing;
+mod point;
 mod problem;
 mod remark;
 mod result;
@@ -27,9 +28,10 @@ mod words;
 
 pub use error::CalibrationError;
 pub use pairing::Ambiguity;
+pub use point::AtBound;
 pub use problem::{Measured, MeasuredShape, Prior, Problem, Unknown};
 pub use remark::{Remark, UnknownChange};
-pub use result::{AtBound, Calibration, Direction, Explained, Fitted};
+pub use result::{Calibration, Direction, Explained, Fitted};
 
 use towermodes::Solver;
 
@@ -87,7 +89,7 @@ pub fn calibrate(problem: &Problem, solver: &mut Solver) -> Result<Calibration, 
     for round in 1.. {
         let mut options = options.clone();
         options.modes = pairing.modes;
-        let mut towers = fit::Towers::new(problem, &variables, &pairing.names, options, solver);
+        let mut towers = point::Towers::new(problem, &variables, &pairing.names, options, solver);
         let before = towers.evaluate(&start)?;
         let found = beside::fit_beside(&mut towers, &before)?;
         let options = towers.options.clone();

@@ -5,7 +5,8 @@ use towermodes::modes::SharedMotion;
 
 use super::determined::NO_EFFECT;
 use super::pairing::Ambiguity;
-use super::result::{AtBound, Calibration, Direction, Explained};
+use super::point::{AtBound, LARGE_RESIDUAL};
+use super::result::{Calibration, Direction, Explained};
 
 /// Of unknowns with a larger correlation only a combination is known.
 const HIGH_CORRELATION: f64 = 0.95;
@@ -19,8 +20,6 @@ const SMALL_EFFECT: f64 = 0.02;
 /// The largest part of a combination in its sentence: a factor of 1.2, for which the change of the
 /// frequencies is nearly linear.
 const LARGEST_MOVE: f64 = 0.18;
-/// A residual above this is unlikely.
-pub(super) const LARGE_RESIDUAL: f64 = 3.0;
 /// The normal deviate that is exceeded with a probability of 1 %.
 const ONE_PERCENT: f64 = 2.326;
 

@@ -1,12 +1,11 @@
 //! What comes out of a fit.
 
-use std::fmt;
-
 use towermodes::modes::SharedMotion;
 use towermodes::{ModeName, TowerDescription};
 
-use super::fit::{Found, Point};
+use super::fit::Found;
 use super::pairing::{Ambiguity, Pairing};
+use super::point::{AtBound, Point};
 use super::problem::{Prior, Problem};
 use super::singular::Singular;
 use super::variable::Variable;
@@ -69,24 +68,6 @@ pub struct Fitted {
     pub at_bound: Option<AtBound>,
     /// Whether some measured frequency changes with the number, at the fitted value or beside it.
     pub has_effect: bool,
-}
-
-/// The bound that a number has reached.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum AtBound {
-    /// The lower one.
-    Lower,
-    /// The upper one.
-    Upper,
-}
-
-impl fmt::Display for AtBound {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Lower => "lower",
-            Self::Upper => "upper",
-        })
-    }
 }
 
 /// A measurement and what the tower has instead.

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, BufReader, Write};
 
 use super::column::Column;
-use super::write::Part;
+use super::part::Part;
 use crate::results::Results;
 
 /// The line with the names of the columns.
@@ -127,8 +127,7 @@ fn put(results: &mut Results, place: usize, column: &Column, cell: &[u8]) -> Res
         Column::Share(mode) => results.share[place * modes + mode] = number()?,
         Column::Sentence if text.is_empty() => {}
         Column::Sentence => {
-            let kept = results.failures.push(row, text);
-            kept.map_err(|error| error.to_string())?;
+            results.failures.push((row, text.to_owned()));
         }
     }
     Ok(())

@@ -17,6 +17,7 @@ mod error;
 mod header;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod part;
 mod read;
 mod slices;
 mod write;

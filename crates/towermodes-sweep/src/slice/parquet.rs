@@ -20,7 +20,7 @@ use towermodes::ModeName;
 
 use super::column::Column;
 use super::header::Header;
-use super::write::Part;
+use super::part::Part;
 use crate::results::Results;
 
 /// The name of the header in the footer.
@@ -148,7 +148,10 @@ fn write_column(writer: &mut ColumnWriter<'_>, part: &Part, column: &Column) -> 
             let levels: Vec<i16> = sentences
                 .map(|sentence| sentence.is_some().into())
                 .collect();
-            let sentences = results.failures.iter().map(|(_, sentence)| sentence);
+            let sentences = results
+                .failures
+                .iter()
+                .map(|(_, sentence)| sentence.as_str());
             let sentences: Vec<ByteArray> = sentences.map(ByteArray::from).collect();
             writer.write_batch(&sentences, Some(&levels), None)?;
         }
@@ -248,7 +251,7 @@ fn results_of(
                 for (row, text) in (first_row..).zip(cells(reader, rows)?) {
                     if let Some(text) = text {
                         let sentence = String::from_utf8_lossy(text.data());
-                        results.failures.push(row, &sentence).map_err(full)?;
+                        results.failures.push((row, sentence.into_owned()));
                     }
                 }
             }

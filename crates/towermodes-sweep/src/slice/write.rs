@@ -7,6 +7,7 @@ use super::SliceError;
 use super::column::{Column, columns};
 use super::csv;
 use super::header::{Header, Identity};
+use super::part::Part;
 use crate::results::Results;
 use crate::source::RowSource;
 use crate::stream::stream;
@@ -102,14 +103,6 @@ pub struct Solved {
     pub warnings: RowRemarks,
     /// Rows in which modes share the motion of a name.
     pub shared: RowRemarks,
-}
-
-/// Results with the values of their rows.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Part {
-    /// The values of the changes, row by row; empty if they are not columns.
-    pub(super) inputs: Vec<f64>,
-    pub(super) results: Results,
 }
 
 impl<'a> Slice<'a> {
@@ -212,9 +205,8 @@ impl Ready {
         results: Results,
         columns: &[(String, Column)],
     ) -> Self {
-        let first = results.failures.get(0);
+        let first_failure = results.failures.first().cloned();
         let (rows, failed) = (results.rows() as u64, results.failures.len() as u64);
-        let first_failure = first.map(|(row, sentence)| (row, sentence.to_owned()));
         let part = Part::new(slice.sweep, block, results);
         Self {
             rows,
@@ -229,21 +221,6 @@ impl Ready {
                 SliceFormat::Parquet => Err(io::ErrorKind::Unsupported.into()),
             },
         }
-    }
-}
-
-impl Part {
-    fn new(sweep: &Sweep, block: &dyn RowSource, results: Results) -> Self {
-        let changes = sweep.changes().len();
-        let mut inputs = Vec::new();
-        if sweep.has_inputs() {
-            inputs = vec![0.0; results.rows() * changes];
-            let first = results.first_row - block.first_row();
-            for (row, values) in (first..).zip(inputs.chunks_exact_mut(changes)) {
-                block.row(row, values);
-            }
-        }
-        Self { inputs, results }
     }
 }
 

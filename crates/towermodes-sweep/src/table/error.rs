@@ -6,8 +6,10 @@ use thiserror::Error;
 use towermodes::ParameterError;
 use towermodes_files::MAX_ROWS;
 
-use super::header::MOST_COLUMNS;
 use super::lines::{MAX_CELL_LINES, MAX_LINE_BYTES};
+
+/// The largest number of columns.
+pub(super) const MOST_COLUMNS: usize = 10_000;
 
 /// What is wrong with a table, and in which.
 #[derive(Debug, Error)]

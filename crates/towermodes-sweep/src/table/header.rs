@@ -4,11 +4,8 @@ use std::collections::HashMap;
 
 use towermodes::{Change, TowerDescription};
 
-use super::error::TableProblem;
+use super::error::{MOST_COLUMNS, TableProblem};
 use crate::first::first;
-
-/// The largest number of columns.
-pub(super) const MOST_COLUMNS: usize = 10_000;
 
 /// What the columns of a table change.
 #[derive(Debug)]
