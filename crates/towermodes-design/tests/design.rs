@@ -899,7 +899,7 @@ fn a_mode_that_has_its_motion_clearly_is_bound_alone() {
 #[test]
 fn a_limit_that_only_the_sharing_mode_exceeds_is_explained() {
     let (base, problem) = beside_the_axis(35.0);
-    let error = design(&base, &problem, &options(), &mut Workspace::default());
+    let error = design(&base, &problem, &mut Solver::new(options()));
     let text = error.expect_err("torsion 1 is above").to_string();
     assert!(
         text.contains("Hz, of torsion 1; the limit holds for every mode that shares the motion of fore-aft 1, and fore-aft 1 itself has 0.2"),
