@@ -15,6 +15,6 @@ const common = {
   logLevel: "warning",
 };
 
-await build({ ...common, entryPoints: ["src/view/index.ts"], globalName: "towermodesView", outfile: `${report}/view.js` });
+await build({ ...common, entryPoints: ["src/report/index.ts"], outfile: `${report}/report.js` });
 await build({ ...common, entryPoints: ["src/explore/index.ts"], outfile: `${explore}/explore.js` });
 await build({ ...common, entryPoints: ["src/explore/explore.css"], outfile: `${explore}/explore.css` });

@@ -34,7 +34,7 @@ async function colours() {
 }
 
 const styles = [await colours(), await bundled("explore/explore.css"), await bundled("web/web.css")].map((text) => inside("style", text));
-const scripts = [read("crates/towermodes-report/src/built/view.js"), await bundled("web/index.ts")].map((text) => inside("script", text));
+const scripts = [await bundled("web/index.ts")].map((text) => inside("script", text));
 const solver = gzipSync(readFileSync(wasm), { level: 9 }).toString("base64");
 const examples = EXAMPLES.map((example) => ({ ...example, text: read(`examples/${example.name}`) }));
 
@@ -63,7 +63,7 @@ const tail = [
 function assembled(html) {
   const links = /<(link rel="stylesheet" href="[^"]*"|script src="[^"]*" defer)>(<\/script>)?\n/g;
   const count = html.match(links)?.length ?? 0;
-  if (count !== 4) throw new Error(`page.html has ${count} links to styles and scripts, not 4`);
+  if (count !== 3) throw new Error(`page.html has ${count} links to styles and scripts, not 3`);
   const [before, after] = html.replace(links, "").split("</head>");
   const charset = '<meta charset="utf-8">\n';
   if (!before.includes(charset)) throw new Error(`page.html has no ${charset}`);

@@ -2,7 +2,6 @@
 
 use std::borrow::Cow;
 
-use towermodes_report::VIEW_SCRIPT;
 use towermodes_report::report::page_colours;
 
 /// A file of the page.
@@ -31,7 +30,6 @@ pub fn page_files() -> Vec<PageFile> {
         file("", "text/html; charset=utf-8", page),
         file("explore.css", style, include_str!("built/explore.css")),
         file("explore.js", script, include_str!("built/explore.js")),
-        file("view.js", script, VIEW_SCRIPT),
         PageFile {
             name: "colours.css",
             media_type: style,

@@ -9,7 +9,4 @@ pub mod raster;
 pub mod report;
 pub mod svg;
 pub mod terminal;
-mod view;
 pub mod wording;
-
-pub use view::VIEW_SCRIPT;

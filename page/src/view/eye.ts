@@ -1,10 +1,10 @@
 // From where the view is looked at, in parallel projection: what is as long is drawn as long.
 
-import type { OrthographicCamera } from "three";
-
-import type { Point } from "./scene.js";
+import { placed, type Section } from "./motion.js";
+import type { Body, Point } from "./scene.js";
 
 const DEGREE = Math.PI / 180;
+const dot = (a: Point, b: Point): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const LOWEST = -30;
 const HIGHEST = 89;
 
@@ -19,6 +19,21 @@ export const union = (a: Extent, b: Extent): Extent => ({
   low: [Math.min(a.low[0], b.low[0]), Math.min(a.low[1], b.low[1])],
   high: [Math.max(a.high[0], b.high[0]), Math.max(a.high[1], b.high[1])],
 });
+
+/** The rectangle around the sections of a tower and bodies, as seen by an eye. */
+export function extentOf(eye: Eye, sections: Section[], bodies: Body[]): Extent {
+  const extent = (point: Point, margin: number): Extent => {
+    const at: [number, number] = [eye.across(point), eye.up(point)];
+    return { low: [at[0] - margin, at[1] - margin], high: [at[0] + margin, at[1] + margin] };
+  };
+  const ofTower = sections.map(({ middle, radius }) => extent(middle, radius));
+  const ofBodies = bodies.flatMap((body) => placed(body, sections).map((point) => extent(point, body.radius_m ?? 0)));
+  return ofTower.concat(ofBodies).reduce(union);
+}
+
+/** Sine and cosine, which are zero at right angles. */
+const circular = (angle: number): [number, number] =>
+  [Math.sin(angle), Math.cos(angle)].map((value) => (Math.abs(value) < 1e-12 ? 0 : value)) as [number, number];
 
 /** A direction of view, a middle and a scale. */
 export class Eye {
@@ -47,20 +62,31 @@ export class Eye {
     return (this.azimuth + 180) * DEGREE;
   }
 
+  /** The unit vectors to the right, upwards in the picture, and towards the reader. */
+  get axes(): [Point, Point, Point] {
+    const [s, c] = circular(this.bearing);
+    const [se, ce] = circular(this.elevation * DEGREE);
+    return [[-s, c, 0], [-c * se, -s * se, ce], [c * ce, s * ce, se]];
+  }
+
   /** Metres to the right. */
-  across([x, y]: Point): number {
-    return y * Math.cos(this.bearing) - x * Math.sin(this.bearing);
+  across(point: Point): number {
+    return dot(this.axes[0], point);
   }
 
   /** The horizontal direction to the right. */
   get right(): Point {
-    return [-Math.sin(this.bearing), Math.cos(this.bearing), 0];
+    return this.axes[0];
   }
 
   /** Metres upwards in the picture. */
-  up([x, y, z]: Point): number {
-    const towards = x * Math.cos(this.bearing) + y * Math.sin(this.bearing);
-    return z * Math.cos(this.elevation * DEGREE) - towards * Math.sin(this.elevation * DEGREE);
+  up(point: Point): number {
+    return dot(this.axes[1], point);
+  }
+
+  /** Metres towards the reader. */
+  near(point: Point): number {
+    return dot(this.axes[2], point);
   }
 
   /** How many metres upwards in the picture a metre of height is. */
@@ -70,9 +96,10 @@ export class Eye {
 
   /** Pixels from the upper left corner. */
   place(point: Point): [number, number] {
+    const [right, up] = this.axes;
     return [
-      0.5 * this.width + (this.across(point) - this.middle[0]) / this.scale,
-      0.5 * this.height - (this.up(point) - this.middle[1]) / this.scale,
+      0.5 * this.width + (dot(right, point) - this.middle[0]) / this.scale,
+      0.5 * this.height - (dot(up, point) - this.middle[1]) / this.scale,
     ];
   }
 
@@ -106,18 +133,15 @@ export class Eye {
     return [0, 1].every((i) => low[i]! >= this.middle[i]! - half[i]! && high[i]! <= this.middle[i]! + half[i]!);
   }
 
-  /** Sets a camera of three.js; everything within a distance of the level is in front of it. */
-  aim(camera: OrthographicCamera, distance: number): void {
-    const [c, s] = [Math.cos(this.bearing), Math.sin(this.bearing)];
-    const [ce, se] = [Math.cos(this.elevation * DEGREE), Math.sin(this.elevation * DEGREE)];
-    camera.position.set(c * ce * distance, s * ce * distance, this.level + se * distance);
-    camera.up.set(-c * se, -s * se, ce);
-    camera.lookAt(0, 0, this.level);
-    const half = [0.5 * this.width * this.scale, 0.5 * this.height * this.scale];
-    const [u, v] = [this.middle[0], this.middle[1] - this.up([0, 0, this.level])];
-    Object.assign(camera, { left: u - half[0]!, right: u + half[0]!, bottom: v - half[1]!, top: v + half[1]! });
-    Object.assign(camera, { near: 0, far: 2 * distance });
-    camera.updateProjectionMatrix();
-    camera.updateMatrixWorld();
+  /**
+   * The matrix from space to the cube of WebGL, by columns; everything within a distance of the
+   * level is in front of the eye.
+   */
+  matrix(distance: number): number[] {
+    const [right, up, near] = this.axes;
+    const half = [0.5 * this.width * this.scale, 0.5 * this.height * this.scale, -distance] as const;
+    const columns = [0, 1, 2].flatMap((i) => [right[i]! / half[0], up[i]! / half[1], near[i]! / half[2], 0]);
+    const level = this.near([0, 0, this.level]);
+    return [...columns, -this.middle[0] / half[0], -this.middle[1] / half[1], -level / half[2], 1];
   }
 }

@@ -35,9 +35,9 @@ export class Hand {
   private isGrabbing = false;
   private readonly stop = new AbortController();
 
-  constructor(private readonly canvas: HTMLElement, private readonly eye: Eye, private readonly grip: Grip) {
+  constructor(private readonly canvas: HTMLElement | SVGSVGElement, private readonly eye: Eye, private readonly grip: Grip) {
     const on = <K extends keyof HTMLElementEventMap>(name: K, listener: (event: HTMLElementEventMap[K]) => void, passive = true): void =>
-      canvas.addEventListener(name, listener, { signal: this.stop.signal, passive });
+      (canvas as Element).addEventListener(name, listener as EventListener, { signal: this.stop.signal, passive });
     on("pointerdown", (event) => this.down(event));
     on("pointermove", (event) => this.move(event));
     on("pointerup", (event) => this.up(event, false));

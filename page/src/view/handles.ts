@@ -1,35 +1,24 @@
 // The dots at stations that can be dragged: where they are, which is under the pointer, what a drag
 // asks for.
 
-import { Points } from "three";
-
 import { Vertices } from "./buffer.js";
 import type { Palette } from "./colours.js";
 import type { Eye } from "./eye.js";
 import { carried, sectionAt, type Section } from "./motion.js";
+import type { Item } from "./graphics.js";
+import { AT_REST } from "./parts.js";
 import type { Drag, Handle, Point } from "./scene.js";
-import { dots, setSize, tint } from "./shading.js";
 
 /** Diameter of a dot, and how near to its middle a pointer has to be, in pixels of the page. */
-const SIZE = 11;
+export const SIZE = 11;
 const NEAR = { mouse: 9, touch: 22 };
 
 /** The handles of a tower. */
 export class Handles {
-  readonly points: Points;
-  private readonly vertices = new Vertices(false);
-  private readonly material = dots();
+  private readonly vertices = new Vertices();
   private stations: Handle[] = [];
   /** The handle under the pointer or in the hand. */
   active: number | null = null;
-
-  constructor(pixelRatio: number) {
-    this.points = new Points(this.vertices.geometry, this.material);
-    this.points.frustumCulled = false;
-    this.points.renderOrder = 3;
-    this.points.visible = false;
-    setSize(this.material, SIZE * pixelRatio);
-  }
 
   set(stations: Handle[]): void {
     this.stations = stations;
@@ -43,13 +32,12 @@ export class Handles {
     return this.stations.find((handle) => handle.station === index);
   }
 
-  write(eye: Eye, sections: Section[], palette: Palette): void {
-    tint(this.material, palette.paper, 0);
+  item(eye: Eye, sections: Section[], palette: Palette): Item {
     this.vertices.begin();
     this.stations.forEach((handle) => placesOf(handle, eye, sections).forEach((point) => {
       this.vertices.push(point, handle.station === this.active ? palette.accent : palette.handle);
     }));
-    this.vertices.end();
+    return { look: "dot", vertices: this.vertices, place: AT_REST, fade: 0 };
   }
 
   /** The handle at a pixel. */
@@ -62,11 +50,6 @@ export class Handles {
       if (distance <= least) [nearest, least] = [handle, distance];
     }));
     return nearest;
-  }
-
-  dispose(): void {
-    this.vertices.dispose();
-    this.material.dispose();
   }
 }
 

@@ -23,7 +23,7 @@ export class Hulls {
 }
 
 /** Writes the surface of a convex body, and its edges as lines if they are asked for. */
-export function writeSolid(points: Point[], hull: Hull, colour: Rgb, faces: Vertices, edges: Vertices | null, ink: Rgb): void {
+export function writeSolid(points: Point[], hull: Hull, colour: Rgb, faces: Vertices, edges: Vertices, ink: Rgb): void {
   const normals = hull.triangles.map((triangle) => normalOf(points, triangle));
   hull.triangles.forEach((triangle, face) => triangle.forEach((corner) => {
     faces.push(points[corner]!, colour, cornerNormal(normals, face, hull.around[corner]!));
@@ -31,8 +31,8 @@ export function writeSolid(points: Point[], hull: Hull, colour: Rgb, faces: Vert
   const shade = mix(colour, ink, 0.45);
   hull.edges.forEach(([a, b, one, other]) => {
     if (dot(normals[one]!, normals[other]!) > SMOOTH) return;
-    edges?.push(points[a]!, shade);
-    edges?.push(points[b]!, shade);
+    edges.push(points[a]!, shade);
+    edges.push(points[b]!, shade);
   });
 }
 

@@ -1,67 +1,51 @@
 // Draws towers on a canvas.
 
-import { Color, ColorManagement, OrthographicCamera, Scene, WebGLRenderer } from "three";
-
-import type { Palette, Rgb } from "./colours.js";
+import type { Rgb } from "./colours.js";
 import { Eye } from "./eye.js";
+import { Graphics, type Item } from "./graphics.js";
 import { support } from "./support.js";
-
-// Colours are those of the page, and are mixed as the page mixes them.
-ColorManagement.enabled = false;
 
 /** More pixels than that cost more than they show. */
 const FINEST = 2;
 
 /** A canvas with an eye in front of it. */
 export class Stage {
-  readonly canvas: HTMLCanvasElement;
+  readonly canvas = document.createElement("canvas");
   readonly eye = new Eye();
-  readonly scene = new Scene();
-  private readonly camera = new OrthographicCamera();
-  private readonly renderer: WebGLRenderer;
-  private readonly paper = new Color();
+  paper: Rgb = [1, 1, 1];
+  private readonly gl: WebGL2RenderingContext;
+  private readonly pixelRatio: number;
+  private graphics: Graphics;
 
   constructor() {
     const { isSoftware } = support();
-    this.renderer = new WebGLRenderer({ antialias: !isSoftware, alpha: false, stencil: false });
-    this.renderer.setPixelRatio(isSoftware ? 1 : Math.min(devicePixelRatio, FINEST));
-    this.canvas = this.renderer.domElement;
-    this.scene.matrixAutoUpdate = false;
-  }
-
-  /** Pixels of the canvas for each of the page. */
-  get pixelRatio(): number {
-    return this.renderer.getPixelRatio();
+    this.pixelRatio = isSoftware ? 1 : Math.min(devicePixelRatio, FINEST);
+    const context = this.canvas.getContext("webgl2", { antialias: !isSoftware, alpha: false });
+    if (context === null) throw new Error("the browser gives no context of WebGL");
+    this.gl = context;
+    this.graphics = new Graphics(context);
+    // A context that was lost comes again, without anything that it had.
+    this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+    this.canvas.addEventListener("webglcontextrestored", () => { this.graphics = new Graphics(context); });
   }
 
   /** The size in pixels of the page. What was as high as the picture stays so. */
   resize(width: number, height: number): void {
-    const { eye } = this;
+    const { eye, canvas, pixelRatio } = this;
     if (width === eye.width && height === eye.height) return;
     eye.scale *= eye.height / height;
-    eye.width = width;
-    eye.height = height;
-    this.renderer.setSize(width, height, false);
+    Object.assign(eye, { width, height });
+    Object.assign(canvas, { width: Math.floor(width * pixelRatio), height: Math.floor(height * pixelRatio) });
   }
 
-  colour({ paper }: Palette): void {
-    this.setPaper(paper);
-  }
-
-  /** Draws; everything is within a distance of the level of the eye. */
-  draw(distance: number): void {
-    if (this.renderer.getContext().isContextLost()) return;
-    this.eye.aim(this.camera, distance);
-    this.renderer.render(this.scene, this.camera);
+  /** Draws, with dots of a size; everything is within a distance of the level of the eye. */
+  draw(items: Item[], distance: number, dotSize: number): void {
+    if (this.gl.isContextLost()) return;
+    this.graphics.draw(items, this.eye, distance, this.paper, dotSize * this.pixelRatio);
   }
 
   dispose(): void {
-    this.renderer.dispose();
-    this.renderer.forceContextLoss();
+    this.gl.getExtension("WEBGL_lose_context")?.loseContext();
     this.canvas.remove();
-  }
-
-  private setPaper(paper: Rgb): void {
-    this.renderer.setClearColor(this.paper.setRGB(...paper), 1);
   }
 }

@@ -1,26 +1,21 @@
 // The lines of a tower: rims, springs and ropes, a line on the shell, and the outline of what was
 // at rest.
 
-import type { Vertices } from "./buffer.js";
 import { mix, type Palette, type Rgb } from "./colours.js";
 import { isLink, onShell, placed, sectionAt, type Section } from "./motion.js";
-import type { Point, TowerScene } from "./scene.js";
+import type { Form, Point, TowerScene } from "./scene.js";
+
+/** A line through points. */
+export interface Stroke {
+  points: Point[];
+  colour: Rgb;
+}
 
 const CORNERS = 32;
 
-function segment(lines: Vertices, from: Point, to: Point, colour: Rgb): void {
-  lines.push(from, colour);
-  lines.push(to, colour);
-}
-
-function path(lines: Vertices, points: Point[], colour: Rgb): void {
-  points.slice(1).forEach((point, i) => segment(lines, points[i]!, point, colour));
-}
-
-function rim(lines: Vertices, section: Section, colour: Rgb): void {
-  const corners = Array.from({ length: CORNERS + 1 }, (_, k) => onShell(section, (2 * Math.PI * k) / CORNERS, 1.004));
-  path(lines, corners, colour);
-}
+/** The circle of a section. */
+export const rim = (section: Section, share = 1): Point[] =>
+  Array.from({ length: CORNERS + 1 }, (_, k) => onShell(section, (2 * Math.PI * k) / CORNERS, share));
 
 /** A zigzag between two points. */
 function spring([from, to]: [Point, Point]): Point[] {
@@ -37,32 +32,29 @@ function spring([from, to]: [Point, Point]): Point[] {
   return [from, at(0.12, 0), ...turns, at(0.88, 0), to];
 }
 
-/** Writes all lines of a tower in a pose, as seen from a bearing. */
-export function writeStrokes(
-  lines: Vertices, scene: TowerScene, sections: Section[], atRest: Section[] | null, rims: number[], bearing: number, palette: Palette,
-): void {
-  lines.begin();
-  rims.forEach((height) => rim(lines, sectionAt(sections, height), mix(palette.steel, palette.ink, 0.6)));
-  scene.bodies.filter(isLink).forEach((body) => {
-    const [from, to] = placed(body, sections);
-    if (from === undefined || to === undefined) return;
-    path(lines, body.form === "spring" ? spring([from, to]) : [from, to], palette.of.link);
-  });
-  if (atRest !== null) {
-    seam(lines, sections, bearing, palette.accent);
-    outline(lines, atRest, bearing, palette.muted);
-  }
-  lines.end();
+/** All lines of a tower in a pose, as seen from a bearing. */
+export function strokesOf(
+  scene: TowerScene, sections: Section[], atRest: Section[] | null, rims: number[], bearing: number, palette: Palette,
+): Stroke[] {
+  const all = (lines: Point[][], colour: Rgb): Stroke[] => lines.map((points) => ({ points, colour }));
+  const links = scene.bodies.filter(isLink).map((body) => linkOf(body.form, placed(body, sections)));
+  const strokes = all(rims.map((height) => rim(sectionAt(sections, height), 1.004)), mix(palette.steel, palette.ink, 0.6));
+  strokes.push(...all(links, palette.of.link));
+  if (atRest === null) return strokes;
+  return strokes.concat(all(seam(sections, bearing), palette.accent), all(outline(atRest, bearing), palette.muted));
 }
+
+/** A rope or a spring between its two ends. */
+export const linkOf = (form: Form, points: Point[]): Point[] =>
+  form === "spring" && points.length === 2 ? spring(points as [Point, Point]) : points;
 
 /** Dashes on the shell that face the reader at rest and turn with the sections. */
-function seam(lines: Vertices, sections: Section[], bearing: number, colour: Rgb): void {
-  for (let i = 0; i + 1 < sections.length; i += 2) {
-    segment(lines, onShell(sections[i]!, bearing, 1.02), onShell(sections[i + 1]!, bearing, 1.02), colour);
-  }
+function seam(sections: Section[], bearing: number): Point[][] {
+  const dashes = sections.slice(1).map((section, i) => [onShell(sections[i]!, bearing, 1.02), onShell(section, bearing, 1.02)]);
+  return dashes.filter((_, i) => i % 2 === 0);
 }
 
-function outline(lines: Vertices, atRest: Section[], bearing: number, colour: Rgb): void {
-  [-0.5, 0.5].forEach((side) => path(lines, atRest.map((section) => onShell(section, bearing + side * Math.PI)), colour));
-  [atRest[0], atRest[atRest.length - 1]].forEach((section) => section !== undefined && rim(lines, section, colour));
+function outline(atRest: Section[], bearing: number): Point[][] {
+  const sides = [-0.5, 0.5].map((side) => atRest.map((section) => onShell(section, bearing + side * Math.PI)));
+  return sides.concat([atRest[0]!, atRest[atRest.length - 1]!].map((section) => rim(section, 1.004)));
 }

@@ -1,87 +1,73 @@
-// A tower with what surrounds it, as three.js draws it.
-
-import { Group, LineSegments, Mesh } from "three";
+// A tower with what surrounds it, as vertices.
 
 import { Vertices } from "./buffer.js";
 import type { Palette } from "./colours.js";
-import type { Eye, Extent } from "./eye.js";
-import { placed, sectionsOf, type Section } from "./motion.js";
-import { Parts, type Materials } from "./parts.js";
-import type { Pose, TowerScene } from "./scene.js";
-import { line, surface, tint, wall, xray } from "./shading.js";
-import { writeStrokes } from "./strokes.js";
-import { Tube } from "./tube.js";
+import { extentOf, type Eye, type Extent } from "./eye.js";
+import type { Item } from "./graphics.js";
+import { sectionsOf, type Section } from "./motion.js";
+import { AT_REST, Parts } from "./parts.js";
+import type { Point, Pose, TowerScene } from "./scene.js";
+import { strokesOf } from "./strokes.js";
+import { writeTube } from "./tube.js";
 
 const SOME = [0, 0.25, 0.5, 0.75, 1];
 
 /** A tower that can be shown and moved again and again. */
 export class TowerModel {
-  readonly group = new Group();
+  /** How far it stands from its place, m. */
+  away: Point = [0, 0, 0];
   /** The sections as they are drawn. */
   sections: Section[] = [];
   /** Heights of its rims; a few if not given. */
   rims: number[] | null = null;
   scene: TowerScene | null = null;
 
-  private readonly materials: Materials = { wall: wall(), surface: surface(), clear: surface(0.4), xray: xray(), line: line() };
-  private readonly tube = new Tube();
-  private readonly parts = new Parts(this.materials);
-  private readonly lines = new Vertices(false);
+  private readonly tube = new Vertices();
+  private readonly parts = new Parts();
+  private readonly lines = new Vertices();
   /** The sections at rest. */
   atRest: Section[] = [];
   private pose: Pose | null = null;
   private palette: Palette | null = null;
 
-  constructor(private readonly fade = 0) {
-    const strokes = new LineSegments(this.lines.geometry, this.materials.line);
-    const tower = new Mesh(this.tube.geometry, this.materials.wall);
-    [tower, strokes].forEach((thing) => {
-      thing.frustumCulled = false;
-      this.group.add(thing);
-    });
-    this.group.add(this.parts.group);
-  }
+  constructor(private readonly fade = 0) {}
 
   show(scene: TowerScene, palette: Palette): void {
     this.scene = scene;
+    this.palette = palette;
     this.parts.show(scene, palette);
     this.move(this.pose);
-    if (this.palette !== palette) this.paint(palette);
   }
 
   /** Moves from rest; a pose of another tower is none. */
   move(pose: Pose | null): void {
-    if (this.scene === null) return;
+    if (this.scene === null || this.palette === null) return;
     const fits = pose !== null && pose.displacement.length === this.scene.height_m.length;
     this.pose = fits ? pose : null;
     this.sections = sectionsOf(this.scene, this.pose);
     this.atRest = this.pose === null ? this.sections : sectionsOf(this.scene, null);
-    const isNew = this.tube.place(this.sections);
-    if (isNew && this.palette !== null) this.tube.paint(this.palette.steel);
-    this.parts.place(this.sections);
+    writeTube(this.tube, this.sections, this.palette.steel);
+    this.parts.move(this.sections);
   }
 
-  /** The lines, some of which face the reader. */
-  draw(eye: Eye): void {
-    if (this.scene === null || this.palette === null) return;
-    const rims = this.rims ?? SOME.map((share) => this.scene!.height_m[Math.round(share * (this.sections.length - 1))]!);
-    writeStrokes(this.lines, this.scene, this.sections, this.pose === null ? null : this.atRest, rims, eye.bearing, this.palette);
+  /** What is drawn; of the lines some face the reader. */
+  items(eye: Eye): Item[] {
+    const { scene, palette, fade } = this;
+    if (scene === null || palette === null) return [];
+    const rims = this.rims ?? SOME.map((share) => scene.height_m[Math.round(share * (this.sections.length - 1))]!);
+    this.lines.begin();
+    strokesOf(scene, this.sections, this.pose === null ? null : this.atRest, rims, eye.bearing, palette).forEach(({ points, colour }) =>
+      points.slice(1).forEach((point, i) => [points[i]!, point].forEach((end) => this.lines.push(end, colour))));
+    const own: Item[] = [
+      { look: "wall", vertices: this.tube, place: AT_REST, fade },
+      { look: "line", vertices: this.lines, place: AT_REST, fade },
+    ];
+    return own.concat(this.parts.items(fade)).map((item) => ({ ...item, place: item.place.map((value, i) => value + (this.away[i - 12] ?? 0)) }));
   }
 
   /** The rectangle around everything at these sections, as seen by an eye. */
-  extent(eye: Eye, sections: Section[] = this.sections): Extent {
-    const low: [number, number] = [Infinity, Infinity];
-    const high: [number, number] = [-Infinity, -Infinity];
-    const include = (point: [number, number, number], margin: number): void => {
-      const at = [eye.across(point), eye.up(point)] as const;
-      [0, 1].forEach((i) => {
-        low[i] = Math.min(low[i]!, at[i]! - margin);
-        high[i] = Math.max(high[i]!, at[i]! + margin);
-      });
-    };
-    sections.forEach((section) => include(section.middle, section.radius));
-    this.scene?.bodies.forEach((body) => placed(body, sections).forEach((point) => include(point, body.radius_m ?? 0)));
-    return { low, high };
+  extent(eye: Eye, sections: Section[]): Extent {
+    return extentOf(eye, sections, this.scene?.bodies ?? []);
   }
 
   /** A length that nothing of it exceeds much, m. */
@@ -96,15 +82,5 @@ export class TowerModel {
     if (scene === null) return 0;
     const bodies = scene.bodies.flatMap((body) => body.points.map(([x, y]) => Math.hypot(x, y) + (body.radius_m ?? 0)));
     return Math.max(...scene.radius_m, ...bodies);
-  }
-
-  dispose(): void {
-    [this.tube, this.parts, this.lines, ...Object.values(this.materials)].forEach((thing) => thing.dispose());
-  }
-
-  private paint(palette: Palette): void {
-    this.palette = palette;
-    this.tube.paint(palette.steel);
-    Object.values(this.materials).forEach((made) => tint(made, palette.paper, this.fade));
   }
 }

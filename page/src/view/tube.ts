@@ -1,9 +1,9 @@
 // The wall of the tower: a smooth tube through its sections.
 
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from "three";
-
+import type { Vertices } from "./buffer.js";
 import type { Rgb } from "./colours.js";
 import { turned, type Section } from "./motion.js";
+import type { Point } from "./scene.js";
 
 const AROUND = 32;
 const CIRCLE = Array.from({ length: AROUND }, (_, k): [number, number] => {
@@ -11,76 +11,23 @@ const CIRCLE = Array.from({ length: AROUND }, (_, k): [number, number] => {
   return [Math.cos(angle), Math.sin(angle)];
 });
 
-/** A tube whose buffers stay as long as the number of its sections does. */
-export class Tube {
-  readonly geometry = new BufferGeometry();
-  private rows = 0;
-  private position = new Float32Array(0);
-  private normal = new Float32Array();
-  private colour = new Float32Array();
+/** Writes the wall between sections. */
+export function writeTube(vertices: Vertices, sections: Section[], colour: Rgb): void {
+  const faces = 6 * AROUND * Math.max(sections.length - 1, 0);
+  if (vertices.index?.length !== faces) vertices.index = facesOf(sections.length);
+  vertices.begin();
+  sections.forEach((section, row) => writeRing(vertices, section, slopeAt(sections, row), colour));
+}
 
-  paint([red, green, blue]: Rgb): void {
-    for (let at = 0; at < this.colour.length; at += 3) {
-      this.colour[at] = red;
-      this.colour[at + 1] = green;
-      this.colour[at + 2] = blue;
-    }
-    this.changed("color");
-  }
-
-  /** Puts the wall where its sections are. Whether all has to be painted is the answer. */
-  place(sections: Section[]): boolean {
-    const isNew = sections.length !== this.rows;
-    if (isNew) this.allocate(sections.length);
-    sections.forEach((section, row) => this.placeRow(section, row, slopeAt(sections, row)));
-    this.changed("position");
-    this.changed("normal");
-    return isNew;
-  }
-
-  dispose(): void {
-    this.geometry.dispose();
-  }
-
-  private placeRow(section: Section, row: number, slope: number): void {
-    // A ring is a combination of two turned axes, its normals lean by the slope along a third.
-    const [x, y, z] = turned([1, 0, 0], section.turn);
-    const [u, v, w] = turned([0, 1, 0], section.turn);
-    const [a, b, c] = turned([0, 0, 1], section.turn);
-    const [mx, my, mz] = section.middle;
-    const long = 1 / Math.hypot(1, slope);
-    let at = 3 * row * AROUND;
-    for (const [cos, sin] of CIRCLE) {
-      const [dx, dy, dz] = [cos * x + sin * u, cos * y + sin * v, cos * z + sin * w];
-      this.position[at] = mx + section.radius * dx;
-      this.position[at + 1] = my + section.radius * dy;
-      this.position[at + 2] = mz + section.radius * dz;
-      this.normal[at] = long * (dx - slope * a);
-      this.normal[at + 1] = long * (dy - slope * b);
-      this.normal[at + 2] = long * (dz - slope * c);
-      at += 3;
-    }
-  }
-
-  private allocate(rows: number): void {
-    this.geometry.dispose();
-    this.rows = rows;
-    const size = 3 * rows * AROUND;
-    this.position = this.attribute("position", size);
-    this.normal = this.attribute("normal", size);
-    this.colour = this.attribute("color", size);
-    this.geometry.setIndex(facesOf(rows));
-  }
-
-  private attribute(name: string, size: number): Float32Array<ArrayBuffer> {
-    const array = new Float32Array(size);
-    this.geometry.setAttribute(name, new BufferAttribute(array, 3).setUsage(DynamicDrawUsage));
-    return array;
-  }
-
-  private changed(name: string): void {
-    const attribute = this.geometry.getAttribute(name) as BufferAttribute | undefined;
-    if (attribute !== undefined) attribute.needsUpdate = true;
+/** A ring is a combination of two turned axes, its normals lean by the slope along the third. */
+function writeRing(vertices: Vertices, { middle, turn, radius }: Section, slope: number, colour: Rgb): void {
+  const [x, y, z] = [turned([1, 0, 0], turn), turned([0, 1, 0], turn), turned([0, 0, 1], turn)];
+  const long = 1 / Math.hypot(1, slope);
+  for (const [cos, sin] of CIRCLE) {
+    const outwards: Point = [cos * x[0] + sin * y[0], cos * x[1] + sin * y[1], cos * x[2] + sin * y[2]];
+    const point: Point = [middle[0] + radius * outwards[0], middle[1] + radius * outwards[1], middle[2] + radius * outwards[2]];
+    const normal: Point = [long * (outwards[0] - slope * z[0]), long * (outwards[1] - slope * z[1]), long * (outwards[2] - slope * z[2])];
+    vertices.push(point, colour, normal);
   }
 }
 
@@ -92,7 +39,7 @@ function slopeAt(sections: Section[], row: number): number {
   return height > 0 ? (above.radius - below.radius) / height : 0;
 }
 
-function facesOf(rows: number): number[] {
+function facesOf(rows: number): Uint32Array {
   const faces: number[] = [];
   for (let row = 0; row + 1 < rows; row += 1) {
     for (let k = 0; k < AROUND; k += 1) {
@@ -101,5 +48,5 @@ function facesOf(rows: number): number[] {
       faces.push(a, b, b + AROUND, a, b + AROUND, a + AROUND);
     }
   }
-  return faces;
+  return Uint32Array.from(faces);
 }

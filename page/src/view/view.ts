@@ -1,7 +1,7 @@
 import { paletteOf, type Palette } from "./colours.js";
 import { union } from "./eye.js";
 import { Hand, type Grip } from "./hand.js";
-import { Handles, Pull } from "./handles.js";
+import { Handles, Pull, SIZE } from "./handles.js";
 import { heightAt } from "./pick.js";
 import type { Drag, Handle, Pose, TowerScene, ViewEvents } from "./scene.js";
 import { Stage } from "./stage.js";
@@ -26,7 +26,8 @@ export class TowerView {
   private readonly stage = new Stage();
   private readonly tower = new TowerModel();
   private readonly beside = new TowerModel(PALER);
-  private readonly dots = new Handles(this.stage.pixelRatio);
+  private isBeside = false;
+  private readonly dots = new Handles();
   private readonly hand: Hand;
   private readonly stop = new AbortController();
   private readonly observers: { disconnect(): void }[] = [];
@@ -43,9 +44,7 @@ export class TowerView {
   /** Fills an element, and follows its size and the theme. */
   constructor(private readonly host: HTMLElement, label: string, private readonly events: ViewEvents = {}) {
     this.palette = paletteOf(host);
-    this.stage.colour(this.palette);
-    this.stage.scene.add(this.tower.group, this.beside.group, this.dots.points);
-    this.beside.group.visible = false;
+    this.stage.paper = this.palette.paper;
     this.adopt(label);
     this.hand = new Hand(this.stage.canvas, this.stage.eye, this.grip());
     this.stage.eye.look(FIRST.azimuth, FIRST.elevation);
@@ -58,9 +57,9 @@ export class TowerView {
    */
   show(tower: TowerScene, beside: TowerScene | null = null): void {
     const isFirst = this.tower.scene === null;
-    const isOther = this.beside.group.visible !== (beside !== null);
+    const isOther = this.isBeside !== (beside !== null);
     this.tower.show(tower, this.palette);
-    this.beside.group.visible = beside !== null;
+    this.isBeside = beside !== null;
     if (beside !== null) this.beside.show(beside, this.palette);
     if (isFirst || (!this.isOwn && (isOther || !this.isInSight()))) this.fit();
     this.later();
@@ -69,7 +68,7 @@ export class TowerView {
   /** Moves the towers from rest; null is at rest. Draws at once. */
   pose(tower: Pose | null, beside: Pose | null = null): void {
     this.tower.move(tower);
-    if (this.beside.group.visible) this.beside.move(beside);
+    if (this.isBeside) this.beside.move(beside);
     this.draw();
   }
 
@@ -103,7 +102,7 @@ export class TowerView {
   /** Reads the colours again. */
   recolour(): void {
     this.palette = paletteOf(this.host);
-    this.stage.colour(this.palette);
+    this.stage.paper = this.palette.paper;
     [this.tower, this.beside].forEach((model) => model.scene !== null && model.show(model.scene, this.palette));
     this.later();
   }
@@ -125,7 +124,7 @@ export class TowerView {
     cancelAnimationFrame(this.frame);
     this.stop.abort();
     this.observers.forEach((observer) => observer.disconnect());
-    [this.hand, this.dots, this.tower, this.beside, this.stage].forEach((part) => part.dispose());
+    [this.hand, this.stage].forEach((part) => part.dispose());
   }
 
   private adopt(label: string): void {
@@ -181,28 +180,23 @@ export class TowerView {
     this.frame = 0;
     if (this.isDisposed || this.tower.scene === null) return;
     const { eye, canvas } = this.stage;
-    this.putBeside();
-    this.tower.draw(eye);
-    if (this.beside.group.visible) this.beside.draw(eye);
-    this.dots.points.visible = this.isHovered || this.pull !== null || document.activeElement === canvas;
-    if (this.dots.points.visible) this.dots.write(eye, this.tower.sections, this.palette);
-    this.stage.draw(10 * (this.tower.span + this.beside.span + this.distance()));
-  }
-
-  private putBeside(): void {
-    const [x, y] = this.stage.eye.right;
-    this.beside.group.position.set(this.distance() * x, this.distance() * y, 0);
+    const [x, y] = eye.right;
+    this.beside.away = [this.distance() * x, this.distance() * y, 0];
+    const items = this.tower.items(eye).concat(this.isBeside ? this.beside.items(eye) : []);
+    const hasDots = this.isHovered || this.pull !== null || document.activeElement === canvas;
+    if (hasDots) items.push(this.dots.item(eye, this.tower.sections, this.palette));
+    this.stage.draw(items, 10 * (this.tower.span + this.beside.span + this.distance()), SIZE);
   }
 
   /** From one axis to the other. */
   private distance(): number {
-    return this.beside.group.visible ? (1 + GAP) * (this.tower.reach + this.beside.reach) : 0;
+    return this.isBeside ? (1 + GAP) * (this.tower.reach + this.beside.reach) : 0;
   }
 
   private extent(): ReturnType<TowerModel["extent"]> {
     const { eye } = this.stage;
     const own = this.tower.extent(eye, this.tower.atRest);
-    if (!this.beside.group.visible) return own;
+    if (!this.isBeside) return own;
     const { low, high } = this.beside.extent(eye, this.beside.atRest);
     const distance = this.distance();
     return union(own, { low: [low[0] + distance, low[1]], high: [high[0] + distance, high[1]] });

@@ -35,17 +35,8 @@ pub const WIDE: View = View {
 impl OpenPage {
     /// Opens a file, which is made first; none if no browser is named. The browser has no WebGL.
     pub fn open(file: impl FnOnce() -> PathBuf, view: View) -> Option<Self> {
-        Self::open_with(Graphics::Flat, file, view)
-    }
-
-    /// The same in a browser with these graphics.
-    pub fn open_with(
-        graphics: Graphics,
-        file: impl FnOnce() -> PathBuf,
-        view: View,
-    ) -> Option<Self> {
         let address = || format!("file://{}", file().display());
-        Self::at(address, graphics, view)
+        Self::at(address, Graphics::Flat, view)
     }
 
     /// Opens an address in a browser with these graphics; none if no browser is named.

@@ -1,15 +1,15 @@
 //! A tower before and after its design: diameters and walls over the height, frequencies in bands.
 
-use towermodes::TowerDescription;
 use towermodes::number::digits;
+use towermodes::{Station, TowerDescription};
 
-use super::legend::{self, Entry, Sample};
+use super::chart::WIDTH;
+use super::chart::legend::{Entry, Legend, Sample};
 use crate::svg::{
     Anchor, Axes, Colour, Dash, DataTable, Drawing, Figure, Frame, Marker, Stroke, TextStyle,
-    text_width,
+    extent, text_width,
 };
 
-const WIDTH: f64 = 900.0;
 const TOP: f64 = 14.0;
 /// Height of the fields of diameters and walls.
 const FIELD: f64 = 380.0;
@@ -81,45 +81,42 @@ fn drawing(
         top += FIELD + BELOW + TOP;
     }
     let frequencies = frequencies_frame(modes, top, if has_stations { 0.0 } else { LOWEST });
-    let legend_top = frequencies.bottom + BELOW;
-    let room = WIDTH - 28.0;
-    let entries = entries(has_stations, modes);
-    let height = legend_top + legend::height(&entries, room) + 6.0;
-    let mut drawing = Drawing::new(WIDTH, height.ceil());
+    let legend = Legend {
+        left_top: (14.0, frequencies.bottom + BELOW),
+        room: WIDTH - 28.0,
+        entries: entries(has_stations, modes),
+    };
+    let mut drawing = legend.sheet();
     if has_stations {
         draw_profiles(&mut drawing, towers);
     }
     draw_frequencies(&mut drawing, frequencies, modes);
-    legend::draw(&mut drawing, (14.0, legend_top), room, &entries);
+    legend.draw(&mut drawing);
     drawing
 }
 
 /// Diameters on the left, walls on the right, over the same heights.
 fn draw_profiles(drawing: &mut Drawing, towers: [&TowerDescription; 2]) {
-    let of = |tower: &TowerDescription| -> [Vec<(f64, f64)>; 2] {
-        let stations = tower.stations.iter();
-        let diameters = stations.map(|s| (s.outer_diameter_m, s.height_m)).collect();
-        let stations = tower.stations.iter();
-        let walls = stations
-            .map(|s| (1e3 * s.wall_thickness_m, s.height_m))
-            .collect();
-        [diameters, walls]
+    let of = |value: fn(&Station) -> f64| {
+        towers.map(|tower| -> Vec<(f64, f64)> {
+            let stations = tower.stations.iter();
+            stations
+                .map(|station| (value(station), station.height_m))
+                .collect()
+        })
     };
-    let [before, after] = towers.map(of);
-    let heights = || {
-        before[0]
-            .iter()
-            .chain(&after[0])
-            .map(|(_, height_m)| *height_m)
-    };
-    let heights = [
-        heights().fold(f64::INFINITY, f64::min),
-        heights().fold(f64::NEG_INFINITY, f64::max),
+    let fields = [
+        ("outer diameter (m)", of(|station| station.outer_diameter_m)),
+        (
+            "wall thickness (mm)",
+            of(|station| 1e3 * station.wall_thickness_m),
+        ),
     ];
+    let stations = towers.into_iter().flat_map(|tower| &tower.stations);
+    let heights = extent(stations.map(|station| station.height_m)).unwrap_or([0.0, 1.0]);
     let left = Axes::left_margin(heights, false, TICKS);
     let width = 0.5 * (WIDTH - 14.0) - left;
-    let names = ["outer diameter (m)", "wall thickness (mm)"];
-    for (place, name) in names.into_iter().enumerate() {
+    for (place, (name, [before, after])) in fields.iter().enumerate() {
         let begin = left + place as f64 * (left + width);
         let frame = Frame {
             left: begin,
@@ -127,11 +124,7 @@ fn draw_profiles(drawing: &mut Drawing, towers: [&TowerDescription; 2]) {
             right: begin + width,
             bottom: TOP + FIELD,
         };
-        let [before, after] = [&before[place], &after[place]];
-        let widest = before
-            .iter()
-            .chain(after)
-            .fold(0.0_f64, |most, (x, _)| most.max(*x));
+        let [_, widest] = extent(before.iter().chain(after).map(|(x, _)| *x)).unwrap_or([0.0; 2]);
         let axes = Axes::new(frame, [0.0, 1.05 * widest], heights, [false, false]);
         axes.draw_x(drawing, name, TICKS);
         axes.draw_y(drawing, "height (m)", TICKS);
@@ -167,13 +160,8 @@ fn draw_frequencies(drawing: &mut Drawing, frame: Frame, modes: &[DesignedMode<'
     let values = modes
         .iter()
         .flat_map(|mode| [mode.before_hz, Some(mode.after_hz)]);
-    let all: Vec<f64> = values.flatten().chain(ends).collect();
-    let low = all.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = all.iter().copied().fold(0.0, f64::max);
-    let range = match low <= high {
-        true => [0.95 * low, 1.05 * high],
-        false => [0.0, 1.0],
-    };
+    let all = values.flatten().chain(ends);
+    let range = extent(all).map_or([0.0, 1.0], |[low, high]| [0.95 * low, 1.05 * high]);
     let axes = Axes::new(frame, range, [0.0, 1.0], [false, false]);
     let height = (frame.bottom - frame.top) / modes.len().max(1) as f64;
     for (row, mode) in modes.iter().enumerate() {
@@ -210,12 +198,8 @@ fn entries(has_stations: bool, modes: &[DesignedMode<'_>]) -> Vec<Entry> {
         (of(after_stroke(), Marker::Disc), "after".to_owned()),
     ];
     if !modes.is_empty() {
-        let edge = Stroke::new(Colour::Grid, 1.0);
-        let band = Sample {
-            surface: Some((Colour::Window, edge)),
-            ..Sample::default()
-        };
-        entries.push((band, "band of the frequency".to_owned()));
+        let band = (Colour::Window, Stroke::new(Colour::Grid, 1.0));
+        entries.push((band.into(), "band of the frequency".to_owned()));
     }
     entries
 }
@@ -242,8 +226,5 @@ fn table(mass_kg: [f64; 2], modes: &[DesignedMode<'_>]) -> DataTable {
             digits(mode.after_hz, 6),
         ]
     }));
-    DataTable {
-        header: header.map(str::to_owned).to_vec(),
-        rows,
-    }
+    DataTable::new(header, rows)
 }

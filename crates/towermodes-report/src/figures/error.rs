@@ -3,14 +3,14 @@
 use towermodes::Method;
 use towermodes_analysis::study::{Column, Comparison};
 
-use super::error_axis::{ErrorAxis, signed};
-use super::legend::{self, Entry, Sample, words};
+use super::chart::WIDTH;
+use super::chart::error_axis::{ErrorAxis, signed};
+use super::chart::legend::{Entry, Legend, words};
 use crate::svg::{
     Anchor, Axes, Colour, DataTable, Drawing, Figure, Frame, Marker, Stroke, TextStyle, text_width,
 };
 use crate::wording::counted;
 
-const WIDTH: f64 = 900.0;
 /// Height of the field.
 const FIELD: f64 = 360.0;
 const TOP: f64 = 18.0;
@@ -119,32 +119,26 @@ fn drawing(comparison: &Comparison, methods: &[&Column]) -> Drawing {
             .filter_map(move |column| difference(column, mode))
     });
     let errors = ErrorAxis::of(differences);
+    let y = errors.axis("relative difference |f/f_ref − 1| (–)");
     let frame = Frame {
-        left: Axes::left_margin_at(&errors.ticks()),
+        left: y.left_margin(),
         top: TOP,
         right: WIDTH - 14.0,
         bottom: TOP + FIELD,
     };
     let count = modes(comparison).len().max(1) as f64;
     let axes = Axes::new(frame, [0.0, count], errors.range, [false, true]);
-    let labels: Vec<String> = modes(comparison)
-        .map(|mode| comparison.modes[mode].label.clone())
-        .collect();
-    let names_height = names_height(&labels, &axes);
+    let labels = modes(comparison).map(|mode| comparison.modes[mode].label.as_str());
+    let labels: Vec<&str> = labels.collect();
     let mut entries: Vec<Entry> = methods.iter().enumerate().map(entry).collect();
     entries.extend(hidden_text(hidden(comparison)).map(words));
-    let legend_top = frame.bottom + SPACE + names_height + SPACE;
-    let room = frame.right - frame.left;
-    let height = legend_top + legend::height(&entries, room) + 6.0;
-    let mut drawing = Drawing::new(WIDTH, height.ceil());
-    axes.draw_y_at(
-        &mut drawing,
-        "relative difference |f/f_ref − 1| (–)",
-        &errors.ticks(),
-    );
+    let below = SPACE + names_height(&labels, &axes) + SPACE;
+    let legend = Legend::below(&frame, frame.bottom + below, entries);
+    let mut drawing = legend.sheet();
+    y.draw_left(&mut drawing, &axes);
     names(&mut drawing, &labels, &axes);
     dots(&mut drawing, comparison, methods, &errors, &axes);
-    legend::draw(&mut drawing, (frame.left, legend_top), room, &entries);
+    legend.draw(&mut drawing);
     drawing
 }
 
@@ -156,11 +150,7 @@ fn marker(index: usize) -> (Marker, Colour) {
 }
 
 fn entry((index, column): (usize, &&Column)) -> Entry {
-    let sample = Sample {
-        marker: Some(marker(index)),
-        ..Sample::default()
-    };
-    (sample, name(column))
+    (marker(index).into(), name(column))
 }
 
 /// The middle of a mode's room.
@@ -172,45 +162,42 @@ fn column_width(axes: &Axes) -> f64 {
     axes.x.at(1.0) - axes.x.at(0.0)
 }
 
-fn is_turned(labels: &[String], axes: &Axes) -> bool {
-    let widths = labels.iter().map(|label| text_width(label, SIZE, false));
-    widths.fold(0.0, f64::max) + 8.0 > column_width(axes)
-}
-
-fn names_height(labels: &[String], axes: &Axes) -> f64 {
-    if !is_turned(labels, axes) {
-        return SIZE;
-    }
+/// The widest name.
+fn widest(labels: &[&str]) -> f64 {
     let widths = labels.iter().map(|label| text_width(label, SIZE, false));
     widths.fold(0.0, f64::max)
 }
 
+fn are_turned(labels: &[&str], axes: &Axes) -> bool {
+    widest(labels) + 8.0 > column_width(axes)
+}
+
+fn names_height(labels: &[&str], axes: &Axes) -> f64 {
+    match are_turned(labels, axes) {
+        true => widest(labels),
+        false => SIZE,
+    }
+}
+
 /// The names of the modes below the field, turned where they are too long, and a line up from each.
-fn names(drawing: &mut Drawing, labels: &[String], axes: &Axes) {
-    let Frame {
-        left,
-        top,
-        right,
-        bottom,
-    } = axes.frame;
-    let turned = is_turned(labels, axes);
+fn names(drawing: &mut Drawing, labels: &[&str], axes: &Axes) {
+    let frame = axes.frame;
+    let (style, dx, dy) = match are_turned(labels, axes) {
+        true => (
+            TextStyle::new(SIZE).anchor(Anchor::End).turned(),
+            0.35 * SIZE,
+            0.0,
+        ),
+        false => (TextStyle::new(SIZE).anchor(Anchor::Middle), 0.0, 0.8 * SIZE),
+    };
     for (mode, label) in labels.iter().enumerate() {
         let x = axes.x.at(middle(mode));
-        drawing.line((x, top), (x, bottom), &Stroke::new(Colour::Grid, 1.0));
-        let style = TextStyle::new(SIZE);
-        if turned {
-            let style = style.anchor(Anchor::End).turned();
-            drawing.text((x + 0.35 * SIZE, bottom + SPACE), label, &style);
-        } else {
-            let style = style.anchor(Anchor::Middle);
-            drawing.text((x, bottom + SPACE + 0.8 * SIZE), label, &style);
-        }
+        let grid = Stroke::new(Colour::Grid, 1.0);
+        drawing.line((x, frame.top), (x, frame.bottom), &grid);
+        drawing.text((x + dx, frame.bottom + SPACE + dy), label, &style);
     }
-    drawing.line(
-        (left, bottom),
-        (right, bottom),
-        &Stroke::new(Colour::Muted, 1.0),
-    );
+    let (from, to) = ((frame.left, frame.bottom), (frame.right, frame.bottom));
+    drawing.line(from, to, &Stroke::new(Colour::Muted, 1.0));
 }
 
 /// The dots of each mode side by side, in the order of the legend.

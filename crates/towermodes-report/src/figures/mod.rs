@@ -2,18 +2,15 @@
 
 mod animation;
 mod campbell;
-mod convergence;
+pub(crate) mod chart;
+pub(crate) mod convergence;
 mod design;
-mod end_labels;
 mod enlargement;
 mod error;
-pub(crate) mod error_axis;
 mod first_frequencies;
-mod legend;
 mod outline;
 mod scene;
 mod shapes;
-mod slope;
 mod soil;
 mod sweep;
 mod symbols;

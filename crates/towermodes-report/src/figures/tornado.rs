@@ -4,12 +4,12 @@ use towermodes::TowerDescription;
 use towermodes::number::digits;
 use towermodes_analysis::influence::{Influence, Influences, Tolerance, Tolerances};
 
-use super::legend::{self, Entry, Sample};
+use super::chart::WIDTH;
+use super::chart::legend::{Entry, Legend};
 use crate::svg::{
     Anchor, Axes, Colour, DataTable, Drawing, Figure, Frame, Marker, Stroke, TextStyle, text_width,
 };
 
-const WIDTH: f64 = 900.0;
 const TOP: f64 = 18.0;
 /// Height of a bar with the gap below it.
 const ROW: f64 = 22.0;
@@ -82,15 +82,8 @@ fn bars<'a>(
         };
         Some(size.copysign(grows))
     };
-    let numbers = influences.numbers.iter();
-    let mut bars: Vec<Bar<'a>> = numbers
-        .filter_map(|number| {
-            Some(Bar {
-                number,
-                percent: percent(number)?,
-            })
-        })
-        .collect();
+    let bar = |number| percent(number).map(|percent| Bar { number, percent });
+    let mut bars: Vec<Bar<'a>> = influences.numbers.iter().filter_map(bar).collect();
     bars.sort_by(|a, b| b.percent.abs().total_cmp(&a.percent.abs()));
     let largest = bars.first().map_or(0.0, |bar| bar.percent.abs());
     bars.retain(|bar| bar.percent != 0.0 && bar.percent.abs() >= SMALLEST * largest);
@@ -116,11 +109,8 @@ fn drawing(bars: &[Bar<'_>], mode: &str, cause: &str) -> Drawing {
     let largest = bars.first().map_or(1.0, |bar| bar.percent.abs());
     let end = (1.0 + ROOM) * largest;
     let axes = Axes::new(frame, [-end, end], [0.0, 1.0], [false, false]);
-    let legend_top = frame.bottom + BELOW;
-    let entries = entries();
-    let room = frame.right - frame.left;
-    let height = legend_top + legend::height(&entries, room) + 6.0;
-    let mut drawing = Drawing::new(WIDTH, height.ceil());
+    let legend = Legend::below(&frame, frame.bottom + BELOW, entries());
+    let mut drawing = legend.sheet();
     let name = format!("change of the frequency of the {mode} by {cause} (%)");
     axes.draw_x(&mut drawing, &name, 8);
     for (row, bar) in bars.iter().enumerate() {
@@ -129,7 +119,7 @@ fn drawing(bars: &[Bar<'_>], mode: &str, cause: &str) -> Drawing {
     let middle = axes.x.at(0.0);
     let line = Stroke::new(Colour::Muted, 1.0);
     drawing.line((middle, frame.top), (middle, frame.bottom), &line);
-    legend::draw(&mut drawing, (frame.left, legend_top), room, &entries);
+    legend.draw(&mut drawing);
     drawing
 }
 
@@ -140,12 +130,8 @@ fn draw(drawing: &mut Drawing, bar: &Bar<'_>, row: usize, axes: &Axes) {
     for (percent, series) in [(bar.percent, 0), (-bar.percent, 1)] {
         let end = axes.x.at(percent);
         let (left, right) = (middle.min(end), middle.max(end));
-        let corners = [
-            (left, top),
-            (right, top),
-            (right, top + BAR),
-            (left, top + BAR),
-        ];
+        let bottom = top + BAR;
+        let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
         drawing.polygon(&corners, Colour::Series(series), None);
     }
     let base = top + 0.5 * BAR + 0.35 * SIZE;
@@ -157,21 +143,17 @@ fn draw(drawing: &mut Drawing, bar: &Bar<'_>, row: usize, axes: &Axes) {
 }
 
 fn entries() -> Vec<Entry> {
-    let sample = |series: usize| Sample {
-        marker: Some((Marker::of_series(series), Colour::Series(series))),
-        ..Sample::default()
+    let entry = |(series, text): (usize, &str)| {
+        let marker = (Marker::of_series(series), Colour::Series(series));
+        (marker.into(), text.to_owned())
     };
-    vec![
-        (sample(0), "number larger".to_owned()),
-        (sample(1), "number smaller".to_owned()),
-    ]
+    [(0, "number larger"), (1, "number smaller")]
+        .map(entry)
+        .to_vec()
 }
 
 fn table(bars: &[Bar<'_>], influences: &Influences) -> DataTable {
     let mode = influences.modes.first().map_or("", |mode| &mode.label);
     let row = |bar: &Bar<'_>| vec![bar.number.name.clone(), signed(bar.percent)];
-    DataTable {
-        header: vec!["number".to_owned(), format!("{mode} (%)")],
-        rows: bars.iter().map(row).collect(),
-    }
+    DataTable::new(["number", &format!("{mode} (%)")], bars.iter().map(row))
 }

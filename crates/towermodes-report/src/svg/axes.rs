@@ -24,6 +24,18 @@ pub struct Frame {
     pub bottom: f64,
 }
 
+impl Frame {
+    /// The upper left corner.
+    pub fn left_top(&self) -> (f64, f64) {
+        (self.left, self.top)
+    }
+
+    /// Its width and height.
+    pub fn size(&self) -> (f64, f64) {
+        (self.right - self.left, self.bottom - self.top)
+    }
+}
+
 /// A field with an axis below and one on its left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Axes {
@@ -38,12 +50,9 @@ pub struct Axes {
 impl Axes {
     /// Axes for these ranges; `logarithmic` gives for x and y whether the scale is logarithmic.
     pub fn new(frame: Frame, x: [f64; 2], y: [f64; 2], logarithmic: [bool; 2]) -> Self {
-        let scale = |values, places, is_logarithmic| {
-            if is_logarithmic {
-                Scale::logarithmic(values, places)
-            } else {
-                Scale::linear(values, places)
-            }
+        let scale = |values, places, is_logarithmic| Scale {
+            is_logarithmic,
+            ..Scale::linear(values, places)
         };
         Self {
             frame,
@@ -85,16 +94,21 @@ impl Axes {
             right,
             bottom,
         } = self.frame;
-        let grid = |value: f64| [top, bottom].map(|y| (self.x.at(value), y));
-        draw_ticks(drawing, ticks, Anchor::Middle, grid, |[_, (x, _)]| {
-            (x, bottom + 1.5 * NUMBERS)
-        });
-        let name_at = (0.5 * (left + right), bottom + 1.5 * NUMBERS + 1.6 * NAME);
-        let style = TextStyle::new(NAME).anchor(Anchor::Middle);
+        let below = bottom + 1.5 * NUMBERS;
+        for (value, text) in ticks {
+            let x = self.x.at(*value);
+            draw_tick(
+                drawing,
+                [(x, top), (x, bottom)],
+                text,
+                ((x, below), Anchor::Middle),
+            );
+        }
+        let name_at = (0.5 * (left + right), below + 1.6 * NAME);
         draw_axis(
             drawing,
             [(left, bottom), (right, bottom)],
-            (name, name_at, style),
+            (name, name_at, TextStyle::new(NAME)),
         );
     }
 
@@ -112,15 +126,19 @@ impl Axes {
             right,
             bottom,
         } = self.frame;
-        let grid = |value: f64| [left, right].map(|x| (x, self.y.at(value)));
-        draw_ticks(drawing, ticks, Anchor::End, grid, |[(_, y), _]| {
-            (left - 0.6 * NUMBERS, y + 0.35 * NUMBERS)
-        });
-        let name_at = (
-            left - widest(ticks) - 1.2 * NUMBERS - 0.3 * NAME,
-            0.5 * (top + bottom),
-        );
-        let style = TextStyle::new(NAME).anchor(Anchor::Middle).turned();
+        for (value, text) in ticks {
+            let y = self.y.at(*value);
+            let beside = (left - 0.6 * NUMBERS, y + 0.35 * NUMBERS);
+            draw_tick(
+                drawing,
+                [(left, y), (right, y)],
+                text,
+                (beside, Anchor::End),
+            );
+        }
+        let name_x = left - widest(ticks) - 1.2 * NUMBERS - 0.3 * NAME;
+        let name_at = (name_x, 0.5 * (top + bottom));
+        let style = TextStyle::new(NAME).turned();
         draw_axis(
             drawing,
             [(left, top), (left, bottom)],
@@ -131,20 +149,16 @@ impl Axes {
 
 type Point = (f64, f64);
 
-/// Draws a line of the grid for each value and its number.
-fn draw_ticks(
+/// Draws a line of the grid and its number.
+fn draw_tick(
     drawing: &mut Drawing,
-    ticks: &[(f64, String)],
-    anchor: Anchor,
-    grid: impl Fn(f64) -> [Point; 2],
-    number_at: impl Fn([Point; 2]) -> Point,
+    [from, to]: [Point; 2],
+    text: &str,
+    (at, anchor): (Point, Anchor),
 ) {
+    drawing.line(from, to, &Stroke::new(Colour::Grid, 1.0));
     let style = TextStyle::new(NUMBERS).colour(Colour::Muted).anchor(anchor);
-    for (value, text) in ticks {
-        let ends = grid(*value);
-        drawing.line(ends[0], ends[1], &Stroke::new(Colour::Grid, 1.0));
-        drawing.text(number_at(ends), text, &style);
-    }
+    drawing.text(at, text, &style);
 }
 
 /// Draws the line of an axis and its name.
@@ -154,7 +168,7 @@ fn draw_axis(
     (name, at, style): (&str, Point, TextStyle),
 ) {
     drawing.line(from, to, &Stroke::new(Colour::Muted, 1.0));
-    drawing.text(at, name, &style);
+    drawing.text(at, name, &style.anchor(Anchor::Middle));
 }
 
 fn widest(ticks: &[(f64, String)]) -> f64 {

@@ -77,6 +77,16 @@ fn decades(low: f64, high: f64, count: usize) -> Vec<f64> {
         .collect()
 }
 
+/// The smallest and the largest of some values; none if there are none. NaN is neither.
+pub(crate) fn extent(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
+    let ends = values
+        .into_iter()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+            [low.min(value), high.max(value)]
+        });
+    (ends[0] <= ends[1]).then_some(ends)
+}
+
 /// The nearest of 1, 2, 5 times a power of ten.
 fn round_step(step: f64) -> f64 {
     let power = 10.0_f64.powf(step.log10().floor());

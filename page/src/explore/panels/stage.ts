@@ -1,13 +1,10 @@
 // The tower in three dimensions, with the controls of its motion.
 
-import type * as View from "../../view/index.js";
+import { TowerView, isSupported } from "../../view/index.js";
 import type { Drag, Handle, Tap, TowerScene } from "../../view/scene.js";
 import { byId, make, setClass, setText } from "../dom.js";
 import { Player, type Moving } from "../modes/player.js";
 import type { Mode } from "../protocol.js";
-
-/** The script view.js, which the page loads before. */
-declare const towermodesView: typeof View;
 
 export interface StageEvents {
   /** Whether the next tower is about to come. */
@@ -19,7 +16,7 @@ export interface StageEvents {
 
 export class Stage {
   readonly player: Player;
-  private view: View.TowerView | null = null;
+  private view: TowerView | null = null;
   private flat: HTMLImageElement | null = null;
   private present: Moving | null = null;
   private amplitude = byId<HTMLInputElement>("amplitude");
@@ -35,8 +32,8 @@ export class Stage {
 
   private open(): void {
     const host = byId("view");
-    if (towermodesView.isSupported()) {
-      this.view = new towermodesView.TowerView(host, "The tower", {
+    if (isSupported()) {
+      this.view = new TowerView(host, "The tower", {
         drag: (drag) => this.events.drag(drag),
         tap: (tap) => this.release(tap),
       });

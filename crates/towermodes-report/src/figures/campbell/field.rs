@@ -2,7 +2,8 @@
 
 use towermodes_analysis::resonance::Campbell;
 
-use crate::figures::{end_labels, legend};
+use crate::figures::chart::end_labels;
+use crate::figures::chart::legend::Legend;
 use crate::svg::{Anchor, Axes, Colour, Dash, Drawing, Frame, Stroke, TextStyle, text_width};
 
 use super::key::entries;
@@ -17,8 +18,6 @@ use crate::wording::speed_range;
 const BELOW: f64 = 46.0;
 /// Radius of the circle at a change of names.
 const CHANGE: f64 = 3.0;
-/// Below the legend.
-const FOOT: f64 = 6.0;
 /// The approximate number of numbers along the axis of the upper field.
 const UPPER_TICKS: usize = 4;
 
@@ -32,9 +31,12 @@ pub(super) fn drawing(campbell: &Campbell, shown: &Shown) -> Drawing {
     let is_counted = clusters.iter().any(|clusters| marks::are_counted(clusters));
     let entries = entries(campbell, shown, layout.without_label(shown), is_counted);
     let Frame { left, bottom, .. } = fields[0].frame;
-    let (legend_top, legend_room) = (bottom + BELOW, WIDTH - left - 10.0);
-    let height = (legend_top + legend::height(&entries, legend_room) + FOOT).ceil();
-    let mut drawing = Drawing::new(WIDTH, height);
+    let legend = Legend {
+        left_top: (left, bottom + BELOW),
+        room: WIDTH - left - 10.0,
+        entries,
+    };
+    let mut drawing = legend.sheet();
     for (index, axes) in fields.iter().enumerate() {
         draw_field(&mut drawing, (campbell, shown), index, axes);
         marks::draw(&mut drawing, &clusters[index]);
@@ -47,7 +49,7 @@ pub(super) fn drawing(campbell: &Campbell, shown: &Shown) -> Drawing {
         rays::upper_ends(&mut drawing, &layout.above, (campbell, shown), top);
     }
     draw_aside(&mut drawing, fields, &layout.aside);
-    legend::draw(&mut drawing, (left, legend_top), legend_room, &entries);
+    legend.draw(&mut drawing);
     drawing
 }
 

@@ -7,9 +7,9 @@ use towermodes_analysis::resonance::Campbell;
 use super::lines::{Group, Shown};
 use super::rays::{self, strong};
 use super::shades::{ribbon_edge, window_edge, window_hz};
-use crate::figures::legend::{Entry, Sample, words};
+use crate::figures::chart::legend::{Entry, Sample, words};
 use crate::number::four_digits;
-use crate::svg::{Colour, Marker, Stroke};
+use crate::svg::{Colour, Marker};
 use crate::wording::counted;
 
 /// The entries of the legend, and how many lines of modes and excitations have no label.
@@ -33,14 +33,6 @@ pub(super) fn entries(
     entries
 }
 
-fn line(line: Stroke, marker: Option<(Marker, Colour)>) -> Sample {
-    Sample {
-        line: Some(line),
-        marker,
-        surface: None,
-    }
-}
-
 /// One entry for the lines that are drawn alike, in the order in which they first appear; those of
 /// the tower first.
 fn modes(shown: &Shown) -> Vec<Entry> {
@@ -48,7 +40,14 @@ fn modes(shown: &Shown) -> Vec<Entry> {
     for Group { kind, .. } in &shown.groups {
         let words = kind.words();
         if !entries.iter().any(|(_, own)| *own == words) {
-            entries.push((line(kind.stroke(), kind.marker()), words));
+            let marker = kind.marker();
+            entries.push((
+                Sample {
+                    marker,
+                    ..kind.stroke().into()
+                },
+                words,
+            ));
         }
     }
     entries
@@ -65,22 +64,18 @@ fn excitations(campbell: &Campbell, shown: &Shown) -> Vec<Entry> {
             "1P, {passing}P: rotor speed, blade passing frequency"
         )),
     };
-    entries.extend(text.map(|text| (line(rays::stroke(shown, true), None), text)));
+    entries.extend(text.map(|text| (rays::stroke(shown, true).into(), text)));
     if shown.multiples.len() > strong.len() {
         let mut text = "nP: other multiples of the rotor speed".to_owned();
         if shown.more_multiples > 0 {
             text += &format!("; {} more are not shown", shown.more_multiples);
         }
-        entries.push((line(rays::stroke(shown, false), None), text));
+        entries.push((rays::stroke(shown, false).into(), text));
     }
     entries
 }
 
 fn shades(campbell: &Campbell, shown: &Shown) -> Vec<Entry> {
-    let surface = |colour: Colour, edge: Stroke| Sample {
-        surface: Some((colour, edge)),
-        ..Sample::default()
-    };
     let mut entries = Vec::new();
     if let Some([from_hz, to_hz]) = window_hz(campbell) {
         let text = format!(
@@ -88,7 +83,7 @@ fn shades(campbell: &Campbell, shown: &Shown) -> Vec<Entry> {
             four_digits(from_hz),
             four_digits(to_hz)
         );
-        entries.push((surface(Colour::Window, window_edge()), text));
+        entries.push(((Colour::Window, window_edge()).into(), text));
     }
     if !campbell.not_checked.is_empty() {
         return entries;
@@ -103,9 +98,9 @@ fn shades(campbell: &Campbell, shown: &Shown) -> Vec<Entry> {
     let of = strong.join(" or ");
     let margin = percent(campbell.margin);
     let text = format!("within {margin} % of {of}{}", speeds_of(campbell));
-    entries.push((surface(Colour::TooNear, ribbon_edge(true)), text));
+    entries.push(((Colour::TooNear, ribbon_edge(true)).into(), text));
     let text = format!("within {} %", percent(2.0 * campbell.margin));
-    entries.push((surface(Colour::Near, ribbon_edge(false)), text));
+    entries.push(((Colour::Near, ribbon_edge(false)).into(), text));
     entries
 }
 
@@ -121,11 +116,7 @@ fn marks(campbell: &Campbell) -> Vec<Entry> {
     let entry = |(verdict, marker, text): (Verdict, (Marker, Colour), &str)| {
         let mut all = campbell.margins.iter();
         let has = all.any(|margin| margin.verdict == verdict);
-        let sample = Sample {
-            marker: Some(marker),
-            ..Sample::default()
-        };
-        has.then(|| (sample, text.to_owned()))
+        has.then(|| (marker.into(), text.to_owned()))
     };
     kinds.into_iter().filter_map(entry).collect()
 }

@@ -2,15 +2,14 @@
 
 use towermodes_analysis::resonance::Campbell;
 
-use crate::figures::end_labels::{self, EndLabel, GAP};
+pub(super) use crate::figures::chart::WIDTH;
+use crate::figures::chart::end_labels::{self, EndLabel, GAP};
 use crate::svg::{Axes, Frame, text_width};
 
 use super::above::{above_text, unresisted_text};
 use super::lines::{Group, Shown};
 use super::rays::{self, Labelled, end_hz};
 
-/// Width of the sheet.
-pub(super) const WIDTH: f64 = 900.0;
 /// Height of the field, of the lower one of two, and the least and most of the upper one.
 const ALONE: f64 = 400.0;
 const LOWER: f64 = 340.0;

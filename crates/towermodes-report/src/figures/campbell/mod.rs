@@ -113,8 +113,5 @@ fn table(campbell: &Campbell) -> DataTable {
                 .map(|rpm| row(&format!("{multiple}P"), Rpm(*rpm).to_string(), hz(*rpm))),
         );
     }
-    DataTable {
-        header: header.map(str::to_owned).to_vec(),
-        rows,
-    }
+    DataTable::new(header, rows)
 }

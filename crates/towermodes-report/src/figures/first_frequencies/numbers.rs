@@ -87,10 +87,7 @@ pub(super) fn table(bar: &Bar) -> DataTable {
         let distances = lane.distances();
         distances.filter_map(|distance| row(bar, lane, distance))
     });
-    DataTable {
-        header: header.map(str::to_owned).to_vec(),
-        rows: rows.collect(),
-    }
+    DataTable::new(header, rows)
 }
 
 fn row(bar: &Bar, lane: &Lane, (margin, percent): (&Margin, &str)) -> Option<Vec<String>> {

@@ -3,7 +3,7 @@
 
 use towermodes::number::{digits, percent};
 
-use crate::figures::legend::{self, Entry, Sample, words};
+use crate::figures::chart::legend::{Entry, words};
 use crate::svg::{Anchor, Axes, Colour, Dash, Drawing, Stroke, TextStyle};
 
 /// Size of the names of the bands.
@@ -132,45 +132,24 @@ impl SweepBands {
         }
     }
 
-    /// What the shades are.
+    /// What the shades are; nothing without bands.
     pub(super) fn legend(&self) -> Vec<Entry> {
-        let names: Vec<String> = self
-            .bands
-            .iter()
-            .map(|band| format!("{}P", band.multiple))
-            .collect();
-        let surface = Sample {
-            surface: Some((Colour::TooNear, edge())),
-            ..Sample::default()
-        };
-        let line = Sample {
-            line: Some(operation()),
-            ..Sample::default()
-        };
+        if self.bands.is_empty() {
+            return Vec::new();
+        }
+        let names = self.bands.iter().map(|band| format!("{}P", band.multiple));
+        let names: Vec<String> = names.collect();
         let names = names.join(" or ");
-        let margin = percent(self.margin);
+        let within = format!("within {} % of {names} in operation", percent(self.margin));
+        let at_ends = format!("{names} at the lowest and highest rotor speed");
         let mut entries = vec![
-            (
-                surface,
-                format!("within {margin} % of {names} in operation"),
-            ),
-            (
-                line,
-                format!("{names} at the lowest and highest rotor speed"),
-            ),
+            ((Colour::TooNear, edge()).into(), within),
+            (operation().into(), at_ends),
         ];
         if self.are_random {
             entries.push(words("in brackets: 95 % confidence".to_owned()));
         }
         entries
-    }
-
-    /// The height of the legend below the panels.
-    pub(super) fn legend_height(&self, width: f64) -> f64 {
-        match self.bands.is_empty() {
-            true => 0.0,
-            false => legend::height(&self.legend(), width),
-        }
     }
 }
 

@@ -2,9 +2,10 @@
 
 use towermodes::number::Rounded;
 
-use super::panel::{Curve, Panel, stacked};
-use super::{ModeColumn, VariedColumn};
-use crate::svg::{DataTable, Figure};
+use super::{ModeColumn, VariedColumn, panel_height};
+use crate::figures::chart::{Axis, Chart, Series, WIDTH, range, six_decimals};
+use crate::svg::{DataTable, Drawing, Figure};
+use crate::wording::counted;
 
 /// Curves for more values of a number cannot be distinguished.
 pub(super) const MOST_LEVELS: usize = 7;
@@ -20,31 +21,19 @@ pub(super) fn of_one(varied: &VariedColumn<'_>, modes: &[ModeColumn<'_>]) -> Fig
     let shown = &modes[..modes.len().min(MOST_MODES)];
     let all = by_value(varied, |_| true);
     let rows = thinned(&all);
-    let curves = shown.iter().map(|mode| Curve {
-        label: mode.label.to_owned(),
-        points: points(&rows, varied, mode),
-    });
-    let x_name = varied.axis_name();
-    let panel = Panel {
-        title: "",
-        x_name: &x_name,
-        curves: curves.collect(),
-    };
+    let curves = shown
+        .iter()
+        .map(|mode| (mode.label.to_owned(), points(&rows, varied, mode)));
     let description = format!(
         "Natural frequencies of {} against {}, {}.{}{}",
-        count(shown.len(), "mode"),
+        counted(shown.len(), "mode"),
         varied.name,
-        count(all.len(), "row"),
+        counted(all.len(), "row"),
         points_in_words(rows.len(), all.len()),
         not_shown(modes.len() - shown.len())
     );
-    Figure {
-        name: "sweep".to_owned(),
-        title: format!("Natural frequencies against {}", varied.name),
-        description,
-        table: table(&x_name, std::slice::from_ref(&panel)),
-        drawing: stacked(&[panel]),
-    }
+    let title = format!("Natural frequencies against {}", varied.name);
+    figure(title, description, &[panel(None, varied, curves)])
 }
 
 /// A panel for each mode, with a curve for each value of `other`.
@@ -55,65 +44,78 @@ pub(super) fn of_two(
     modes: &[ModeColumn<'_>],
 ) -> Figure {
     let shown = &modes[..modes.len().min(MOST_PANELS)];
-    let x_name = varied.axis_name();
-    let rows: Vec<(f64, Vec<usize>)> = levels
+    let rows = levels
         .iter()
-        .map(|level| {
-            let rows = by_value(varied, |row| other.values[row] == *level);
-            (*level, thinned(&rows))
-        })
-        .collect();
-    let panel = |mode: &'_ ModeColumn<'_>| {
-        let curves = rows.iter().map(|(level, rows)| Curve {
-            label: format!("{} = {}", other.name, Rounded(*level)),
-            points: points(rows, varied, mode),
-        });
-        curves.collect::<Vec<Curve>>()
-    };
-    let panels: Vec<Panel<'_>> = shown
-        .iter()
-        .map(|mode| Panel {
-            title: mode.label,
-            x_name: &x_name,
-            curves: panel(mode),
-        })
-        .collect();
+        .map(|level| thinned(&by_value(varied, |row| other.values[row] == *level)));
+    let rows: Vec<Vec<usize>> = rows.collect();
+    let name = |level: &f64| format!("{} = {}", other.name, Rounded(*level));
+    let panels = shown.iter().map(|mode| {
+        let curves = levels.iter().zip(&rows);
+        let curves = curves.map(|(level, rows)| (name(level), points(rows, varied, mode)));
+        panel(Some(mode.label.to_owned()), varied, curves)
+    });
     let description = format!(
         "Natural frequencies of {} against {}, one panel for each mode, one curve for each of {} of {}.{}",
-        count(shown.len(), "mode"),
+        counted(shown.len(), "mode"),
         varied.name,
-        count(levels.len(), "value"),
+        counted(levels.len(), "value"),
         other.name,
         not_shown(modes.len() - shown.len())
     );
+    let title = format!(
+        "Natural frequencies against {} and {}",
+        varied.name, other.name
+    );
+    figure(title, description, &panels.collect::<Vec<Chart>>())
+}
+
+/// Panels one below the other.
+fn figure(title: String, description: String, panels: &[Chart]) -> Figure {
+    let height = panel_height(panels.len());
+    let mut drawing = Drawing::new(WIDTH, height * panels.len().max(1) as f64);
+    for (index, panel) in panels.iter().enumerate() {
+        let top = height * index as f64;
+        panel.draw(&mut drawing, [top, top + height]);
+    }
     Figure {
         name: "sweep".to_owned(),
-        title: format!(
-            "Natural frequencies against {} and {}",
-            varied.name, other.name
-        ),
+        title,
         description,
-        table: table(&x_name, &panels),
-        drawing: stacked(&panels),
+        table: table(panels),
+        drawing,
     }
 }
 
-/// "1 mode", "4 modes".
-fn count(count: usize, noun: &str) -> String {
-    let plural = if count == 1 { "" } else { "s" };
-    format!("{count} {noun}{plural}")
+/// A panel of curves, each a label and points by rising x.
+fn panel(
+    title: Option<String>,
+    varied: &VariedColumn<'_>,
+    curves: impl Iterator<Item = (String, Vec<[f64; 2]>)>,
+) -> Chart {
+    let series = |(index, (label, points))| Series {
+        index,
+        label,
+        points,
+    };
+    let series: Vec<Series> = curves.enumerate().map(series).collect();
+    let shown = || series.iter().flat_map(Series::finite);
+    Chart {
+        title,
+        x: Axis::linear(&varied.axis_name(), range(shown().map(|[x, _]| x), 0.0)),
+        y: Axis::linear(
+            "natural frequency (Hz)",
+            range(shown().map(|[_, y]| y), 0.06),
+        ),
+        series,
+        ..Chart::default()
+    }
 }
 
 pub(super) fn not_shown(modes: usize) -> String {
     match modes {
         0 => String::new(),
-        hidden => format!(
-            " {} not shown.",
-            match hidden {
-                1 => "1 further mode is".to_owned(),
-                hidden => format!("{hidden} further modes are"),
-            }
-        ),
+        1 => " 1 further mode is not shown.".to_owned(),
+        hidden => format!(" {hidden} further modes are not shown."),
     }
 }
 
@@ -145,42 +147,28 @@ fn thinned(rows: &[usize]) -> Vec<usize> {
     places.map(|place| rows[place]).collect()
 }
 
-fn points(rows: &[usize], varied: &VariedColumn<'_>, mode: &ModeColumn<'_>) -> Vec<(f64, f64)> {
-    let point = |row: &usize| (varied.values[*row], mode.frequency_hz[*row]);
+fn points(rows: &[usize], varied: &VariedColumn<'_>, mode: &ModeColumn<'_>) -> Vec<[f64; 2]> {
+    let point = |row: &usize| [varied.values[*row], mode.frequency_hz[*row]];
     rows.iter().map(point).collect()
 }
 
-/// One row per point.
-fn table(x_name: &str, panels: &[Panel<'_>]) -> DataTable {
+/// One row per point; of several panels with the mode of each.
+fn table(panels: &[Chart]) -> DataTable {
+    let x_name = panels.first().map_or("", |panel| &panel.x.name);
+    let row = |panel: &Chart, label: &str, [x, y]: [f64; 2]| {
+        let own = [label.to_owned(), Rounded(x).to_string(), six_decimals(y)];
+        panel.title.iter().cloned().chain(own).collect()
+    };
     let rows = panels.iter().flat_map(|panel| {
-        panel.curves.iter().flat_map(|curve| {
-            curve.points.iter().map(|(x, y)| {
-                vec![
-                    panel.title.to_owned(),
-                    curve.label.clone(),
-                    Rounded(*x).to_string(),
-                    if y.is_finite() {
-                        format!("{y:.6}")
-                    } else {
-                        String::new()
-                    },
-                ]
-            })
+        let series = panel.series.iter();
+        series.flat_map(move |of| {
+            of.points
+                .iter()
+                .map(move |point| row(panel, &of.label, *point))
         })
     });
-    let has_titles = panels.iter().any(|panel| !panel.title.is_empty());
-    let keep = |row: Vec<String>| match has_titles {
-        true => row,
-        false => row.into_iter().skip(1).collect(),
-    };
-    let header = ["mode", "curve", x_name, "frequency (Hz)"];
-    let header = if has_titles {
-        &header[..]
-    } else {
-        &["mode", x_name, "frequency (Hz)"]
-    };
-    DataTable {
-        header: header.iter().map(|name| (*name).to_owned()).collect(),
-        rows: rows.map(keep).collect(),
+    match panels {
+        [Chart { title: None, .. }] => DataTable::new(["mode", x_name, "frequency (Hz)"], rows),
+        _ => DataTable::new(["mode", "curve", x_name, "frequency (Hz)"], rows),
     }
 }

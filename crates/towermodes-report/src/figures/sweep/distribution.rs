@@ -3,9 +3,9 @@
 use towermodes::number::digits;
 
 use super::curves::not_shown;
-use super::panel::{WIDTH, frame, height, range};
-use super::{ModeColumn, SweepBands, SweepColumns};
-use crate::figures::legend;
+use super::{ModeColumn, SweepBands, SweepColumns, panel_height};
+use crate::figures::chart::legend::Legend;
+use crate::figures::chart::{WIDTH, draw_title, frame, range};
 use crate::svg::{Anchor, Axes, Colour, Dash, DataTable, Drawing, Figure, Stroke, TextStyle};
 
 /// Panels of more modes are not shown.
@@ -23,29 +23,29 @@ const QUANTILES: [(f64, &str); 3] = [(0.05, "5 %"), (0.5, "50 %"), (0.95, "95 %"
 pub(super) fn of_each(columns: &SweepColumns<'_>) -> Figure {
     let shown = &columns.modes[..columns.modes.len().min(MOST_PANELS)];
     let histograms: Vec<Histogram<'_>> = shown.iter().map(Histogram::of).collect();
-    let height = height(histograms.len());
+    let height = panel_height(histograms.len());
     let (bands, all) = (&columns.bands, height * histograms.len().max(1) as f64);
-    let room = WIDTH - 2.0 * BESIDE;
-    let mut drawing = Drawing::new(WIDTH, all + bands.legend_height(room));
+    let legend = Legend {
+        left_top: (BESIDE, all),
+        room: WIDTH - 2.0 * BESIDE,
+        entries: bands.legend(),
+    };
+    let mut drawing = Drawing::new(WIDTH, all + legend.height());
     for (index, histogram) in histograms.iter().enumerate() {
         let top = height * index as f64;
         let remark = bands.in_words(index);
         histogram.draw(&mut drawing, [top, top + height], (bands, &remark));
     }
-    if !bands.bands.is_empty() {
-        legend::draw(&mut drawing, (BESIDE, all), room, &bands.legend());
-    }
+    legend.draw(&mut drawing);
     let names: Vec<&str> = columns.varied.iter().map(|varied| varied.name).collect();
+    let words = histograms.iter().enumerate();
+    let words = words.map(|(mode, histogram)| histogram.in_words(&bands.in_words(mode)));
+    let words: Vec<String> = words.collect();
     let description = format!(
         "Histograms of {} natural frequencies over the rows of a sweep of {}. {}{}",
         shown.len(),
         names.join(", "),
-        histograms
-            .iter()
-            .enumerate()
-            .map(|(mode, histogram)| histogram.in_words(&bands.in_words(mode)))
-            .collect::<Vec<_>>()
-            .join(" "),
+        words.join(" "),
         not_shown(columns.modes.len() - shown.len())
     );
     Figure {
@@ -104,7 +104,9 @@ impl<'a> Histogram<'a> {
         // Room for the names of the quantiles.
         let y = [0.0, 1.15 * highest];
         let left = Axes::left_margin(y, false, 5);
-        let frame = frame(drawing, self.label, rows, left, WIDTH - BESIDE);
+        let title = Some(self.label);
+        let frame = frame(title, rows, [left, WIDTH - BESIDE]);
+        draw_title(drawing, title, &frame);
         let axes = Axes::new(frame, range, y, [false, false]);
         bands.draw(drawing, &axes, range);
         let beside = TextStyle::new(REMARK).anchor(Anchor::End);
@@ -176,24 +178,21 @@ fn quantile(sorted: &[f64], share: f64) -> f64 {
 
 /// One row per class.
 fn table(histograms: &[Histogram<'_>]) -> DataTable {
-    let of_one = |histogram: &Histogram<'_>| {
-        let classes = 0..histogram.shares.len();
-        classes
-            .map(|class| {
-                vec![
-                    histogram.label.to_owned(),
-                    digits(histogram.edge(class), 6),
-                    digits(histogram.edge(class + 1), 6),
-                    format!("{:.3}", histogram.shares[class]),
-                ]
-            })
-            .collect::<Vec<_>>()
+    let of_one = |of: &'_ Histogram<'_>| -> Vec<Vec<String>> {
+        let edge = |class: usize| digits(of.edge(class), 6);
+        let share = |class: usize| format!("{:.3}", of.shares[class]);
+        let row = |class| {
+            vec![
+                of.label.to_owned(),
+                edge(class),
+                edge(class + 1),
+                share(class),
+            ]
+        };
+        (0..of.shares.len()).map(row).collect()
     };
     let header = ["mode", "from (Hz)", "to (Hz)", "share of the rows (%)"];
-    DataTable {
-        header: header.map(str::to_owned).to_vec(),
-        rows: histograms.iter().flat_map(of_one).collect(),
-    }
+    DataTable::new(header, histograms.iter().flat_map(of_one))
 }
 
 #[cfg(test)]

@@ -4,7 +4,6 @@
 mod bands;
 mod curves;
 mod distribution;
-mod panel;
 
 pub use bands::{SweepBand, SweepBands, ViolatedShare};
 
@@ -44,6 +43,11 @@ pub struct ModeColumn<'a> {
     pub label: &'a str,
     /// Its frequency in each row, Hz.
     pub frequency_hz: Vec<f64>,
+}
+
+/// The height of each of several panels.
+fn panel_height(panels: usize) -> f64 {
+    if panels <= 1 { 480.0 } else { 300.0 }
 }
 
 impl SweepColumns<'_> {

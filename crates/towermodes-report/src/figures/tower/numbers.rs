@@ -105,10 +105,7 @@ pub(super) fn table(description: &TowerDescription, tower: &Tower) -> DataTable 
         masses(tower),
         around(description, tower),
     ];
-    DataTable {
-        header: header.map(str::to_owned).to_vec(),
-        rows: rows.into_iter().flatten().collect(),
-    }
+    DataTable::new(header, rows.into_iter().flatten())
 }
 
 /// A row of the table: the part, its height in m, and a value in some of the other four columns.

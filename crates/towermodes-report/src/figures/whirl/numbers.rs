@@ -63,10 +63,7 @@ pub(super) fn table(modes: &TurbineModes) -> DataTable {
         "forward",
         "backward",
     ];
-    DataTable {
-        header: header.map(str::to_owned).to_vec(),
-        rows: modes.modes.iter().map(row).collect(),
-    }
+    DataTable::new(header, modes.modes.iter().map(row))
 }
 
 fn row(mode: &TurbineMode) -> Vec<String> {

@@ -1,8 +1,7 @@
 //! The blocks of a section.
 
-use super::animation::of_animation;
+use super::animation::{of_tower, of_turbine};
 use super::table::{of_data, of_table};
-use super::whirl::of_whirl;
 use super::{definition, list, text, verdict};
 use crate::report::document::{Block, Picture, Statement};
 use crate::report::embedded::EmbeddedFile;
@@ -39,8 +38,8 @@ fn of_block(block: &Block, file: usize) -> Result<String, ReportError> {
         Block::File(embedded) => of_file(embedded, file),
         Block::Table(table) => of_table(table),
         Block::Picture(picture) => of_picture(picture),
-        Block::Animation(data) => of_animation(data)?,
-        Block::Whirl(data) => of_whirl(data)?,
+        Block::Animation(data) => of_tower(data)?,
+        Block::Whirl(data) => of_turbine(data)?,
     })
 }
 

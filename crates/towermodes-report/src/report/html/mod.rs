@@ -6,10 +6,9 @@
 mod animation;
 mod block;
 mod table;
-mod whirl;
 
 use super::content::ReportContent;
-use super::document::{Block, Document, Section};
+use super::document::{Document, Section};
 use super::error::ReportError;
 use super::mark::{Mark, printable};
 use super::sections::document;
@@ -17,23 +16,8 @@ use crate::svg::{Colour, Theme, stylesheet};
 
 /// The rules of the page, without colours.
 const STYLE: &str = include_str!("style.css");
-/// The rules that a page with an animated turbine has besides.
-const WHIRL_STYLE: &str = include_str!("whirl.css");
-/// The scripts of the page and of the animation, which share one scope; it is left open.
-const SCRIPT: &str = concat!(
-    include_str!("script/page.js"),
-    include_str!("script/files.js"),
-    "(() => {\n\"use strict\";\nif (!document.getElementById(\"animation-data\")) return;\n",
-    include_str!("script/motion.js"),
-    include_str!("script/view.js"),
-    include_str!("script/paint.js"),
-    include_str!("script/space.js"),
-    include_str!("script/controls.js"),
-);
-/// The script of an animated turbine, in the same scope.
-const WHIRL_SCRIPT: &str = include_str!("script/whirl.js");
-/// The end of the scope.
-const SCRIPT_END: &str = "})();\n";
+/// The script of the page, built from the folder `page/` of the repository.
+const SCRIPT: &str = include_str!("../../built/report.js");
 
 /// The report as one page of HTML: no other file, nothing from a network; the same content gives
 /// the same bytes.
@@ -54,24 +38,15 @@ pub fn html(content: &ReportContent) -> Result<String, ReportError> {
     Ok(format!(
         include_str!("page.html"),
         title = title,
-        style = style() + whirl(&document, WHIRL_STYLE),
+        style = style(),
         title_block = title_block,
         links = links.collect::<String>(),
         sections = sections
             .iter()
             .map(|(mark, section)| of_section(mark, section))
             .collect::<Result<String, _>>()?,
-        script = [SCRIPT, whirl(&document, WHIRL_SCRIPT), SCRIPT_END].concat(),
+        script = SCRIPT,
     ))
-}
-
-/// What only a page with an animated turbine has.
-fn whirl(document: &Document, what: &'static str) -> &'static str {
-    let mut blocks = document.sections.iter().flat_map(|s| &s.blocks);
-    match blocks.any(|block| matches!(block, Block::Whirl(_))) {
-        true => what,
-        false => "",
-    }
 }
 
 /// A text as HTML shows it, in elements and in attributes; without hidden or forging characters.

@@ -5,7 +5,7 @@ use crate::svg::{Colour, Drawing, Marker, Stroke, TextStyle, spread, text_width}
 /// Size of the letters.
 const SIZE: f64 = 11.0;
 /// Distance from label to label.
-pub(super) const GAP: f64 = 14.0;
+pub(in crate::figures) const GAP: f64 = 14.0;
 /// From the field to a label, the leader between them.
 const LEADER: f64 = 22.0;
 /// Width of a marker before a label.
@@ -17,17 +17,17 @@ const WIDEST: f64 = 270.0;
 
 /// The label at the end of a line.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct EndLabel {
+pub(in crate::figures) struct EndLabel {
     /// Where the line ends.
-    pub(super) y: f64,
+    pub(in crate::figures) y: f64,
     /// Its text.
-    pub(super) text: String,
+    pub(in crate::figures) text: String,
     /// The colour of the line.
-    pub(super) colour: Colour,
+    pub(in crate::figures) colour: Colour,
     /// The marker of the line.
-    pub(super) marker: Option<Marker>,
+    pub(in crate::figures) marker: Option<Marker>,
     /// Whether it is bold.
-    pub(super) is_bold: bool,
+    pub(in crate::figures) is_bold: bool,
 }
 
 impl EndLabel {
@@ -46,13 +46,18 @@ impl EndLabel {
 }
 
 /// The width that a column of these labels needs to the right of a field.
-pub(super) fn column_width(labels: &[EndLabel]) -> f64 {
+pub(in crate::figures) fn column_width(labels: &[EndLabel]) -> f64 {
     let widest = labels.iter().map(EndLabel::width).fold(0.0, f64::max);
     LEADER + widest.min(WIDEST) + MARGIN
 }
 
 /// Writes the labels to the right of `x`, within `range`.
-pub(super) fn draw(drawing: &mut Drawing, x: f64, range: [f64; 2], labels: &[EndLabel]) {
+pub(in crate::figures) fn draw(
+    drawing: &mut Drawing,
+    x: f64,
+    range: [f64; 2],
+    labels: &[EndLabel],
+) {
     let ends: Vec<f64> = labels
         .iter()
         .map(|label| label.y.clamp(range[0], range[1]))

@@ -1,5 +1,6 @@
 //! A logarithmic axis of relative errors; rounding errors are drawn at its lower end.
 
+use super::{Axis, Numbers};
 use crate::svg::{Scale, power_of_ten};
 
 /// Errors below this are rounding errors and are drawn at the lower end.
@@ -10,16 +11,16 @@ const TICKS: usize = 9;
 
 /// An axis of errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct ErrorAxis {
+pub(in crate::figures) struct ErrorAxis {
     /// The lowest and the highest error, powers of ten.
-    pub(super) range: [f64; 2],
+    pub(in crate::figures) range: [f64; 2],
     /// Whether its lower end shows everything below [`ROUNDING`].
     has_foot: bool,
 }
 
 impl ErrorAxis {
     /// An axis for these errors.
-    pub(super) fn of(errors: impl Iterator<Item = f64>) -> Self {
+    pub(in crate::figures) fn of(errors: impl Iterator<Item = f64>) -> Self {
         let (mut lowest, mut highest, mut has_foot) = (f64::INFINITY, 0.0_f64, false);
         for error in errors.map(f64::abs).filter(|error| error.is_finite()) {
             has_foot |= error < ROUNDING;
@@ -41,32 +42,43 @@ impl ErrorAxis {
     }
 
     /// The value of an error on the axis: itself, or the lower end.
-    pub(super) fn value(&self, error: f64) -> f64 {
+    pub(in crate::figures) fn value(&self, error: f64) -> f64 {
         error.abs().max(self.range[0])
     }
 
+    /// The axis with its name.
+    pub(in crate::figures) fn axis(&self, name: &str) -> Axis {
+        Axis {
+            is_logarithmic: true,
+            numbers: Numbers::At(self.ticks()),
+            ..Axis::linear(name, self.range)
+        }
+    }
+
     /// Powers of ten with their labels.
-    pub(super) fn ticks(&self) -> Vec<(f64, String)> {
+    pub(in crate::figures) fn ticks(&self) -> Vec<(f64, String)> {
         let ticks = Scale::logarithmic(self.range, [0.0, 1.0]).ticks(TICKS);
-        let text = |(index, value): (usize, &f64)| {
-            let is_foot = index == 0 && self.has_foot;
-            let below = if is_foot { "< " } else { "" };
+        let text = |(index, value): (usize, f64)| {
+            let below = if index == 0 && self.has_foot {
+                "< "
+            } else {
+                ""
+            };
             // Not 10⁰.
-            let is_one = (value.log10()).abs() < 1e-9;
+            let is_one = value.log10().abs() < 1e-9;
             let text = if is_one {
                 "1".to_owned()
             } else {
-                power_of_ten(*value)
+                power_of_ten(value)
             };
-            below.to_owned() + &text
+            (value, below.to_owned() + &text)
         };
-        let texts: Vec<String> = ticks.iter().enumerate().map(text).collect();
-        ticks.into_iter().zip(texts).collect()
+        ticks.into_iter().enumerate().map(text).collect()
     }
 }
 
 /// An error as tables have it: "+1.2e-4".
-pub(super) fn signed(error: f64) -> String {
+pub(in crate::figures) fn signed(error: f64) -> String {
     if error == 0.0 {
         "0".to_owned()
     } else {

@@ -36,12 +36,8 @@ pub(super) fn draw(drawing: &mut Drawing, axes: &Axes, orders: &[f64], lines: &[
         return;
     }
     let stroke = Stroke::new(Colour::Muted, 1.2);
-    let triangle = [
-        (left, bottom - height),
-        (left + width, bottom),
-        (left, bottom),
-    ];
-    drawing.polyline(&[triangle, [triangle[0]; 3]].concat()[..4], &stroke);
+    let (top, foot) = ((left, bottom - height), (left, bottom));
+    drawing.polyline(&[top, (left + width, bottom), foot, top], &stroke);
     let style = TextStyle::new(SIZE)
         .colour(Colour::Muted)
         .anchor(Anchor::End);
@@ -59,22 +55,15 @@ fn size(axes: &Axes, order: i32) -> [f64; 2] {
         (scale.to - scale.from).abs() / (scale.high / scale.low).log10()
     };
     let steepness = f64::from(order) * decade(&axes.y) / decade(&axes.x);
-    let (wide, high) = (
-        SHARE * (frame.right - frame.left),
-        SHARE * (frame.bottom - frame.top),
-    );
-    let width = wide.min(high / steepness).min(90.0);
+    let (wide, high) = frame.size();
+    let width = (SHARE * wide).min(SHARE * high / steepness).min(90.0);
     [width, width * steepness]
 }
 
 /// The order that most are near to.
 fn most(orders: &[f64]) -> Option<i32> {
-    let near = |order: i32| {
-        orders
-            .iter()
-            .filter(|o| (*o - f64::from(order)).abs() < NEAR)
-            .count()
-    };
+    let is_near = |own: &&f64, order: i32| (*own - f64::from(order)).abs() < NEAR;
+    let near = |order: i32| orders.iter().filter(|own| is_near(own, order)).count();
     let most = ORDERS.into_iter().rev().max_by_key(|order| near(*order));
     most.filter(|order| near(*order) > 0)
 }

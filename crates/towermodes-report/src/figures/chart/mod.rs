@@ -1,0 +1,271 @@
+//! One chart: a field with two axes, bands behind, and lines with markers and a label at the end of
+//! each.
+
+pub(super) mod end_labels;
+pub(crate) mod error_axis;
+pub(super) mod legend;
+mod slope;
+
+use crate::svg::{
+    Axes, Colour, Dash, DataTable, Drawing, Frame, Marker, Stroke, TextStyle, extent, text_width,
+};
+use end_labels::EndLabel;
+use towermodes::number::Plain;
+
+/// Width of the sheet.
+pub(super) const WIDTH: f64 = 900.0;
+/// Above the field without a title, and with one.
+const ABOVE: [f64; 2] = [18.0, 30.0];
+/// Below the field: numbers and name of the axis.
+const BELOW: f64 = 46.0;
+/// Markers are drawn on lines with at most so many points.
+const MARKED: usize = 24;
+/// Given numbers along the lower axis are at least so far apart.
+const BETWEEN: f64 = 8.0;
+/// Size of the numbers along an axis and of the note.
+const SIZE: f64 = 11.0;
+
+/// A chart on a sheet of [`WIDTH`]; default values are parts that it does not have.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Chart {
+    /// Above the field.
+    pub title: Option<String>,
+    pub x: Axis,
+    pub y: Axis,
+    /// Behind the lines: ranges of y with their names.
+    pub bands: Vec<([f64; 2], String)>,
+    /// The observed orders, which a triangle in a corner of logarithmic axes shows.
+    pub orders: Vec<f64>,
+    pub series: Vec<Series>,
+    /// Below the labels.
+    pub note: Option<String>,
+}
+
+/// An axis: its name with the unit, and its values.
+#[derive(Debug, Clone)]
+pub(super) struct Axis {
+    pub name: String,
+    pub range: [f64; 2],
+    pub is_logarithmic: bool,
+    pub numbers: Numbers,
+}
+
+/// The numbers along an axis.
+#[derive(Debug, Clone)]
+pub(super) enum Numbers {
+    /// Round ones, about so many.
+    About(usize),
+    /// These values with their texts.
+    At(Vec<(f64, String)>),
+}
+
+/// A line through points.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Series {
+    /// Its place in the order of colours, dashes and markers.
+    pub index: usize,
+    pub label: String,
+    /// x and y; where y is NaN the line is interrupted.
+    pub points: Vec<[f64; 2]>,
+}
+
+impl Default for Axis {
+    fn default() -> Self {
+        Self::linear("", [0.0, 1.0])
+    }
+}
+
+impl Axis {
+    /// A linear axis with about six numbers.
+    pub fn linear(name: &str, range: [f64; 2]) -> Self {
+        Self {
+            name: name.to_owned(),
+            range,
+            is_logarithmic: false,
+            numbers: Numbers::About(6),
+        }
+    }
+
+    pub fn left_margin(&self) -> f64 {
+        match &self.numbers {
+            Numbers::About(count) => Axes::left_margin(self.range, self.is_logarithmic, *count),
+            Numbers::At(ticks) => Axes::left_margin_at(ticks),
+        }
+    }
+
+    fn draw_below(&self, drawing: &mut Drawing, axes: &Axes) {
+        match &self.numbers {
+            Numbers::About(count) => axes.draw_x(drawing, &self.name, *count),
+            Numbers::At(ticks) => axes.draw_x_at(drawing, &self.name, &with_room(ticks, axes)),
+        }
+    }
+
+    pub fn draw_left(&self, drawing: &mut Drawing, axes: &Axes) {
+        match &self.numbers {
+            Numbers::About(count) => axes.draw_y(drawing, &self.name, *count),
+            Numbers::At(ticks) => axes.draw_y_at(drawing, &self.name, ticks),
+        }
+    }
+}
+
+/// As many of the numbers as there is room for.
+fn with_room(ticks: &[(f64, String)], axes: &Axes) -> Vec<(f64, String)> {
+    let mut free = f64::NEG_INFINITY;
+    let fits = |(value, text): &&(f64, String)| {
+        let half = 0.5 * text_width(text, SIZE, false);
+        let has_room = axes.x.at(*value) - half >= free;
+        if has_room {
+            free = axes.x.at(*value) + half + BETWEEN;
+        }
+        has_room
+    };
+    ticks.iter().filter(fits).cloned().collect()
+}
+
+impl Chart {
+    /// The chart alone on a sheet.
+    pub fn drawing(&self, height: f64) -> Drawing {
+        let mut drawing = Drawing::new(WIDTH, height);
+        self.draw(&mut drawing, [0.0, height]);
+        drawing
+    }
+
+    /// Draws the chart between two heights of the sheet.
+    pub fn draw(&self, drawing: &mut Drawing, rows: [f64; 2]) {
+        let title = self.title.as_deref();
+        let left = self.y.left_margin();
+        let labels = self.labels(&self.axes(frame(title, rows, [left, WIDTH])));
+        let right = WIDTH - end_labels::column_width(&labels);
+        let axes = self.axes(frame(title, rows, [left, right]));
+        draw_title(drawing, title, &axes.frame);
+        for (range, name) in &self.bands {
+            draw_band(drawing, &axes, *range, name);
+        }
+        self.x.draw_below(drawing, &axes);
+        self.y.draw_left(drawing, &axes);
+        let places = |series: &Series| series.points.iter().map(|[x, y]| axes.at(*x, *y)).collect();
+        let lines: Vec<Vec<(f64, f64)>> = self.series.iter().map(places).collect();
+        slope::draw(drawing, &axes, &self.orders, &lines);
+        for (series, places) in self.series.iter().zip(&lines) {
+            series.draw(drawing, places);
+        }
+        let Frame { top, bottom, .. } = axes.frame;
+        end_labels::draw(drawing, right, [top, bottom], &labels);
+        if let Some(note) = &self.note {
+            let style = TextStyle::new(SIZE).colour(Colour::Muted);
+            let last_x = WIDTH - 10.0 - text_width(note, SIZE, false);
+            drawing.text((last_x.min(right + 22.0), bottom + 16.0), note, &style);
+        }
+    }
+
+    fn axes(&self, frame: Frame) -> Axes {
+        let are_logarithmic = [self.x.is_logarithmic, self.y.is_logarithmic];
+        Axes::new(frame, self.x.range, self.y.range, are_logarithmic)
+    }
+
+    fn labels(&self, axes: &Axes) -> Vec<EndLabel> {
+        let label = |series: &Series| {
+            let [_, last] = series.finite().last()?;
+            Some(EndLabel {
+                y: axes.y.at(last),
+                text: series.label.clone(),
+                colour: Colour::Series(series.index),
+                marker: Some(Marker::of_series(series.index)),
+                is_bold: false,
+            })
+        };
+        self.series.iter().filter_map(label).collect()
+    }
+
+    /// A row for each x of the first series, a column for each series in a unit.
+    pub fn table(&self, unit: &str) -> DataTable {
+        let names = self
+            .series
+            .iter()
+            .map(|series| format!("{} ({unit})", series.label));
+        let first = self.series.first().map_or(&[][..], |series| &series.points);
+        let row = |(place, [x, _]): (usize, &[f64; 2])| {
+            let y = |series: &Series| six_decimals(series.points[place][1]);
+            let own = std::iter::once(Plain(*x).to_string());
+            own.chain(self.series.iter().map(y)).collect()
+        };
+        DataTable {
+            header: std::iter::once(self.x.name.clone()).chain(names).collect(),
+            rows: first.iter().enumerate().map(row).collect(),
+        }
+    }
+}
+
+impl Series {
+    /// The points with a value.
+    pub fn finite(&self) -> impl DoubleEndedIterator<Item = [f64; 2]> {
+        self.points.iter().copied().filter(|[_, y]| y.is_finite())
+    }
+
+    fn draw(&self, drawing: &mut Drawing, places: &[(f64, f64)]) {
+        let colour = Colour::Series(self.index);
+        let stroke = Stroke::new(colour, 1.6).dashed(Dash::of_series(self.index));
+        drawing.polyline(places, &stroke);
+        for place in places.iter().take_while(|_| places.len() <= MARKED) {
+            drawing.marker(Marker::of_series(self.index), *place, 4.0, colour);
+        }
+    }
+}
+
+/// A number of a table; empty if there is none.
+pub(super) fn six_decimals(value: f64) -> String {
+    match value.is_finite() {
+        true => format!("{value:.6}"),
+        false => String::new(),
+    }
+}
+
+/// The field between two heights of the sheet, with room for a title above.
+pub(super) fn frame(title: Option<&str>, rows: [f64; 2], [left, right]: [f64; 2]) -> Frame {
+    Frame {
+        left,
+        top: rows[0] + ABOVE[usize::from(title.is_some())],
+        right,
+        bottom: rows[1] - BELOW,
+    }
+}
+
+/// Writes a title above a field.
+pub(super) fn draw_title(drawing: &mut Drawing, title: Option<&str>, frame: &Frame) {
+    if let Some(title) = title {
+        let at = (frame.left, frame.top - 0.35 * ABOVE[1]);
+        drawing.text(at, title, &TextStyle::new(13.0).bold());
+    }
+}
+
+/// Draws the part of a range of y that is in the field.
+fn draw_band(drawing: &mut Drawing, axes: &Axes, [low, high]: [f64; 2], name: &str) {
+    let (low, high) = (low.max(axes.y.low), high.min(axes.y.high));
+    if low >= high {
+        return;
+    }
+    let Frame { left, right, .. } = axes.frame;
+    let [top, bottom] = [high, low].map(|value| axes.y.at(value));
+    drawing.rectangle(
+        (left, top),
+        (right - left, bottom - top),
+        Colour::Band,
+        None,
+    );
+    let style = TextStyle::new(SIZE).colour(Colour::Muted);
+    drawing.text((left + 6.0, top + 14.0), name, &style);
+}
+
+/// From the smallest to the largest value, with a share of the difference on both sides; never
+/// empty.
+pub(super) fn range(values: impl Iterator<Item = f64>, share: f64) -> [f64; 2] {
+    let Some([low, high]) = extent(values) else {
+        return [0.0, 1.0];
+    };
+    let room = match high - low <= 1e-12 * high.abs().max(low.abs()) {
+        true if high == 0.0 => 0.5,
+        true => 0.05 * high.abs(),
+        false => share * (high - low),
+    };
+    [low - room, high + room]
+}
