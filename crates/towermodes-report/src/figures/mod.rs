@@ -9,6 +9,7 @@ mod enlargement;
 mod error;
 mod first_frequencies;
 mod outline;
+mod parts;
 mod scene;
 mod shapes;
 mod soil;

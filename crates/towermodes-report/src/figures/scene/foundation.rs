@@ -1,12 +1,10 @@
 //! The foundation in space: springs, a footing or a pile, a platform with its moorings.
 
-use towermodes::space::SpatialMatrix;
-use towermodes::{Buried, FloatingPlatform, FoundationSprings, Support, Tower, TowerDescription};
+use towermodes::{Buried, FoundationSprings, Support, Tower};
 
 use super::solids::{ball, block, circle, link, ring, solid};
 use super::{Body, FAR, Form, HALF_SIDE, MASS, Substance};
-use crate::figures::outline::outer_diameter_m;
-use crate::figures::tower::{keel_m, on_diagonal};
+use crate::figures::parts::{Parts, Platform};
 
 /// Length of a spring and least thickness of a footing, as fractions of the tower's height.
 const SPRING: f64 = 0.08;
@@ -19,27 +17,24 @@ const DEEPEST: f64 = 0.45;
 const ANCHORS: f64 = 0.45;
 
 /// The bodies of a foundation; none for a clamped base.
-pub(super) fn foundation(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
-    match description.foundation.support() {
-        Support::Clamped => Vec::new(),
-        Support::Springs(given) => springs(tower, given),
-        Support::Stiffness(matrices) => springs(tower, &on_diagonal(matrices)),
-        Support::Floating(platform) => floating(tower, platform),
-        Support::Form(form) => in_soil(tower, form.buried()),
+pub(super) fn foundation(parts: &Parts<'_>) -> Vec<Body> {
+    match (
+        parts.description.foundation.support(),
+        parts.platform(),
+        parts.springs(),
+    ) {
+        (Support::Form(form), ..) => in_soil(parts.tower, form.buried()),
+        (_, Some(platform), _) => floating(parts, &platform),
+        (_, _, Some(given)) if !parts.tower.base().is_clamped() => springs(parts, &given),
+        _ => Vec::new(),
     }
-}
-
-fn base_radius_m(tower: &Tower) -> f64 {
-    0.5 * outer_diameter_m(tower, tower.base_m())
 }
 
 /// A plate at the base with a spring in each flexible direction.
-fn springs(tower: &Tower, springs: &FoundationSprings) -> Vec<Body> {
-    if tower.base().is_clamped() {
-        return Vec::new();
-    }
+fn springs(parts: &Parts<'_>, springs: &FoundationSprings) -> Vec<Body> {
+    let tower = parts.tower;
     let (base_m, length_m) = (tower.base_m(), SPRING * tower.height_m());
-    let radius_m = 1.2 * base_radius_m(tower);
+    let radius_m = 1.2 * parts.radius_m(base_m);
     let half_m = 0.1 * length_m;
     let rims = ring(radius_m, base_m - half_m).chain(ring(radius_m, base_m + half_m));
     let mut bodies = vec![solid(Some(base_m), Substance::Foundation, rims.collect())];
@@ -101,21 +96,26 @@ fn in_soil(tower: &Tower, of: Buried) -> Vec<Body> {
 }
 
 /// A nominal hull, because the input has no shape, with its centre of mass and three moorings.
-fn floating(tower: &Tower, platform: &FloatingPlatform) -> Vec<Body> {
-    let (base_m, height_m) = (tower.base_m(), tower.height_m());
-    let keel_m = keel_m(platform, tower);
-    let radius_m = base_radius_m(tower);
+fn floating(parts: &Parts<'_>, platform: &Platform<'_>) -> Vec<Body> {
+    let (base_m, height_m) = (parts.tower.base_m(), parts.tower.height_m());
+    let keel_m = platform.keel_m();
+    let radius_m = parts.radius_m(base_m);
     let half_m = (1.5 * radius_m).clamp(0.03 * height_m, 0.1 * height_m);
     let shoulder_m = base_m - (0.15 * (base_m - keel_m)).min(0.1 * height_m);
     let rims = ring(radius_m, base_m)
         .chain(ring(half_m, shoulder_m))
         .chain(ring(half_m, keel_m));
     let mut bodies = vec![solid(Some(base_m), Substance::Foundation, rims.collect())];
-    if platform.center_m.iter().all(|c| c.abs() < FAR * height_m) {
-        bodies.push(ball(base_m, platform.center_m, 1.5 * MASS[0] * height_m));
+    if platform
+        .of
+        .center_m
+        .iter()
+        .all(|c| c.abs() < FAR * height_m)
+    {
+        bodies.push(ball(base_m, platform.of.center_m, 1.5 * MASS[0] * height_m));
     }
-    if platform.mooring.matrix != SpatialMatrix::default() {
-        let fairlead_m = platform.mooring.height_m.clamp(keel_m, shoulder_m);
+    if platform.is_moored() {
+        let fairlead_m = platform.of.mooring.height_m.clamp(keel_m, shoulder_m);
         for (x, y) in circle(3) {
             let start = [x * half_m, y * half_m, fairlead_m];
             let reach_m = ANCHORS * height_m;

@@ -6,10 +6,11 @@ mod rna;
 mod solids;
 mod surroundings;
 
-use towermodes::{Tower, TowerDescription};
+use towermodes::{PointMass, Tower, TowerDescription};
 
 pub use body::{Body, Form, Substance};
 
+use super::parts::Parts;
 use crate::number::five_digits;
 use solids::{ball, circle, link};
 
@@ -31,43 +32,40 @@ const FAR: f64 = 4.0;
 /// The forms are those of the drawing: RNA, platform and blades have no dimensions in a
 /// description and are nominal.
 pub(super) fn scene(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
-    let mut bodies = surroundings::ground(description, tower);
-    bodies.extend(foundation::foundation(description, tower));
-    bodies.extend(wires(description, tower));
-    bodies.extend(masses(tower));
-    bodies.extend(rna::rna(description, tower));
-    bodies.extend(surroundings::water(description, tower));
+    let parts = Parts { description, tower };
+    let mut bodies = surroundings::ground(&parts);
+    bodies.extend(foundation::foundation(&parts));
+    bodies.extend(wires(&parts));
+    bodies.extend(masses(&parts));
+    bodies.extend(rna::rna(&parts));
+    bodies.extend(surroundings::water(&parts));
     let is_drawn = |body: &Body| body.points.iter().flatten().all(|value| value.is_finite());
     bodies.retain(is_drawn);
     bodies.iter_mut().for_each(round);
     bodies
 }
 
-/// Balls on the axis, larger for larger masses.
-fn masses(tower: &Tower) -> Vec<Body> {
-    let mut masses: Vec<_> = tower.point_masses().iter().collect();
-    masses.sort_by(|a, b| b.mass_kg.total_cmp(&a.mass_kg));
+/// Balls on the axis, larger for larger masses, the heaviest first.
+fn masses(parts: &Parts<'_>) -> Vec<Body> {
+    let mut masses: Vec<_> = parts.masses().collect();
+    masses.sort_by(|a, b| b.0.mass_kg.total_cmp(&a.0.mass_kg));
     masses.truncate(MOST_MASSES);
-    let heaviest_kg = masses.first().map_or(0.0, |mass| mass.mass_kg);
-    let share = |kg: f64| match heaviest_kg > 0.0 {
-        true => (kg / heaviest_kg).clamp(0.0, 1.0),
-        false => 1.0,
-    };
-    let ball_of = |mass: &&towermodes::PointMass| {
-        let radius_m = (MASS[0] + MASS[1] * share(mass.mass_kg).cbrt()) * tower.height_m();
+    let ball_of = |(mass, share): (&PointMass, f64)| {
+        let radius_m = (MASS[0] + MASS[1] * share) * parts.tower.height_m();
         ball(mass.height_m, [0.0, 0.0, mass.height_m], radius_m)
     };
-    masses.iter().map(ball_of).collect()
+    masses.into_iter().map(ball_of).collect()
 }
 
 /// Each set of wires to anchors at equal angles around the tower.
-fn wires(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
-    let ground_m = super::tower::wires_ground_m(description, tower);
+fn wires(parts: &Parts<'_>) -> Vec<Body> {
+    let ground_m = parts.wires_ground_m();
+    let farthest_m = FAR * parts.tower.height_m();
     let mut bodies = Vec::new();
-    for wires in description.wires.iter().take(MOST_WIRES) {
+    for wires in parts.description.wires.iter().take(MOST_WIRES) {
         let down_m = wires.height_m - ground_m;
         let reach_m = down_m / wires.angle_deg.to_radians().tan();
-        let drawn = (FAR * tower.height_m() / reach_m).min(1.0);
+        let drawn = (farthest_m / reach_m).min(1.0);
         for (x, y) in circle(wires.count.min(MOST_WIRES)) {
             let start = [0.0, 0.0, wires.height_m];
             let (reach_m, down_m) = (drawn * reach_m, drawn * down_m);

@@ -3,12 +3,9 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use towermodes::{Tower, TowerDescription};
-
 use super::solids::{ball, circle, solid};
 use super::{Body, FAR, MASS, Substance};
-use crate::figures::outline::outer_diameter_m;
-use crate::figures::tower::{RnaForm, ground_m, water_m};
+use crate::figures::parts::{Parts, RnaForm};
 
 /// Length of a blade as a fraction of the tower's height above water or ground; 0.6 to 0.8 for most
 /// turbines.
@@ -28,20 +25,18 @@ const OUTLINE: [(f64, [f64; 2]); 4] = [
 ];
 
 /// Nacelle, hub, blades and the centre of mass; nothing without an RNA.
-pub(super) fn rna(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
-    let rna = tower.rna();
-    if rna.is_absent() {
+pub(super) fn rna(parts: &Parts<'_>) -> Vec<Body> {
+    let Some(rna) = parts.rna() else {
         return Vec::new();
-    }
-    let (top_m, height_m) = (tower.top_m(), tower.height_m());
-    let radius_m = 0.5 * outer_diameter_m(tower, top_m);
-    let unit_m = RnaForm::UNITS * radius_m;
+    };
+    let (top_m, height_m) = (parts.tower.top_m(), parts.tower.height_m());
+    let unit_m = RnaForm::UNITS * parts.radius_m(top_m);
     let unit_m = unit_m.clamp(UNIT[0] * height_m, UNIT[1] * height_m);
     let form = RnaForm::new(unit_m, rna.center_m[2], HIGHEST * height_m);
     let mut bodies = vec![nacelle(&form, top_m), hub(&form, top_m)];
-    let rotor = description.rotor;
+    let rotor = parts.description.rotor;
     let blades = rotor.map_or(USUAL_BLADES, |rotor| rotor.blades);
-    let length_m = BLADE * (top_m - foot_m(description, tower));
+    let length_m = BLADE * (top_m - foot_m(parts));
     let turns = (0..blades).map(|k| TAU * k as f64 / blades as f64);
     bodies.extend(turns.map(|turn| blade(&form, top_m, (length_m, turn))));
     let [x, y, z] = rna.center_m;
@@ -52,9 +47,9 @@ pub(super) fn rna(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
 }
 
 /// Height at which the tower leaves water or ground, m.
-fn foot_m(description: &TowerDescription, tower: &Tower) -> f64 {
-    let (base_m, top_m) = (tower.base_m(), tower.top_m());
-    let surfaces = [water_m(description), ground_m(description, tower)];
+fn foot_m(parts: &Parts<'_>) -> f64 {
+    let (base_m, top_m) = (parts.tower.base_m(), parts.tower.top_m());
+    let surfaces = [parts.water_m(), parts.ground_m()];
     let foot_m = surfaces.into_iter().flatten().fold(base_m, f64::max);
     if foot_m < top_m { foot_m } else { base_m }
 }

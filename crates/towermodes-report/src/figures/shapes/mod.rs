@@ -10,6 +10,7 @@ use towermodes::{Solution, Tower, TowerDescription};
 
 use super::enlargement::factor;
 use super::outline::is_nominal;
+use super::parts::Parts;
 use crate::svg::{Colour, Drawing, Figure, TextStyle};
 use layout::{WIDTH, column, rows, sheet_height, strips};
 use panels::panels;
@@ -29,7 +30,7 @@ pub fn shapes(description: &TowerDescription, tower: &Tower, solution: &Solution
     let mut drawing = Drawing::new(WIDTH, height);
     let mut note = String::new();
     for (index, strip) in strips(&rows, height, column).iter().enumerate() {
-        let view = draw_strip(&mut drawing, strip, (description, tower), index);
+        let view = draw_strip(&mut drawing, strip, Parts { description, tower }, index);
         note = note_of(tower, (view.diameter_factor, view.wall_factor));
     }
     let style = TextStyle::new(10.0).colour(Colour::Muted);

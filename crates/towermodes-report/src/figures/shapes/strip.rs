@@ -1,8 +1,7 @@
 //! A row of the figure: the tower and panels beside it on the same height axis.
 
-use towermodes::{Tower, TowerDescription};
-
 use super::layout::{HEADING, LEGEND, Placed, SAMPLE, Strip, TICKS, entries};
+use crate::figures::parts::Parts;
 use crate::figures::tower::{View, draw_small, levels, small_view};
 use crate::svg::{Anchor, Axes, Colour, Dash, Drawing, Frame, Stroke, TextStyle, text_width};
 
@@ -18,12 +17,12 @@ const WIDE: f64 = 140.0;
 const SMALL: f64 = 10.0;
 
 /// Draws a row; returns the view of its tower.
-pub(super) fn draw_strip(
+pub(super) fn draw_strip<'a>(
     drawing: &mut Drawing,
     strip: &Strip<'_>,
-    (description, tower): (&TowerDescription, &Tower),
+    parts: Parts<'a>,
     index: usize,
-) -> View {
+) -> View<'a> {
     let note = if strip.has_notes() { LEGEND.1 } else { 0.0 };
     let legend = LEGEND.1 * strip.legend_lines() as f64;
     let frame = Frame {
@@ -32,32 +31,24 @@ pub(super) fn draw_strip(
         right: strip.column[1],
         bottom: strip.edges[1] - BELOW,
     };
-    let view = small_view(frame, (description, tower), WIDEST);
+    let view = small_view(frame, parts, WIDEST);
     let name = format!("strip{index}");
-    draw_small(drawing, &view, (description, tower), (&name, TICKS));
-    draw_levels(drawing, &view, strip, (description, tower));
+    draw_small(drawing, &view, (&name, TICKS));
+    draw_levels(drawing, &view, strip);
     for placed in &strip.panels {
         draw_head(drawing, placed, (strip.edges[0] + 16.0, note));
-        draw_field(drawing, placed, &view, tower);
+        draw_field(drawing, placed, &view);
     }
     if strip.panels.is_empty() {
         let at = (strip.column[1] + 20.0, 0.5 * (frame.top + frame.bottom));
-        drawing.text(
-            at,
-            "no modes",
-            &TextStyle::new(HEADING).colour(Colour::Muted),
-        );
+        let style = TextStyle::new(HEADING).colour(Colour::Muted);
+        drawing.text(at, "no modes", &style);
     }
     view
 }
 
 /// Lines across all panels at the water level, the ground and the point masses.
-fn draw_levels(
-    drawing: &mut Drawing,
-    view: &View,
-    strip: &Strip<'_>,
-    (description, tower): (&TowerDescription, &Tower),
-) {
+fn draw_levels(drawing: &mut Drawing, view: &View<'_>, strip: &Strip<'_>) {
     let across = |drawing: &mut Drawing, height_m: f64, stroke: &Stroke| {
         for [left, right] in strip.panels.iter().map(|placed| placed.edges) {
             let y = view.y(height_m);
@@ -65,7 +56,7 @@ fn draw_levels(
         }
     };
     let style = TextStyle::new(SMALL).anchor(Anchor::End);
-    for level in levels(description, tower) {
+    for level in levels(&view.parts) {
         if !view.shows(level.height_m) {
             continue;
         }
@@ -79,7 +70,7 @@ fn draw_levels(
         let within = baseline.clamp(view.frame.top + SMALL, view.frame.bottom - 3.0);
         drawing.text((view.frame.right - 3.0, within), level.name, &style);
     }
-    let masses = tower.point_masses();
+    let masses = view.parts.tower.point_masses();
     if masses.len() <= MOST_MASSES {
         let dotted = Stroke::new(Colour::Muted, 0.9).dashed(Dash::Dotted);
         for mass in masses {
@@ -119,7 +110,8 @@ fn draw_head(drawing: &mut Drawing, placed: &Placed<'_>, (top, note): (f64, f64)
 }
 
 /// The axes and the curves of a panel.
-fn draw_field(drawing: &mut Drawing, placed: &Placed<'_>, view: &View, tower: &Tower) {
+fn draw_field(drawing: &mut Drawing, placed: &Placed<'_>, view: &View<'_>) {
+    let tower = view.parts.tower;
     let [left, right] = placed.edges;
     let frame = Frame {
         left,

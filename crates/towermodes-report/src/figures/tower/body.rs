@@ -1,7 +1,5 @@
 //! The tube itself, with its walls, its masses and its axis.
 
-use towermodes::{Tower, TowerDescription};
-
 use super::view::View;
 use crate::figures::outline::{Shell, is_nominal, shells};
 use crate::svg::{Colour, Dash, Drawing, Stroke};
@@ -12,46 +10,34 @@ const MOST_SHELLS: usize = 1000;
 const MOST_BORDERS: usize = 80;
 
 /// Draws the tower's wall from the base to the top.
-pub(super) fn draw_body(
-    drawing: &mut Drawing,
-    view: &View,
-    tower: &Tower,
-    flooded_to_m: Option<f64>,
-) {
-    let shells = few(&shells(tower));
+pub(super) fn draw_body(drawing: &mut Drawing, view: &View<'_>) {
+    let shells = few(&shells(view.parts.tower));
     let outside: Vec<(f64, f64, f64)> = shells
         .iter()
         .flat_map(|shell| ends(view, shell).map(|end| (end.y, end.outer, end.inner)))
         .collect();
     let surface = |pick: fn(&(f64, f64, f64)) -> f64| -> Vec<(f64, f64)> {
         let right = outside.iter().map(|end| (view.axis_x + pick(end), end.0));
-        let left = outside
-            .iter()
-            .rev()
-            .map(|end| (view.axis_x - pick(end), end.0));
-        right.chain(left).collect()
+        let left = outside.iter().map(|end| (view.axis_x - pick(end), end.0));
+        right.chain(left.rev()).collect()
     };
     let edge = Stroke::new(Colour::Ink, 1.0);
     drawing.polygon(&surface(|end| end.1), Colour::Steel, Some(&edge));
-    if is_nominal(tower) {
-        draw_axis(drawing, view, tower);
-        return;
+    if !is_nominal(view.parts.tower) {
+        draw_inside(drawing, view, &surface(|end| end.2));
+        draw_borders(drawing, view, &shells);
     }
-    draw_inside(drawing, view, &surface(|end| end.2), flooded_to_m);
-    draw_borders(drawing, view, &shells);
-    draw_axis(drawing, view, tower);
+    let axis = Stroke::new(Colour::Muted, 0.7).dashed(Dash::DashDot);
+    let x = view.axis_x;
+    drawing.line((x, view.base()), (x, view.top()), &axis);
 }
 
-/// The inside of the wall, with water up to a height, m.
-fn draw_inside(
-    drawing: &mut Drawing,
-    view: &View,
-    inner: &[(f64, f64)],
-    flooded_to_m: Option<f64>,
-) {
+/// The inside of the wall, with the water of a flooded tower.
+fn draw_inside(drawing: &mut Drawing, view: &View<'_>, inner: &[(f64, f64)]) {
     drawing.polygon(inner, Colour::Paper, None);
-    if let Some(level_m) = flooded_to_m {
-        let level = view.y(level_m);
+    let water = view.parts.description.water;
+    if let Some(water) = water.filter(|water| water.flooded) {
+        let level = view.y(water.level_m);
         let (left, right) = (view.frame.left, view.frame.right);
         let size = (right - left, (view.frame.bottom - level).max(0.0));
         drawing.clipped("flooded", (left, level), size, |drawing| {
@@ -64,14 +50,8 @@ fn draw_inside(
     drawing.polyline(left, &fine);
 }
 
-fn draw_axis(drawing: &mut Drawing, view: &View, tower: &Tower) {
-    let axis = Stroke::new(Colour::Muted, 0.7).dashed(Dash::DashDot);
-    let (base, top) = (view.y(tower.base_m()), view.y(tower.top_m()));
-    drawing.line((view.axis_x, base), (view.axis_x, top), &axis);
-}
-
 /// Lines across the tower where shells meet.
-fn draw_borders(drawing: &mut Drawing, view: &View, shells: &[Shell]) {
+fn draw_borders(drawing: &mut Drawing, view: &View<'_>, shells: &[Shell]) {
     if shells.len() > MOST_BORDERS {
         return;
     }
@@ -84,23 +64,14 @@ fn draw_borders(drawing: &mut Drawing, view: &View, shells: &[Shell]) {
 }
 
 /// Draws the point masses on the tower's axis, larger ones larger.
-pub(super) fn draw_masses(drawing: &mut Drawing, view: &View, description: &TowerDescription) {
-    let masses = &description.point_masses;
-    let heaviest = masses.iter().map(|mass| mass.mass_kg).fold(0.0, f64::max);
+pub(super) fn draw_masses(drawing: &mut Drawing, view: &View<'_>) {
     let edge = Stroke::new(Colour::Paper, 0.8);
-    let are_apart = masses.len() <= MOST_BORDERS;
-    for mass in masses {
-        let share = if heaviest > 0.0 {
-            (mass.mass_kg / heaviest).clamp(0.0, 1.0)
-        } else {
-            1.0
-        };
+    let are_apart = view.parts.description.point_masses.len() <= MOST_BORDERS;
+    for (mass, share) in view.parts.masses() {
         let center = (view.axis_x, view.y(mass.height_m));
-        if are_apart {
-            let radius = 3.0 + 3.5 * share.cbrt();
-            drawing.disc(center, radius, Colour::Rna, Some(&edge));
-        } else {
-            drawing.disc(center, 1.0 + 3.0 * share.cbrt(), Colour::Rna, None);
+        match are_apart {
+            true => drawing.disc(center, 3.0 + 3.5 * share, Colour::Rna, Some(&edge)),
+            false => drawing.disc(center, 1.0 + 3.0 * share, Colour::Rna, None),
         }
     }
 }
@@ -112,7 +83,7 @@ struct End {
     inner: f64,
 }
 
-fn ends(view: &View, shell: &Shell) -> [End; 2] {
+fn ends(view: &View<'_>, shell: &Shell) -> [End; 2] {
     let end = |index: usize, height_m: f64| {
         let outer_m = shell.outer_m[index];
         let outer = view.radius(outer_m);

@@ -31,6 +31,14 @@ pub(super) struct Callout {
     pub subject: Subject,
 }
 
+impl Callout {
+    /// The callout of a single part.
+    pub fn whole(at: (f64, f64), lines: Vec<String>) -> Self {
+        let subject = Subject::Whole;
+        Self { at, lines, subject }
+    }
+}
+
 /// The column of the texts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Column {

@@ -1,19 +1,17 @@
 //! The foundation: hatching, springs, a footing or a pile.
 
-use towermodes::{
-    Buried, ClosedForm, Foundation, FoundationSprings, StiffnessFoundation, Support, Tower,
-};
+use towermodes::{Buried, ClosedForm, FoundationSprings, StiffnessFoundation, Support};
 
-use super::callouts::{Callout, Subject};
+use super::callouts::Callout;
 use super::view::View;
-use crate::figures::outline::outer_diameter_m;
+use crate::figures::parts::Parts;
 use crate::figures::symbols::{held_below, held_left, rigid_link, spiral, spring, turn};
 use crate::number::{length, mass, stiffness};
 use crate::svg::{Colour, Drawing, Stroke};
 
 /// Room that a foundation needs below the base.
-pub(super) fn below(foundation: &Foundation) -> f64 {
-    match foundation.support() {
+pub(super) fn below(parts: &Parts<'_>) -> f64 {
+    match parts.description.foundation.support() {
         Support::Clamped => 26.0,
         Support::Floating(_) => 16.0,
         Support::Stiffness(_) | Support::Springs(_) | Support::Form(_) => 58.0,
@@ -21,54 +19,30 @@ pub(super) fn below(foundation: &Foundation) -> f64 {
 }
 
 /// Draws the foundation at the base, except for a floating platform.
-pub(super) fn draw_foundation(
-    drawing: &mut Drawing,
-    view: &View,
-    tower: &Tower,
-    foundation: &Foundation,
-) {
-    match foundation.support() {
-        Support::Clamped => draw_clamp(drawing, view, tower),
-        Support::Stiffness(matrices) => {
-            draw_springs(drawing, view, tower, &on_diagonal(matrices));
+pub(super) fn draw_foundation(drawing: &mut Drawing, view: &View<'_>) {
+    match (
+        view.parts.description.foundation.support(),
+        view.parts.springs(),
+    ) {
+        (Support::Floating(_), _) => {}
+        (Support::Form(form), _) => {
+            draw_in_soil(drawing, view, &InSoil::new(view, form.buried()));
         }
-        Support::Springs(springs) => draw_springs(drawing, view, tower, springs),
-        Support::Floating(_) => {}
-        Support::Form(form) => {
-            draw_in_soil(drawing, view, &InSoil::new(view, tower, form.buried()));
+        (_, Some(springs)) => draw_springs(drawing, view, &springs),
+        (_, None) => {
+            let half = base_radius(view) + 18.0;
+            held_below(drawing, view.axis_x - half, view.axis_x + half, view.base());
         }
     }
 }
 
-/// The springs that are drawn for a matrix: those on its diagonal, of two planes the stiffer one.
-pub(in crate::figures) fn on_diagonal(foundation: &StiffnessFoundation) -> FoundationSprings {
-    let k = &foundation.stiffness;
-    FoundationSprings {
-        lateral_n_per_m: k[0][0].max(k[1][1]),
-        rocking_n_m: k[3][3].max(k[4][4]),
-        coupling_n: 0.0,
-        vertical_n_per_m: k[2][2],
-        torsion_n_m: k[5][5],
-    }
+fn base_radius(view: &View<'_>) -> f64 {
+    view.radius_at(view.parts.tower.base_m())
 }
 
-fn base_radius(view: &View, tower: &Tower) -> f64 {
-    view.radius(outer_diameter_m(tower, tower.base_m()))
-}
-
-fn draw_clamp(drawing: &mut Drawing, view: &View, tower: &Tower) {
-    let half = base_radius(view, tower) + 18.0;
-    let y = view.y(tower.base_m());
-    held_below(drawing, view.axis_x - half, view.axis_x + half, y);
-}
-
-fn draw_springs(drawing: &mut Drawing, view: &View, tower: &Tower, springs: &FoundationSprings) {
-    if is_rigid(springs) {
-        draw_clamp(drawing, view, tower);
-        return;
-    }
-    let (x, y) = (view.axis_x, view.y(tower.base_m()));
-    let half = base_radius(view, tower) + 5.0;
+fn draw_springs(drawing: &mut Drawing, view: &View<'_>, springs: &FoundationSprings) {
+    let (x, y) = (view.axis_x, view.base());
+    let half = base_radius(view) + 5.0;
     if springs.lateral_n_per_m > 0.0 {
         let ends = ((x - half, y), (x - half - 38.0, y));
         link(drawing, springs.lateral_n_per_m, ends);
@@ -107,16 +81,6 @@ fn link(drawing: &mut Drawing, stiffness: f64, (from, to): ((f64, f64), (f64, f6
     }
 }
 
-fn is_rigid(springs: &FoundationSprings) -> bool {
-    let values = [
-        springs.lateral_n_per_m,
-        springs.rocking_n_m,
-        springs.vertical_n_per_m,
-        springs.torsion_n_m,
-    ];
-    values.iter().all(|value| value.is_infinite())
-}
-
 /// A footing or a pile as it is drawn.
 struct InSoil {
     top: f64,
@@ -128,8 +92,8 @@ struct InSoil {
 }
 
 impl InSoil {
-    fn new(view: &View, tower: &Tower, of: Buried) -> Self {
-        let y = view.y(tower.base_m());
+    fn new(view: &View<'_>, of: Buried) -> Self {
+        let y = view.base();
         let wished = view.radius(2.0 * of.half_m[0]);
         let most = 0.5 * (view.frame.right - view.frame.left) - 16.0;
         let half_width = wished.min(most);
@@ -145,11 +109,14 @@ impl InSoil {
     }
 }
 
-fn draw_in_soil(drawing: &mut Drawing, view: &View, body: &InSoil) {
-    let frame = view.frame;
-    let size = (frame.right - frame.left, frame.bottom - body.ground);
-    drawing.rectangle((frame.left, body.ground), size, Colour::Soil, None);
-    held_below(drawing, frame.left + 6.0, frame.right, body.ground);
+fn draw_in_soil(drawing: &mut Drawing, view: &View<'_>, body: &InSoil) {
+    view.fill_below(drawing, body.ground, Colour::Soil);
+    held_below(
+        drawing,
+        view.frame.left + 6.0,
+        view.frame.right,
+        body.ground,
+    );
     let left_top = (view.axis_x - body.half_width, body.top);
     let edge = Stroke::new(Colour::Ink, 1.2);
     let size = (2.0 * body.half_width, body.depth);
@@ -157,28 +124,23 @@ fn draw_in_soil(drawing: &mut Drawing, view: &View, body: &InSoil) {
 }
 
 /// The label of the foundation.
-pub(super) fn callout(view: &View, tower: &Tower, foundation: &Foundation) -> Option<Callout> {
-    let (x, y) = (view.axis_x, view.y(tower.base_m()));
-    let half = base_radius(view, tower);
-    let (at, lines) = match foundation.support() {
-        Support::Clamped => ((x + half + 14.0, y + 5.0), vec!["clamped".to_owned()]),
-        Support::Springs(springs) if is_rigid(springs) => (
-            (x + half + 14.0, y + 5.0),
-            vec!["springs, all rigid: clamped".to_owned()],
-        ),
-        Support::Springs(springs) => ((x + half + 27.0, y + 6.0), spring_lines(springs)),
-        Support::Stiffness(matrices) => ((x + half + 27.0, y + 6.0), matrix_lines(matrices)),
+pub(super) fn callout(view: &View<'_>) -> Option<Callout> {
+    let (x, y) = (view.axis_x, view.base());
+    let half = base_radius(view);
+    let (clamp, springs) = ((x + half + 14.0, y + 5.0), (x + half + 27.0, y + 6.0));
+    Some(match view.parts.description.foundation.support() {
         Support::Floating(_) => return None,
-        Support::Form(form) => {
-            let body = InSoil::new(view, tower, form.buried());
-            let at = (x + body.half_width, body.top + 0.6 * body.depth);
-            (at, dimension_lines(form, body.is_to_scale))
+        Support::Clamped => Callout::whole(clamp, vec!["clamped".to_owned()]),
+        Support::Springs(_) if view.parts.springs().is_none() => {
+            Callout::whole(clamp, vec!["springs, all rigid: clamped".to_owned()])
         }
-    };
-    Some(Callout {
-        at,
-        lines,
-        subject: Subject::Whole,
+        Support::Springs(given) => Callout::whole(springs, spring_lines(given)),
+        Support::Stiffness(matrices) => Callout::whole(springs, matrix_lines(matrices)),
+        Support::Form(form) => {
+            let body = InSoil::new(view, form.buried());
+            let at = (x + body.half_width, body.top + 0.6 * body.depth);
+            Callout::whole(at, dimension_lines(form, body.is_to_scale))
+        }
     })
 }
 

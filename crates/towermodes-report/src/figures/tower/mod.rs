@@ -13,19 +13,15 @@ mod surroundings;
 mod view;
 mod wires;
 
-pub(super) use foundation::on_diagonal;
-pub(super) use platform::{keel_m, platform, surface_m};
-pub(super) use rna::RnaForm;
 pub(super) use small::{draw_small, levels, small_view};
-pub(super) use surroundings::{ground_m, water_m};
 pub(super) use view::View;
-pub(super) use wires::wires_ground_m;
 
 use towermodes::{Tower, TowerDescription};
 
 use super::enlargement::factor;
 use super::outline::is_nominal;
-use crate::svg::{Axes, Colour, Drawing, Figure, TextStyle};
+use super::parts::Parts;
+use crate::svg::{Colour, Drawing, Figure, TextStyle};
 use body::{draw_body, draw_masses};
 use callouts::{Callout, Column, draw_callouts};
 use foundation::draw_foundation;
@@ -41,21 +37,17 @@ use surroundings::draw_water_and_ground;
 /// platform are nominal silhouettes with their centres of mass to scale.
 pub fn tower(description: &TowerDescription, tower: &Tower) -> Figure {
     let description = &description.with_ground_as_soil();
-    let (view, height) = sheet(description, tower);
+    let (view, height) = sheet(Parts { description, tower });
     let mut drawing = Drawing::new(WIDTH, height);
-    draw_scene(&mut drawing, &view, description, tower);
+    draw_scene(&mut drawing, &view);
     let column = Column {
         elbow_x: view.frame.right + 6.0,
         left: view.frame.right + 32.0,
         right: WIDTH - 6.0,
         range: [2.0, height - 24.0],
     };
-    let left_out = draw_callouts(
-        &mut drawing,
-        &column,
-        &callouts_of(&view, description, tower),
-    );
-    draw_note(&mut drawing, &view, tower, left_out.text());
+    let left_out = draw_callouts(&mut drawing, &column, &callouts_of(&view));
+    draw_note(&mut drawing, &view, left_out.text());
     let name = tower.name();
     let title = if name.is_empty() {
         "The tower".to_owned()
@@ -71,39 +63,34 @@ pub fn tower(description: &TowerDescription, tower: &Tower) -> Figure {
     }
 }
 
-fn draw_scene(drawing: &mut Drawing, view: &View, description: &TowerDescription, tower: &Tower) {
-    draw_water_and_ground(drawing, view, description, tower);
-    platform::draw_sea(drawing, view, description);
-    let heights_m = [view.low_m(), view.high_m];
-    let axes = Axes::new(view.frame, [0.0, 1.0], heights_m, [false, false]);
-    axes.draw_y(drawing, "height z (m)", TICKS);
-    surroundings::draw_soil(drawing, view, description, tower);
-    wires::draw_wires(drawing, view, description, tower);
-    if let Some(platform) = platform::platform(description) {
-        platform::draw_platform(drawing, view, tower, platform);
-    }
-    draw_foundation(drawing, view, tower, &description.foundation);
-    let water = description.water.filter(|water| water.flooded);
-    draw_body(drawing, view, tower, water.map(|water| water.level_m));
-    draw_masses(drawing, view, description);
-    draw_rna(drawing, view, tower, 1.0);
+fn draw_scene(drawing: &mut Drawing, view: &View<'_>) {
+    draw_water_and_ground(drawing, view);
+    platform::draw_sea(drawing, view);
+    view.draw_heights(drawing, TICKS);
+    surroundings::draw_soil(drawing, view);
+    wires::draw_wires(drawing, view);
+    platform::draw_platform(drawing, view);
+    draw_foundation(drawing, view);
+    draw_body(drawing, view);
+    draw_masses(drawing, view);
+    draw_rna(drawing, view, 1.0);
 }
 
-fn callouts_of(view: &View, description: &TowerDescription, tower: &Tower) -> Vec<Callout> {
-    let mut callouts: Vec<Callout> = rna::callout(view, tower).into_iter().collect();
-    callouts.extend(foundation::callout(view, tower, &description.foundation));
-    callouts.extend(platform::callouts(view, tower, description));
-    callouts.extend(surroundings::callouts(view, description, tower));
-    callouts.extend(wires::callouts(view, description, tower));
-    callouts.extend(stations::mass_callouts(view, tower));
-    callouts.extend(stations::station_callouts(view, tower));
+fn callouts_of(view: &View<'_>) -> Vec<Callout> {
+    let mut callouts: Vec<Callout> = rna::callout(view).into_iter().collect();
+    callouts.extend(foundation::callout(view));
+    callouts.extend(platform::callouts(view));
+    callouts.extend(surroundings::callouts(view));
+    callouts.extend(wires::callouts(view));
+    callouts.extend(stations::mass_callouts(view));
+    callouts.extend(stations::station_callouts(view));
     callouts
 }
 
 /// Writes which dimensions are to scale.
-fn draw_note(drawing: &mut Drawing, view: &View, tower: &Tower, left_out: Option<String>) {
+fn draw_note(drawing: &mut Drawing, view: &View<'_>, left_out: Option<String>) {
     let width = factor(view.diameter_factor);
-    let mut note = if is_nominal(tower) {
+    let mut note = if is_nominal(view.parts.tower) {
         format!(
             "Heights to scale. Width {width}: steel tube of the same EI, wall 1/200 of Ø (∝ fourth root of EI)."
         )
@@ -111,7 +98,7 @@ fn draw_note(drawing: &mut Drawing, view: &View, tower: &Tower, left_out: Option
         let wall = factor(view.wall_factor);
         format!("Heights to scale, diameters {width}, walls {wall}.")
     };
-    if !tower.rna().is_absent() {
+    if view.parts.rna().is_some() {
         note.push_str(" x, downwind, to the right.");
     }
     if let Some(left_out) = left_out {

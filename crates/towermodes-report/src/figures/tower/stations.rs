@@ -1,25 +1,22 @@
 //! The labels of stations and point masses.
 
-use towermodes::{PropertyStation, Station, Tower};
+use towermodes::{PointMass, PropertyStation, Station};
 
 use super::callouts::{Callout, Subject};
 use super::view::View;
-use crate::figures::outline::outer_diameter_m;
 use crate::number::{length, mass, short, wall};
 
 /// The tube, or the stiffness, at each station's height; of a step both sides.
-pub(super) fn station_callouts(view: &View, tower: &Tower) -> Vec<Callout> {
+pub(super) fn station_callouts(view: &View<'_>) -> Vec<Callout> {
+    let tower = view.parts.tower;
     let tubes = tower.stations().chunk_by(|a, b| a.height_m == b.height_m);
     let tubes = tubes.map(|there| (there[0].height_m, tube_text(there)));
     let rows = tower.properties().chunk_by(|a, b| a.height_m == b.height_m);
     let rows = rows.map(|there| (there[0].height_m, row_text(there)));
-    let callout = |(height_m, text): (f64, String)| {
-        let radius = view.radius(outer_diameter_m(tower, height_m));
-        Callout {
-            at: (view.axis_x + radius, view.y(height_m)),
-            lines: vec![format!("z = {} m: {text}", length(height_m))],
-            subject: Subject::Station,
-        }
+    let callout = |(height_m, text): (f64, String)| Callout {
+        at: view.on_shell(height_m),
+        lines: vec![format!("z = {} m: {text}", length(height_m))],
+        subject: Subject::Station,
     };
     tubes.chain(rows).map(callout).collect()
 }
@@ -60,27 +57,23 @@ fn steps(values: &[String]) -> String {
 }
 
 /// The point masses with their heights; those of one height as one.
-pub(super) fn mass_callouts(view: &View, tower: &Tower) -> Vec<Callout> {
-    let mut masses = tower.point_masses().to_vec();
+pub(super) fn mass_callouts(view: &View<'_>) -> Vec<Callout> {
+    let mut masses = view.parts.tower.point_masses().to_vec();
     masses.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));
+    let callout = |there: &[PointMass]| {
+        let height_m = there[0].height_m;
+        let sum_kg: f64 = there.iter().map(|mass| mass.mass_kg).sum();
+        let count = match there.len() {
+            1 => "mass".to_owned(),
+            count => format!("{count} masses,"),
+        };
+        let text = format!("z = {} m: {count} {}", length(height_m), mass(sum_kg));
+        Callout {
+            at: (view.axis_x + 6.0, view.y(height_m)),
+            lines: vec![text],
+            subject: Subject::Mass,
+        }
+    };
     let there = masses.chunk_by(|a, b| a.height_m == b.height_m);
-    there
-        .map(|there| {
-            let height_m = there[0].height_m;
-            let sum_kg: f64 = there.iter().map(|mass| mass.mass_kg).sum();
-            let count = match there.len() {
-                1 => "mass".to_owned(),
-                count => format!("{count} masses,"),
-            };
-            Callout {
-                at: (view.axis_x + 6.0, view.y(height_m)),
-                lines: vec![format!(
-                    "z = {} m: {count} {}",
-                    length(height_m),
-                    mass(sum_kg)
-                )],
-                subject: Subject::Mass,
-            }
-        })
-        .collect()
+    there.map(callout).collect()
 }

@@ -1,12 +1,10 @@
 //! Soil and water around the tower.
 
+use towermodes::TowerDescription;
 use towermodes::tower::Piece;
-use towermodes::{Tower, TowerDescription};
 
-use super::callouts::{Callout, Subject};
-use super::platform::{platform, surface_m};
+use super::callouts::Callout;
 use super::view::View;
-use crate::figures::outline::outer_diameter_m;
 use crate::figures::symbols::{hatching, held_below, held_left, spring, waves};
 use crate::number::{length, short, stiffness};
 use crate::svg::{Colour, Drawing, Stroke};
@@ -22,67 +20,43 @@ const SPRING_GAP: f64 = 22.0;
 /// The largest number of hatched layers of soil.
 const MOST_LAYERS: usize = 12;
 
-/// The height of the ground around the tower, m, if there is any: the seabed, or the surface of the
-/// soil.
-pub(in crate::figures) fn ground_m(description: &TowerDescription, tower: &Tower) -> Option<f64> {
-    let water = description.water;
-    let bed_m = water.map(|water| water.bed_m.unwrap_or(tower.base_m()));
-    let surfaces = description.soil.iter().filter_map(|rows| rows.last());
-    let surface_m = surfaces.map(|row| row.height_m).reduce(f64::max);
-    match (bed_m, surface_m) {
-        (Some(bed_m), Some(surface_m)) => Some(bed_m.max(surface_m)),
-        (bed_m, surface_m) => bed_m.or(surface_m),
-    }
-}
-
-/// The height of the water surface, m: around the tower or its floating platform.
-pub(in crate::figures) fn water_m(description: &TowerDescription) -> Option<f64> {
-    let around_m = description.water.map(|water| water.level_m);
-    around_m.or_else(|| platform(description).and_then(surface_m))
-}
-
 /// Draws water and ground, behind everything else.
-pub(super) fn draw_water_and_ground(
-    drawing: &mut Drawing,
-    view: &View,
-    description: &TowerDescription,
-    tower: &Tower,
-) {
+pub(super) fn draw_water_and_ground(drawing: &mut Drawing, view: &View<'_>) {
     let frame = view.frame;
-    let width = frame.right - frame.left;
     let within = |height_m: f64| view.y(height_m).clamp(frame.top, frame.bottom);
-    let ground = ground_m(description, tower).map_or(frame.bottom, within);
-    if let Some(water) = &description.water {
+    let ground = view.parts.ground_m().map_or(frame.bottom, within);
+    if let Some(water) = &view.parts.description.water {
         let level = within(water.level_m);
-        let size = (width, ground - level);
+        let size = (frame.right - frame.left, ground - level);
         drawing.rectangle((frame.left, level), size, Colour::Water, None);
         if view.shows(water.level_m) {
             waves(drawing, frame.left, frame.right, level);
         }
     }
     if ground < frame.bottom {
-        let size = (width, frame.bottom - ground);
-        drawing.rectangle((frame.left, ground), size, Colour::Soil, None);
+        view.fill_below(drawing, ground, Colour::Soil);
         held_below(drawing, frame.left + 6.0, frame.right, ground);
     }
 }
 
 /// Draws the layers of soil: hatched with springs on the left, and on the right bars whose width is
 /// proportional to the stiffness.
-pub(super) fn draw_soil(
-    drawing: &mut Drawing,
-    view: &View,
-    description: &TowerDescription,
-    tower: &Tower,
-) {
-    let most = stiffest(tower).map_or(0.0, |(_, most)| most);
+pub(super) fn draw_soil(drawing: &mut Drawing, view: &View<'_>) {
+    let most = stiffest(view).map_or(0.0, |(_, most)| most);
     if most <= 0.0 {
         return;
     }
     let frame = view.frame;
-    let beside = beside(view, tower);
+    let beside = beside(view);
     let border = Stroke::new(Colour::Muted, 0.7);
-    for (layer, rows) in description.soil.iter().enumerate().take(MOST_LAYERS) {
+    for (layer, rows) in view
+        .parts
+        .description
+        .soil
+        .iter()
+        .enumerate()
+        .take(MOST_LAYERS)
+    {
         let (Some(bottom), Some(top)) = (rows.first(), rows.last()) else {
             continue;
         };
@@ -97,12 +71,12 @@ pub(super) fn draw_soil(
         hatching(drawing, &name, left_top, size, layer % 2 == 0);
         drawing.line((frame.left, bottom), (frame.right, bottom), &border);
     }
-    draw_bars(drawing, view, tower, most);
-    draw_soil_springs(drawing, view, tower, most);
+    draw_bars(drawing, view, most);
+    draw_soil_springs(drawing, view, most);
 }
 
-fn draw_bars(drawing: &mut Drawing, view: &View, tower: &Tower, most: f64) {
-    let from = view.axis_x + beside(view, tower) + 4.0;
+fn draw_bars(drawing: &mut Drawing, view: &View<'_>, most: f64) {
+    let from = view.axis_x + beside(view) + 4.0;
     let edge = Stroke::new(Colour::Ink, 0.9);
     let mut bar: Vec<(f64, f64)> = Vec::new();
     let draw = |drawing: &mut Drawing, bar: &mut Vec<(f64, f64)>| {
@@ -112,7 +86,7 @@ fn draw_bars(drawing: &mut Drawing, view: &View, tower: &Tower, most: f64) {
         }
         bar.clear();
     };
-    for piece in tower.pieces() {
+    for piece in view.parts.tower.pieces() {
         let ends =
             [piece.base_m, piece.top_m].map(|height_m| (height_m, springs_at(piece, height_m)));
         if ends.iter().all(|(_, stiffness)| *stiffness == 0.0) {
@@ -127,17 +101,15 @@ fn draw_bars(drawing: &mut Drawing, view: &View, tower: &Tower, most: f64) {
     draw(drawing, &mut bar);
 }
 
-fn draw_soil_springs(drawing: &mut Drawing, view: &View, tower: &Tower, most: f64) {
-    let wall = view.axis_x - beside(view, tower) - SPRING;
-    let is_held = |piece: &&Piece| {
-        springs_at(piece, piece.base_m) > 0.0 || springs_at(piece, piece.top_m) > 0.0
-    };
-    let mut held = tower.pieces().iter().filter(is_held);
+fn draw_soil_springs(drawing: &mut Drawing, view: &View<'_>, most: f64) {
+    let wall = view.axis_x - beside(view) - SPRING;
+    let tower = view.parts.tower;
+    let mut held = tower.pieces().iter().filter(|piece| is_held(piece));
     let Some(first) = held.next() else { return };
     let last = held.next_back().unwrap_or(first);
     let top = view.y(last.top_m);
     // The base has springs of its own.
-    let free = (view.y(tower.base_m()) - BASE).max(top + 2.0);
+    let free = (view.base() - BASE).max(top + 2.0);
     let bottom = view.y(first.base_m).min(free);
     let count = ((bottom - top) / SPRING_GAP).clamp(1.0, 60.0) as usize;
     for k in 0..count {
@@ -146,7 +118,7 @@ fn draw_soil_springs(drawing: &mut Drawing, view: &View, tower: &Tower, most: f6
         let height_m = height_m.clamp(first.base_m, last.top_m);
         let there = springs_at(tower.piece_at(height_m), height_m);
         if there > 1e-6 * most {
-            let radius = view.radius(outer_diameter_m(tower, height_m));
+            let radius = view.radius_at(height_m);
             spring(drawing, (view.axis_x - radius, y), (wall, y), 4.0);
         }
     }
@@ -154,13 +126,21 @@ fn draw_soil_springs(drawing: &mut Drawing, view: &View, tower: &Tower, most: f6
 }
 
 /// Half the largest width of the tower in the soil.
-fn beside(view: &View, tower: &Tower) -> f64 {
-    let in_soil = tower.pieces().iter().filter(|piece| {
-        springs_at(piece, piece.base_m) > 0.0 || springs_at(piece, piece.top_m) > 0.0
-    });
+fn beside(view: &View<'_>) -> f64 {
+    let in_soil = view
+        .parts
+        .tower
+        .pieces()
+        .iter()
+        .filter(|piece| is_held(piece));
     let ends = in_soil.flat_map(|piece| [piece.base_m, piece.top_m]);
-    let radii = ends.map(|height_m| view.radius(outer_diameter_m(tower, height_m)));
-    radii.fold(0.0, f64::max)
+    ends.map(|height_m| view.radius_at(height_m))
+        .fold(0.0, f64::max)
+}
+
+/// Whether a piece has soil springs.
+fn is_held(piece: &Piece) -> bool {
+    springs_at(piece, piece.base_m) > 0.0 || springs_at(piece, piece.top_m) > 0.0
 }
 
 /// The stiffer of the soil's springs in x and y at a height in a piece, N/m².
@@ -170,8 +150,8 @@ fn springs_at(piece: &Piece, height_m: f64) -> f64 {
 }
 
 /// The height of the largest soil stiffness, m, and its value in x or y, N/m².
-fn stiffest(tower: &Tower) -> Option<(f64, f64)> {
-    let pieces = tower.pieces().iter();
+fn stiffest(view: &View<'_>) -> Option<(f64, f64)> {
+    let pieces = view.parts.tower.pieces().iter();
     let ends = pieces.flat_map(|piece| {
         [piece.base_m, piece.top_m].map(|height_m| (height_m, springs_at(piece, height_m)))
     });
@@ -180,42 +160,30 @@ fn stiffest(tower: &Tower) -> Option<(f64, f64)> {
 }
 
 /// The labels of soil and water.
-pub(super) fn callouts(view: &View, description: &TowerDescription, tower: &Tower) -> Vec<Callout> {
-    let mut callouts: Vec<Callout> = Vec::new();
-    let mut whole = |at: (f64, f64), lines: Vec<String>| {
-        callouts.push(Callout {
-            at,
-            lines,
-            subject: Subject::Whole,
-        });
+pub(super) fn callouts(view: &View<'_>) -> Vec<Callout> {
+    let description = view.parts.description;
+    let level = |height_m: f64, name: String| {
+        let text = format!("z = {} m: {name}", length(height_m));
+        let at = (view.frame.right, view.y(height_m));
+        view.shows(height_m).then(|| Callout::whole(at, vec![text]))
     };
-    let edge = view.frame.right;
-    if let Some(water) = &description.water {
-        if view.shows(water.level_m) {
-            let flooded = if water.flooded { ", tower flooded" } else { "" };
-            let text = format!("z = {} m: water level{flooded}", length(water.level_m));
-            whole((edge, view.y(water.level_m)), vec![text]);
-        }
-        let bed_m = water.bed_m.unwrap_or(tower.base_m());
-        if view.shows(bed_m) {
-            whole(
-                (edge, view.y(bed_m)),
-                vec![format!("z = {} m: seabed", length(bed_m))],
-            );
-        }
-    }
-    if let Some((height_m, most)) = stiffest(tower) {
-        let x = view.axis_x + beside(view, tower) + 4.0 + WIDEST_BAR;
+    let water = description.water.iter().flat_map(|water| {
+        let flooded = if water.flooded { ", tower flooded" } else { "" };
+        let bed_m = water.bed_m.unwrap_or(view.parts.tower.base_m());
+        let surface = level(water.level_m, format!("water level{flooded}"));
+        [surface, level(bed_m, "seabed".to_owned())]
+    });
+    let soil = stiffest(view).map(|(height_m, most)| {
+        let x = view.axis_x + beside(view) + 4.0 + WIDEST_BAR;
         let text = format!("soil springs, largest {}", stiffness(most, "N/m²"));
         // A little inside the bar, as the base has its own label.
-        whole((x, view.y(height_m) - 6.0), vec![text]);
-    }
-    if let Some((height_m, most)) = added_mass(description) {
-        let radius = view.radius(outer_diameter_m(tower, height_m));
+        Callout::whole((x, view.y(height_m) - 6.0), vec![text])
+    });
+    let added = added_mass(description).map(|(height_m, most)| {
         let text = format!("added mass, largest {} kg/m", short(most, 4));
-        whole((view.axis_x + radius, view.y(height_m)), vec![text]);
-    }
-    callouts
+        Callout::whole(view.on_shell(height_m), vec![text])
+    });
+    water.flatten().chain(soil).chain(added).collect()
 }
 
 /// The height of the largest added mass of a table, m, and its value, kg/m.

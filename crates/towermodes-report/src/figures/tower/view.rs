@@ -1,11 +1,10 @@
 //! Positions on the sheet: one scale for heights and lengths, another for diameters and a
 //! third for walls.
 
-use towermodes::Tower;
-
 use crate::figures::enlargement::round_factor;
 use crate::figures::outline::{Shell, shells};
-use crate::svg::Frame;
+use crate::figures::parts::Parts;
+use crate::svg::{Axes, Colour, Drawing, Frame};
 
 /// A widest tube from the first to the last of these is drawn as it is.
 const READABLE: [f64; 2] = [22.0, 120.0];
@@ -19,8 +18,10 @@ const HOLLOW: f64 = 0.45;
 const FAR: f64 = 5e3;
 
 /// How heights, lengths, diameters and walls become pixels.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::figures) struct View {
+#[derive(Debug, Clone, Copy)]
+pub(in crate::figures) struct View<'a> {
+    /// What is drawn.
+    pub parts: Parts<'a>,
     /// The field.
     pub frame: Frame,
     /// Where the tower's axis is.
@@ -35,21 +36,22 @@ pub(in crate::figures) struct View {
     pub wall_factor: f64,
 }
 
-impl View {
+impl<'a> View<'a> {
     /// A view of a tower in a field whose upper edge is at a height (m), with its axis at a place
     /// and tubes of readable width, at most `widest` pixels.
     pub fn new(
-        tower: &Tower,
+        parts: Parts<'a>,
         frame: Frame,
         axis_x: f64,
         (high_m, per_m): (f64, f64),
         widest: f64,
     ) -> Self {
-        let shells = shells(tower);
+        let shells = shells(parts.tower);
         let diameters = shells.iter().flat_map(|shell| shell.outer_m);
         let largest_m = diameters.fold(0.0, f64::max);
         let diameter_factor = diameter_factor(largest_m * per_m, widest);
         Self {
+            parts,
             frame,
             axis_x,
             high_m,
@@ -79,6 +81,26 @@ impl View {
         (0.5 * diameter_m * self.per_m * self.diameter_factor).clamp(0.4, FAR)
     }
 
+    /// Half the width of the tower at a height (m) as it is drawn.
+    pub fn radius_at(&self, height_m: f64) -> f64 {
+        self.radius(2.0 * self.parts.radius_m(height_m))
+    }
+
+    /// The right edge of the tower at a height, m.
+    pub fn on_shell(&self, height_m: f64) -> (f64, f64) {
+        (self.axis_x + self.radius_at(height_m), self.y(height_m))
+    }
+
+    /// The place of the base.
+    pub fn base(&self) -> f64 {
+        self.y(self.parts.tower.base_m())
+    }
+
+    /// The place of the top.
+    pub fn top(&self) -> f64 {
+        self.y(self.parts.tower.top_m())
+    }
+
     /// A wall (m) as it is drawn in a tube of a diameter, m.
     pub fn wall(&self, wall_m: f64, diameter_m: f64) -> f64 {
         (wall_m * self.per_m * self.wall_factor).clamp(0.2, self.radius(diameter_m))
@@ -87,6 +109,24 @@ impl View {
     /// The height at the lower edge of the field, m.
     pub fn low_m(&self) -> f64 {
         self.high_m - (self.frame.bottom - self.frame.top) / self.per_m
+    }
+
+    /// Fills the field below a place, as wide as it is.
+    pub fn fill_below(&self, drawing: &mut Drawing, y: f64, colour: Colour) {
+        let Frame {
+            left,
+            right,
+            bottom,
+            ..
+        } = self.frame;
+        drawing.rectangle((left, y), (right - left, bottom - y), colour, None);
+    }
+
+    /// Draws the axis of heights.
+    pub fn draw_heights(&self, drawing: &mut Drawing, ticks: usize) {
+        let heights_m = [self.low_m(), self.high_m];
+        let axes = Axes::new(self.frame, [0.0, 1.0], heights_m, [false, false]);
+        axes.draw_y(drawing, "height z (m)", ticks);
     }
 
     /// Whether a height (m) is in the field.

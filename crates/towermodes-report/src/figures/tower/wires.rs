@@ -1,25 +1,14 @@
 //! Guy wires beside the tower.
 
-use towermodes::{Tower, TowerDescription, Wires};
+use towermodes::Wires;
 
-use super::callouts::{Callout, Subject};
-use super::surroundings::ground_m;
+use super::callouts::Callout;
 use super::view::View;
-use crate::figures::outline::outer_diameter_m;
 use crate::number::{length, short, stiffness};
 use crate::svg::{Colour, Drawing, Stroke};
 
 /// More sets of wires have no callout each.
 const MOST_WIRES: usize = 6;
-
-/// The height that wires are drawn to, m: the ground, or the base where that is above one of them
-/// or there is none.
-pub(in crate::figures) fn wires_ground_m(description: &TowerDescription, tower: &Tower) -> f64 {
-    let lowest_m = description.wires.iter().map(|wires| wires.height_m);
-    let lowest_m = lowest_m.fold(f64::INFINITY, f64::min);
-    let ground_m = ground_m(description, tower).filter(|ground_m| *ground_m < lowest_m);
-    ground_m.map_or(tower.base_m(), |ground_m| ground_m.max(tower.base_m()))
-}
 
 /// A wire as it is drawn to the right of the tower.
 struct Drawn {
@@ -30,19 +19,18 @@ struct Drawn {
 }
 
 impl Drawn {
-    fn new(view: &View, tower: &Tower, wires: &Wires, ground_m: f64) -> Self {
+    fn new(view: &View<'_>, wires: &Wires) -> Self {
         // From the shell as it is drawn, so that the angle is right and the end in sight.
-        let radius = view.radius(outer_diameter_m(tower, wires.height_m));
-        let from = view.y(wires.height_m);
-        let down = view.y(ground_m) - from;
+        let start = view.on_shell(wires.height_m);
+        let down = view.y(view.parts.wires_ground_m()) - start.1;
         Self {
-            start: (view.axis_x + radius, from),
+            start,
             anchor: (down / wires.angle_deg.to_radians().tan(), down),
         }
     }
 
     /// The fraction of its length that is in the picture.
-    fn share(&self, view: &View) -> f64 {
+    fn share(&self, view: &View<'_>) -> f64 {
         let room = view.frame.right - self.start.0;
         if self.anchor.0 <= room {
             1.0
@@ -54,16 +42,10 @@ impl Drawn {
 
 /// Draws taut wires to both sides, to the ground; those that go beyond the edge of the field are
 /// cut there.
-pub(super) fn draw_wires(
-    drawing: &mut Drawing,
-    view: &View,
-    description: &TowerDescription,
-    tower: &Tower,
-) {
+pub(super) fn draw_wires(drawing: &mut Drawing, view: &View<'_>) {
     let line = Stroke::new(Colour::Ink, 1.2);
-    let ground_m = wires_ground_m(description, tower);
-    for wires in &description.wires {
-        let wire = Drawn::new(view, tower, wires, ground_m);
+    for wires in &view.parts.description.wires {
+        let wire = Drawn::new(view, wires);
         let share = wire.share(view);
         for side in [-1.0, 1.0] {
             let (start_x, from) = wire.start;
@@ -95,12 +77,12 @@ fn draw_cut(drawing: &mut Drawing, (x, y): (f64, f64), side: f64, line: &Stroke)
 }
 
 /// The labels of the guy wires.
-pub(super) fn callouts(view: &View, description: &TowerDescription, tower: &Tower) -> Vec<Callout> {
-    let mut callouts = Vec::new();
-    let more = description.wires.len().saturating_sub(MOST_WIRES);
-    for (index, wires) in description.wires.iter().take(MOST_WIRES).enumerate() {
+pub(super) fn callouts(view: &View<'_>) -> Vec<Callout> {
+    let all = &view.parts.description.wires;
+    let more = all.len().saturating_sub(MOST_WIRES);
+    let callout = |(index, wires): (usize, &Wires)| {
         let mut lines = wire_lines(wires);
-        let wire = Drawn::new(view, tower, wires, wires_ground_m(description, tower));
+        let wire = Drawn::new(view, wires);
         if wire.share(view) < 1.0 {
             let away_m = wire.anchor.0 / view.per_m;
             lines.push(format!(
@@ -111,13 +93,13 @@ pub(super) fn callouts(view: &View, description: &TowerDescription, tower: &Towe
         if index + 1 == MOST_WIRES && more > 0 {
             lines.push(format!("{more} more sets of guy wires"));
         }
-        callouts.push(Callout {
-            at: wire.start,
-            lines,
-            subject: Subject::Whole,
-        });
-    }
-    callouts
+        Callout::whole(wire.start, lines)
+    };
+    all.iter()
+        .take(MOST_WIRES)
+        .enumerate()
+        .map(callout)
+        .collect()
 }
 
 fn wire_lines(wires: &Wires) -> Vec<String> {

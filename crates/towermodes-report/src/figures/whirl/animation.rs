@@ -7,7 +7,7 @@ use towermodes::turbine::{BladeDeflection, Turbine, TurbineMode, TurbineModes};
 use super::geometry::{Geometry, Place};
 use super::{few, tower_heights};
 use crate::figures::outline::outer_diameter_m;
-use crate::figures::tower::RnaForm;
+use crate::figures::parts::RnaForm;
 use crate::number::five_digits;
 
 /// The largest number of sections of the tower, and of a blade.

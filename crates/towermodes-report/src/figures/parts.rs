@@ -1,0 +1,190 @@
+//! The parts of a tower that are drawn. The flat picture and the scene in space are two projections
+//! of them.
+
+use towermodes::space::SpatialMatrix;
+use towermodes::{
+    FloatingPlatform, FoundationSprings, PointMass, Rna, StiffnessFoundation, Support, Tower,
+    TowerDescription,
+};
+
+use super::outline::outer_diameter_m;
+
+/// A platform whose centre is deeper below the base than this many heights of the tower is not
+/// drawn whole.
+const DEEPEST: f64 = 4.0;
+
+/// A tower with its RNA, its foundation and its surroundings.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Parts<'a> {
+    /// What the user gave.
+    pub description: &'a TowerDescription,
+    /// The tower of it.
+    pub tower: &'a Tower,
+}
+
+impl<'a> Parts<'a> {
+    /// Radius of the shell at a height, m.
+    pub fn radius_m(&self, height_m: f64) -> f64 {
+        0.5 * outer_diameter_m(self.tower, height_m)
+    }
+
+    /// The RNA, if there is one.
+    pub fn rna(&self) -> Option<&'a Rna> {
+        Some(self.tower.rna()).filter(|rna| !rna.is_absent())
+    }
+
+    /// The point masses, each with the cube root of its share of the heaviest.
+    pub fn masses(&self) -> impl Iterator<Item = (&'a PointMass, f64)> {
+        let masses = &self.description.point_masses;
+        let heaviest_kg = masses.iter().map(|mass| mass.mass_kg).fold(0.0, f64::max);
+        masses.iter().map(move |mass| match heaviest_kg > 0.0 {
+            true => (mass, (mass.mass_kg / heaviest_kg).clamp(0.0, 1.0).cbrt()),
+            false => (mass, 1.0),
+        })
+    }
+
+    /// The springs below the base, unless they hold it or there are none: of two planes of a matrix
+    /// the stiffer one, and the terms on its diagonal alone.
+    pub fn springs(&self) -> Option<FoundationSprings> {
+        let springs = match self.description.foundation.support() {
+            Support::Springs(springs) => *springs,
+            Support::Stiffness(matrices) => on_diagonal(matrices),
+            Support::Clamped | Support::Floating(_) | Support::Form(_) => return None,
+        };
+        (!are_rigid(&springs)).then_some(springs)
+    }
+
+    /// The platform of a floating tower.
+    pub fn platform(&self) -> Option<Platform<'a>> {
+        match self.description.foundation.support() {
+            Support::Floating(of) => Some(Platform {
+                of,
+                tower: self.tower,
+            }),
+            Support::Clamped | Support::Springs(_) | Support::Stiffness(_) | Support::Form(_) => {
+                None
+            }
+        }
+    }
+
+    /// The height of the ground around the tower, m, if there is any: the seabed, or the surface of
+    /// the soil.
+    pub fn ground_m(&self) -> Option<f64> {
+        let water = self.description.water;
+        let bed_m = water.map(|water| water.bed_m.unwrap_or(self.tower.base_m()));
+        let surfaces = self.description.soil.iter().filter_map(|rows| rows.last());
+        let surface_m = surfaces.map(|row| row.height_m).reduce(f64::max);
+        match (bed_m, surface_m) {
+            (Some(bed_m), Some(surface_m)) => Some(bed_m.max(surface_m)),
+            (bed_m, surface_m) => bed_m.or(surface_m),
+        }
+    }
+
+    /// The height of the water surface, m: around the tower or its floating platform.
+    pub fn water_m(&self) -> Option<f64> {
+        let around_m = self.description.water.map(|water| water.level_m);
+        around_m.or_else(|| self.platform()?.surface_m())
+    }
+
+    /// The height that wires are drawn to, m: the ground, or the base where that is above one of
+    /// them or there is none.
+    pub fn wires_ground_m(&self) -> f64 {
+        let heights_m = self.description.wires.iter().map(|wires| wires.height_m);
+        let lowest_m = heights_m.fold(f64::INFINITY, f64::min);
+        let base_m = self.tower.base_m();
+        let ground_m = self.ground_m().filter(|ground_m| *ground_m < lowest_m);
+        ground_m.map_or(base_m, |ground_m| ground_m.max(base_m))
+    }
+}
+
+fn on_diagonal(foundation: &StiffnessFoundation) -> FoundationSprings {
+    let k = &foundation.stiffness;
+    FoundationSprings {
+        lateral_n_per_m: k[0][0].max(k[1][1]),
+        rocking_n_m: k[3][3].max(k[4][4]),
+        coupling_n: 0.0,
+        vertical_n_per_m: k[2][2],
+        torsion_n_m: k[5][5],
+    }
+}
+
+fn are_rigid(springs: &FoundationSprings) -> bool {
+    let values = [
+        springs.lateral_n_per_m,
+        springs.rocking_n_m,
+        springs.vertical_n_per_m,
+        springs.torsion_n_m,
+    ];
+    values.iter().all(|value| value.is_infinite())
+}
+
+/// A floating platform with the tower on it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Platform<'a> {
+    /// What the user gave.
+    pub of: &'a FloatingPlatform,
+    tower: &'a Tower,
+}
+
+impl Platform<'_> {
+    /// The lowest height as it is drawn, m.
+    pub fn keel_m(&self) -> f64 {
+        let (base_m, height_m) = (self.tower.base_m(), self.tower.height_m());
+        let below = |depth_m: f64| depth_m.clamp(0.1 * height_m, DEEPEST * height_m);
+        let of_center = below(base_m - self.of.center_m[2]);
+        let mut depth_m = of_center + (0.25 * of_center).min(0.2 * height_m);
+        if let Some(surface_m) = self.surface_m() {
+            depth_m = depth_m.max(below(base_m - surface_m + 0.1 * height_m));
+        }
+        base_m - depth_m
+    }
+
+    /// The drawn water level, m: the reference height of the hydrostatic stiffness.
+    pub fn surface_m(&self) -> Option<f64> {
+        let has_buoyancy = self.of.hydrostatic.matrix != SpatialMatrix::default();
+        has_buoyancy.then_some(self.of.hydrostatic.height_m)
+    }
+
+    /// Whether there are moorings.
+    pub fn is_moored(&self) -> bool {
+        self.of.mooring.matrix != SpatialMatrix::default()
+    }
+}
+
+/// Nacelle, hub and the roots of blades from the side, in any unit of length: x from the tower's
+/// axis, heights from its top.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct RnaForm {
+    /// Where the nacelle begins, upwind.
+    pub front: f64,
+    /// Where it ends.
+    pub back: f64,
+    /// Its height.
+    pub height: f64,
+    /// How far the hub reaches before it.
+    pub nose_length: f64,
+    /// Half the height of the hub.
+    pub nose_radius: f64,
+    /// Where the blades are.
+    pub blades_at: f64,
+}
+
+impl RnaForm {
+    /// How many times the radius of the tower's top the unit is that lengths go by.
+    pub const UNITS: f64 = 1.4;
+
+    /// The form by its unit; a centre of mass that lies so far above the top is at half the
+    /// nacelle's height, if that is neither flat nor higher than `most`.
+    pub fn new(unit: f64, center_above: f64, most: f64) -> Self {
+        let front = -1.7 * unit;
+        let height = (2.0 * center_above).clamp(1.3 * unit, most.max(1.3 * unit));
+        Self {
+            front,
+            back: 2.1 * unit,
+            height,
+            nose_length: 0.9 * unit,
+            nose_radius: 0.42 * height,
+            blades_at: front - 0.35 * unit,
+        }
+    }
+}
