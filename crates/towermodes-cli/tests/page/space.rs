@@ -28,7 +28,7 @@ fn the_tower_is_drawn_in_space_in_every_mode() {
     let Some(page) = page(WIDE) else { return };
     choose(&page, &["space"], &[0, 1, 2, 3, 4, 5]);
     let inside = "[...document.querySelectorAll('#animation .view-space svg')].map((svg) => [...svg.querySelectorAll('path')].every((path) => { const box = path.getBBox(), whole = svg.viewBox.baseVal; return box.x >= 0 && box.y >= 0 && box.x + box.width <= whole.width && box.y + box.height <= whole.height; }))";
-    assert_eq!(page.value(inside), serde_json::json!([true; 6]));
+    assert_eq!(page.value(inside), serde_json::json!(vec![true; 6]));
     page.keep_picture("space");
     page.was_quiet();
 }

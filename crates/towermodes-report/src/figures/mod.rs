@@ -11,7 +11,7 @@ mod first_frequencies;
 mod outline;
 mod parts;
 mod scene;
-mod shapes;
+pub(crate) mod shapes;
 mod soil;
 mod sweep;
 mod symbols;

@@ -70,23 +70,24 @@ pub(super) fn turn(drawing: &mut Drawing, center: (f64, f64), radius: f64) {
 
 /// A fixed support: a line with hatching below it.
 pub(super) fn held_below(drawing: &mut Drawing, from_x: f64, to_x: f64, y: f64) {
-    drawing.line((from_x, y), (to_x, y), &Stroke::new(Colour::Ink, 1.4));
-    let fine = Stroke::new(Colour::Muted, 0.9);
-    let strokes = ((to_x - from_x) / 6.0).clamp(1.0, 400.0) as usize;
-    for k in 0..=strokes {
-        let x = from_x + (to_x - from_x) * k as f64 / strokes as f64;
-        drawing.line((x, y), (x - 6.0, y + 7.0), &fine);
-    }
+    held(drawing, [(from_x, y), (to_x, y)], (-6.0, 7.0));
 }
 
 /// A fixed support on the left: a vertical line with hatching beside it.
 pub(super) fn held_left(drawing: &mut Drawing, x: f64, from_y: f64, to_y: f64) {
-    drawing.line((x, from_y), (x, to_y), &Stroke::new(Colour::Ink, 1.4));
+    held(drawing, [(x, from_y), (x, to_y)], (-6.0, 5.0));
+}
+
+/// A line with strokes from it in a direction.
+fn held(drawing: &mut Drawing, [from, to]: [(f64, f64); 2], (dx, dy): (f64, f64)) {
+    drawing.line(from, to, &Stroke::new(Colour::Ink, 1.4));
     let fine = Stroke::new(Colour::Muted, 0.9);
-    let strokes = ((to_y - from_y) / 6.0).clamp(1.0, 400.0) as usize;
+    let length = (to.0 - from.0) + (to.1 - from.1);
+    let strokes = (length / 6.0).clamp(1.0, 400.0) as usize;
     for k in 0..=strokes {
-        let y = from_y + (to_y - from_y) * k as f64 / strokes as f64;
-        drawing.line((x, y), (x - 6.0, y + 5.0), &fine);
+        let along = |a: f64, b: f64| a + (b - a) * k as f64 / strokes as f64;
+        let (x, y) = (along(from.0, to.0), along(from.1, to.1));
+        drawing.line((x, y), (x + dx, y + dy), &fine);
     }
 }
 

@@ -72,7 +72,7 @@ impl Figure {
 
 /// A text in at most `most` lines no wider than `room`, broken between words, and within words that
 /// are wider; the rest is cut with "…".
-fn broken(text: &str, room: f64, style: &TextStyle, most: usize) -> Vec<String> {
+pub(crate) fn broken(text: &str, room: f64, style: &TextStyle, most: usize) -> Vec<String> {
     let width = |text: &str| text_width(text, style.size, style.is_bold);
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {

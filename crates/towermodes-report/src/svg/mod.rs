@@ -16,6 +16,7 @@ pub use colour::{Colour, Theme, contrast, stylesheet};
 pub use drawing::{Drawing, LabelBox};
 pub use figure::{DataTable, Figure, Look};
 pub use heading::Heading;
+pub(crate) use heading::broken;
 pub(crate) use scale::extent;
 pub use scale::{Scale, number, power_of_ten};
 pub use shape::Point;

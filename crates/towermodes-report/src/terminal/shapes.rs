@@ -1,41 +1,26 @@
 //! Mode shapes side by side, in braille dots.
 
 use towermodes::{
-    Blade, BladeFamily, BladeMode, BladeSolution, Family, Mode, Plane, ShapePoint, Solution, Tower,
+    Blade, BladeFamily, BladeMode, BladeSolution, Family, Mode, ShapePoint, Solution, Tower,
     tower::Motion,
 };
 
 use super::panel::{Curve, Line, Panel, side_by_side};
+use crate::figures::shapes::Part;
 use crate::number::four_digits;
 
 impl Curve {
     /// A rotation normalised to its largest value, because a deflection of 1 gives it no scale.
     /// Deflections are unchanged.
-    fn with_scale_of(mut self, component: Component) -> Self {
+    fn with_scale_of(mut self, part: Part) -> Self {
         let sizes = self.points.iter().map(|(_, value)| value.abs());
         let largest = sizes.fold(0.0, f64::max);
-        if matches!(component, Component::AboutZ) && largest > 0.0 {
+        if part == Part::RotationZ && largest > 0.0 {
             for (_, value) in &mut self.points {
                 *value /= largest;
             }
         }
         self
-    }
-}
-
-/// The components of a shape that can be drawn: x, y, z, and the rotation about z.
-#[derive(Debug, Clone, Copy)]
-enum Component {
-    Along(usize),
-    AboutZ,
-}
-
-impl Component {
-    fn of(self, point: &ShapePoint) -> f64 {
-        match self {
-            Self::Along(axis) => point.translation[axis],
-            Self::AboutZ => point.rotation[2],
-        }
     }
 }
 
@@ -87,45 +72,41 @@ fn are_a_pair(tower: &Tower, first: &Mode, second: &Mode) -> bool {
 }
 
 fn tower_panel(mode: &Mode, twin: Option<&Mode>) -> Panel {
-    let curve = |component: Component, line: Line| {
-        let shapes = mode.shape.iter().chain(&mode.station_shape);
-        curve(shapes, component, line)
+    let curve = |part: Part, line: Line| {
+        let points = mode.shape.iter().chain(&mode.station_shape);
+        curve(points, part, line)
     };
-    let whole = |component: Component| vec![curve(component, Line::Whole)];
-    let [first, second] = coupled_components(mode);
-    let curves = match mode.family.motion() {
-        _ if mode.is_coupled() => vec![
-            curve(first.0, Line::Whole).with_scale_of(first.0),
-            curve(second.0, Line::Dots).with_scale_of(second.0),
+    let [first, second] = coupled_parts(mode);
+    let curves = match mode.is_coupled() {
+        true => vec![
+            curve(first, Line::Whole).with_scale_of(first),
+            curve(second, Line::Dots).with_scale_of(second),
         ],
-        Motion::Bending(Plane::ForeAft) => whole(Component::Along(0)),
-        Motion::Bending(Plane::SideSide) => whole(Component::Along(1)),
-        Motion::Torsion => whole(Component::AboutZ),
-        Motion::Axial => whole(Component::Along(2)),
+        false => vec![curve(Part::main(mode.family), Line::Whole)],
     };
     let mut captions = vec![label(mode, twin), four_digits(mode.frequency_hz) + " Hz"];
     captions.extend(match mode.is_coupled() {
-        true => Some(format!("{} line, {} dots", first.1, second.1)),
+        true => Some(format!("{} line, {} dots", first.name(), second.name())),
         false => to_the_right(mode.family).map(str::to_owned),
     });
     Panel { curves, captions }
 }
 
-/// The two components of a coupled mode with the most energy, with their names.
-fn coupled_components(mode: &Mode) -> [(Component, &'static str); 2] {
+/// The two components of a coupled mode with the most energy.
+fn coupled_parts(mode: &Mode) -> [Part; 2] {
     let mean = mode.energy.mean();
     let mut all = [
-        (mean.fore_aft, (Component::Along(0), "x")),
-        (mean.side_side, (Component::Along(1), "y")),
-        (mean.torsion, (Component::AboutZ, "rotation z")),
-        (mean.axial, (Component::Along(2), "z")),
+        (mean.fore_aft, Part::X),
+        (mean.side_side, Part::Y),
+        (mean.torsion, Part::RotationZ),
+        (mean.axial, Part::Z),
     ];
     // Of equal ones the order stays.
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
     let [(_, first), (_, second), ..] = all;
     // The translation is the line.
-    match (first.0, second.0) {
-        (Component::AboutZ, _) | (Component::Along(1), Component::Along(0)) => [second, first],
+    match (first, second) {
+        (Part::RotationZ, _) | (Part::Y, Part::X) => [second, first],
         _ => [first, second],
     }
 }
@@ -149,29 +130,25 @@ fn label(mode: &Mode, twin: Option<&Mode>) -> String {
 }
 
 fn blade_panel(mode: &BladeMode) -> Panel {
-    let (component, quantity) = match mode.family {
-        BladeFamily::Lag => (Component::Along(0), None),
-        BladeFamily::Flap => (Component::Along(1), None),
-        BladeFamily::Torsion => (Component::AboutZ, Some("rotation")),
-        BladeFamily::Axial => (Component::Along(2), Some("axial motion")),
+    let (part, quantity) = match mode.family {
+        BladeFamily::Lag => (Part::X, None),
+        BladeFamily::Flap => (Part::Y, None),
+        BladeFamily::Torsion => (Part::RotationZ, Some("rotation")),
+        BladeFamily::Axial => (Part::Z, Some("axial motion")),
     };
     let name = mode.family.label(mode.order);
     let mut captions = vec![name, four_digits(mode.frequency_hz) + " Hz"];
     captions.extend(quantity.map(str::to_owned));
     Panel {
-        curves: vec![curve(mode.shape.iter(), component, Line::Whole)],
+        curves: vec![curve(mode.shape.iter(), part, Line::Whole)],
         captions,
     }
 }
 
 /// A component over the heights of points in any order; of equal heights one counts.
-fn curve<'a>(
-    points: impl Iterator<Item = &'a ShapePoint>,
-    component: Component,
-    line: Line,
-) -> Curve {
+fn curve<'a>(points: impl Iterator<Item = &'a ShapePoint>, part: Part, line: Line) -> Curve {
     let mut points: Vec<(f64, f64)> = points
-        .map(|point| (point.height_m, component.of(point)))
+        .map(|point| (point.height_m, part.of(point)))
         .collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     points.dedup_by(|b, a| b.0 == a.0);

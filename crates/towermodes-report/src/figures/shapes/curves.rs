@@ -10,7 +10,7 @@ const EQUAL_FREQUENCY: f64 = 1e-9;
 
 /// A component of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Part {
+pub(crate) enum Part {
     /// Translation fore-aft.
     X,
     /// Translation side-side.

@@ -8,6 +8,8 @@ mod strip;
 
 use towermodes::{Solution, Tower, TowerDescription};
 
+pub(crate) use curves::Part;
+
 use super::enlargement::factor;
 use super::outline::is_nominal;
 use super::parts::Parts;

@@ -1,6 +1,6 @@
 //! The figure of the mode shapes in words and as a table.
 
-use towermodes::{Mode, Solution, Tower};
+use towermodes::{Mode, ShapePoint, Solution, Tower};
 
 use super::curves::{Part, coupled_parts};
 use crate::number::{four_digits, length, short};
@@ -62,28 +62,24 @@ fn rows(mode: &Mode, chosen: &[usize]) -> Vec<Vec<String>> {
         true => coupled_parts(mode),
         false => vec![Part::main(mode.family)],
     };
-    let row =
-        |part: &Part| {
-            let mut cells = vec![
-                mode.label(),
-                four_digits(mode.frequency_hz),
-                part.name().to_owned(),
-            ];
-            let points = chosen.iter().map(|index| mode.shape.get(*index));
-            // Values far below the largest, 1, are zero; a rotation per metre has no such scale.
-            let is_share = *part == Part::main(mode.family) || *part != Part::RotationZ;
-            let value = |value: f64| {
-                if is_share && value.abs() < 5e-4 {
-                    0.0
-                } else {
-                    value
-                }
-            };
-            cells.extend(points.map(|point| {
-                point.map_or_else(String::new, |point| short(value(part.of(point)), 3))
-            }));
-            cells
+    let row = |part: &Part| {
+        // Values far below the largest, 1, are zero; a rotation per metre has no such scale.
+        let is_share = *part == Part::main(mode.family) || *part != Part::RotationZ;
+        let cell = |point: &ShapePoint| match part.of(point) {
+            value if is_share && value.abs() < 5e-4 => short(0.0, 3),
+            value => short(value, 3),
         };
+        let points = chosen.iter().map(|index| mode.shape.get(*index));
+        let first = [
+            mode.label(),
+            four_digits(mode.frequency_hz),
+            part.name().to_owned(),
+        ];
+        first
+            .into_iter()
+            .chain(points.map(|point| point.map_or_else(String::new, cell)))
+            .collect()
+    };
     parts.iter().map(row).collect()
 }
 

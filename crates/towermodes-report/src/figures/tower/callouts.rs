@@ -1,6 +1,6 @@
 //! Labels beside the tower, each with a line to its part.
 
-use crate::svg::{Colour, Drawing, Stroke, TextStyle, spread, text_width};
+use crate::svg::{Colour, Drawing, Stroke, TextStyle, broken, spread};
 use crate::wording::counted;
 
 /// Size of the text.
@@ -136,22 +136,12 @@ fn draw_callout(drawing: &mut Drawing, column: &Column, callout: &Callout, place
 
 /// The callout with lines that are too long for the column broken between words.
 fn wrapped(callout: &Callout, column: &Column) -> Callout {
-    let fits = |text: &str| text_width(text, TEXT, false) <= column.right - column.left;
-    let mut lines: Vec<String> = Vec::new();
-    for line in &callout.lines {
-        let mut begun = String::new();
-        for word in line.split(' ') {
-            let longer = format!("{begun} {word}");
-            if begun.is_empty() || fits(&longer) {
-                begun = longer.trim_start().to_owned();
-            } else {
-                lines.push(std::mem::replace(&mut begun, word.to_owned()));
-            }
-        }
-        lines.push(begun);
-    }
+    let (room, style) = (column.right - column.left, TextStyle::new(TEXT));
+    let lines = callout.lines.iter();
     Callout {
-        lines,
+        lines: lines
+            .flat_map(|line| broken(line, room, &style, usize::MAX))
+            .collect(),
         ..callout.clone()
     }
 }

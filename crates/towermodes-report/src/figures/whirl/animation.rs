@@ -5,13 +5,11 @@ use towermodes::turbine::Complex;
 use towermodes::turbine::{BladeDeflection, Turbine, TurbineMode, TurbineModes};
 
 use super::geometry::{Geometry, Place};
-use super::{few, tower_heights};
+use super::{MOST_SECTIONS, few, tower_heights};
 use crate::figures::outline::outer_diameter_m;
 use crate::figures::parts::RnaForm;
 use crate::number::five_digits;
 
-/// The largest number of sections of the tower, and of a blade.
-const MOST_SECTIONS: usize = 20;
 /// Half the width of a drawn blade as fractions of its length, at fractions of its length.
 const HALF_WIDTHS: [(f64, f64); 4] = [(0.0, 0.013), (0.2, 0.024), (0.6, 0.016), (1.0, 0.004)];
 /// Amplitudes are multiples of this; a picture shows no less.

@@ -13,6 +13,8 @@ use crate::number::short;
 use crate::svg::{Colour, Drawing, Figure, TextStyle};
 use panel::{PANEL, Scene, draw_panel};
 
+/// The largest number of sections of the tower, and of a blade.
+const MOST_SECTIONS: usize = 20;
 /// The largest number of modes in the figure.
 const MOST_MODES: usize = 18;
 /// Panels in a row.

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use towermodes::turbine::{Turbine, TurbineMode, TurbineModes};
 
 use super::geometry::{Geometry, Moment, Place};
-use super::tower_heights;
+use super::{MOST_SECTIONS, few, tower_heights};
 use crate::number::four_digits;
 use crate::svg::{Colour, Dash, Drawing, Stroke, TextStyle};
 
@@ -156,32 +156,41 @@ fn draw_view(
     }
 }
 
-/// Tower and blades at rest, the first blade up.
+/// Tower and blades at rest, the first blade up: straight lines.
 fn undeformed(scene: &Scene, mode: &TurbineMode) -> Vec<Vec<Place>> {
-    let tower = scene.heights_m.iter().map(|height| [0.0, 0.0, *height]);
+    let ends = |all: &[f64]| few(all, 2);
+    let tower = ends(&scene.heights_m).into_iter();
+    let radii = mode.shape.blades.iter().map(|section| section.radius_m);
+    let radii = ends(&radii.collect::<Vec<f64>>());
     let blade = |azimuth: f64| {
-        let sections = mode.shape.blades.iter();
-        let at = |section: &towermodes::turbine::BladeDeflection| {
-            scene.geometry.at_rest(section.radius_m, azimuth)
-        };
-        sections.map(at).collect()
+        radii
+            .iter()
+            .map(|m| scene.geometry.at_rest(*m, azimuth))
+            .collect()
     };
     let blades = scene.geometry.azimuths(0.0).into_iter().map(blade);
-    std::iter::once(tower.collect()).chain(blades).collect()
+    std::iter::once(tower.map(|height| [0.0, 0.0, height]).collect())
+        .chain(blades)
+        .collect()
 }
 
 /// Tower and blades at a moment.
 fn deformed(scene: &Scene, mode: &TurbineMode, moment: &Moment) -> Vec<Vec<Place>> {
-    let shape = &mode.shape;
-    let tower = shape.tower.iter().map(|section| moment.of_tower(section));
+    let tower = few(&mode.shape.tower, MOST_SECTIONS);
+    let blades = few(&mode.shape.blades, MOST_SECTIONS);
     let blade = |azimuth: f64| {
-        let sections = shape.blades.iter();
         let at = |section| scene.geometry.deflected(section, azimuth, moment);
-        sections.map(at).collect()
+        blades.iter().map(at).collect()
     };
     let azimuths = scene.geometry.azimuths(moment.turned_rad);
-    let blades = azimuths.into_iter().map(blade);
-    std::iter::once(tower.collect()).chain(blades).collect()
+    std::iter::once(
+        tower
+            .iter()
+            .map(|section| moment.of_tower(section))
+            .collect(),
+    )
+    .chain(azimuths.into_iter().map(blade))
+    .collect()
 }
 
 /// Where the tip of a blade is at each azimuth.
