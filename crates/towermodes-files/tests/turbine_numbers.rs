@@ -52,7 +52,7 @@ fn frequencies_hz(modes: &TurbineModes) -> Vec<f64> {
 fn a_pair_of_opposite_energies_is_found_below_any_limit() {
     let turbine = turbine(PAIR);
     let mut model = model(&turbine);
-    let speed = 116.852_056_191_837_4 * PI / 30.0;
+    let speed = 116.852_056_191_837_4;
     let mut lists = [2.0, 4.0, 8.0, 16.0].map(|limit_hz| {
         let modes = model.modes(limit_hz, speed).expect("solved");
         assert!(modes.is_complete, "{limit_hz} Hz: {:?}", modes.unproven_hz);
@@ -126,10 +126,9 @@ fn errors_of_blades_of_few_elements_are_covered() {
         let mut finer = TurbineModel::new(&turbine, &turbine.mesh().finer()).expect("a model");
         let mut model = model(&turbine);
         for rpm in speeds_rpm {
-            let speed = rpm * PI / 30.0;
-            let mut modes = model.modes(limit_hz, speed).expect("solved");
+            let mut modes = model.modes(limit_hz, rpm).expect("solved");
             finer.estimate_errors(&mut modes);
-            let exact = frequencies_hz(&fine.modes(limit_hz, speed).expect("solved"));
+            let exact = frequencies_hz(&fine.modes(limit_hz, rpm).expect("solved"));
             for (mode, exact_hz) in modes.modes.iter().zip(exact) {
                 let error_hz = (mode.frequency.frequency_hz - exact_hz).abs();
                 let claimed_hz = mode.discretization_error_hz.expect("an estimate");

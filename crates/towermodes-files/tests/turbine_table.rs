@@ -204,7 +204,7 @@ fn the_example_has_the_collective_modes_of_the_public_model() {
     let turbine = input.whole_turbine().expect("a turbine");
     let turbine = turbine.expect("a turbine");
     let mut model = TurbineModel::new(&turbine, &TurbineMesh::default()).expect("a mesh");
-    let spectrum = model.frequencies(2.1, 12.1 * std::f64::consts::PI / 30.0);
+    let spectrum = model.frequencies(2.1, 12.1);
     let spectrum = spectrum.expect("a spectrum");
     assert!(spectrum.is_complete);
     // Flap, shaft with edge, second flap.

@@ -1,7 +1,6 @@
 //! Coupled Campbell diagrams of turbines in files: names once at each speed, curves that keep to
 //! their modes, tables that agree.
 
-use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 
 use towermodes::Rotor;
@@ -123,7 +122,7 @@ fn names_are_those_of_each_speed() {
     let found = diagram(&turbine, &rotor, speeds, 3.3);
     assert_named_once(&found);
     let mut model = TurbineModel::new(&turbine, &TurbineMesh::default()).expect("a model");
-    let mut modes = |rpm: f64| model.modes(3.3, rpm * PI / 30.0).expect("modes").modes;
+    let mut modes = |rpm: f64| model.modes(3.3, rpm).expect("modes").modes;
     // But for a mode that shares its waves with the tower, at 3.04 Hz: which of both is larger
     // cannot be seen at rest.
     let (rest, slow) = (modes(0.0), modes(1.0));

@@ -1,13 +1,11 @@
 //! The modes of a whole turbine at a speed of its rotor.
 
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use towermodes::turbine::{
-    BladeMotion, Turbine, TurbineEnergy, TurbineError, TurbineMode, TurbineModel,
-    TurbineModes as Modes,
+    BladeMotion, Turbine, TurbineEnergy, TurbineMode, TurbineModes as Modes,
 };
 use towermodes_files::Note;
 
@@ -92,7 +90,7 @@ impl TurbineModes {
     fn new(py: Python<'_>, tower: &Tower, rpm: f64, limit_hz: f64) -> PyResult<Self> {
         let model = Arc::clone(&tower.model);
         let turbine = turbine_of(&model)?;
-        let modes = released(py, || solved(&turbine, rpm, limit_hz));
+        let modes = released(py, || turbine.modes(limit_hz, rpm));
         let modes = modes.map_err(|error| of_turbine(&error))?;
         Ok(Self { model, modes })
     }
@@ -100,7 +98,7 @@ impl TurbineModes {
     /// The speed, rpm.
     #[getter]
     fn rotor_speed_rpm(&self) -> f64 {
-        self.modes.speed_rad_per_s * 30.0 / PI
+        self.modes.rotor_speed_rpm
     }
 
     /// The limit, Hz.
@@ -219,11 +217,4 @@ impl TurbineModes {
     ) -> Bound<'py, PyArray1<f64>> {
         array::vector(py, self.modes.modes.iter().map(number))
     }
-}
-
-fn solved(turbine: &Turbine, rpm: f64, limit_hz: f64) -> Result<Modes, TurbineError> {
-    let mesh = turbine.mesh();
-    let mut modes = TurbineModel::new(turbine, &mesh)?.modes(limit_hz, rpm * PI / 30.0)?;
-    TurbineModel::new(turbine, &mesh.finer())?.estimate_errors(&mut modes);
-    Ok(modes)
 }

@@ -40,8 +40,8 @@ pub struct RandomTurbine {
     pub tower: TowerDescription,
     /// What it carries.
     pub machine: TurbineDescription,
-    /// The rotor speed, rad/s.
-    pub speed_rad_per_s: f64,
+    /// The rotor speed, rpm.
+    pub speed_rpm: f64,
     /// How many of the lowest modes are looked at.
     pub modes: usize,
 }
@@ -91,7 +91,7 @@ impl TurbineClass {
         let fastest = if self == Self::Fast { 4.0 } else { 1.1 };
         RandomTurbine {
             tower,
-            speed_rad_per_s: seed.between(0.0, fastest) * TIP_SPEED_M_PER_S / tip_m,
+            speed_rpm: seed.between(0.0, fastest) * TIP_SPEED_M_PER_S / tip_m * 30.0 / PI,
             modes: seed.whole(6, 24),
             machine,
         }

@@ -26,11 +26,9 @@ const HALVINGS: usize = 30;
 pub fn turbine_samples(class: TurbineClass, number: u64) -> Result<Vec<Sample>, TurbineError> {
     let random = class.turbine(number);
     let turbine = random.build()?;
-    let mesh = turbine.mesh();
-    let mut model = TurbineModel::new(&turbine, &mesh)?;
+    let mut model = TurbineModel::new(&turbine, &turbine.mesh())?;
     let limit_hz = limit_hz(&mut model, random.modes);
-    let mut modes = model.modes(limit_hz, random.speed_rad_per_s)?;
-    TurbineModel::new(&turbine, &mesh.finer())?.estimate_errors(&mut modes);
+    let modes = turbine.modes(limit_hz, random.speed_rpm)?;
     let truth = reference(&random, limit_hz)?;
     Ok(compared(number, &modes, &truth))
 }
@@ -65,7 +63,7 @@ fn reference(random: &RandomTurbine, limit_hz: f64) -> Result<TurbineModes, Turb
         tower_degree: REFERENCE.0,
         blade_degree: REFERENCE.1,
     };
-    TurbineModel::new(&turbine, &mesh)?.modes(limit_hz, random.speed_rad_per_s)
+    TurbineModel::new(&turbine, &mesh)?.modes(limit_hz, random.speed_rpm)
 }
 
 /// The wave that a mode is of, if it does not move the hub.

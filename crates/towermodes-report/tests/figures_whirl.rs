@@ -1,6 +1,6 @@
 //! Pictures of a turning turbine: readable at every speed, and blades that move with their hub.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use towermodes::turbine::{Turbine, TurbineMesh, TurbineModel, TurbineModes};
 use towermodes_report::figures::{AnimatedWhirl, WhirlAnimation, whirl, whirl_animation};
@@ -12,7 +12,7 @@ fn solved(rpm: f64) -> (Turbine, TurbineModes) {
     let (input, _) = input("nrel-5mw-turbine.toml");
     let turbine = input.whole_turbine().expect("valid").expect("a turbine");
     let mut model = TurbineModel::new(&turbine, &TurbineMesh::default()).expect("a model");
-    let modes = model.modes(3.0, rpm * PI / 30.0).expect("its modes");
+    let modes = model.modes(3.0, rpm).expect("its modes");
     (turbine, modes)
 }
 

@@ -1,7 +1,5 @@
 //! A turbine of the manual at a speed of its rotor.
 
-use std::f64::consts::PI;
-
 use towermodes::TowerDescription;
 use towermodes::turbine::{Turbine, TurbineDescription, TurbineError, TurbineMesh, TurbineModel};
 
@@ -25,8 +23,7 @@ impl Turning {
     ) -> Result<Vec<f64>, TurbineError> {
         let turbine = Turbine::new(tower.clone(), self.machine.clone())?;
         let mut model = TurbineModel::new(&turbine, &self.mesh)?;
-        let speed = self.rotor_speed_rpm * PI / 30.0;
-        let spectrum = model.frequencies(limit_hz, speed)?;
+        let spectrum = model.frequencies(limit_hz, self.rotor_speed_rpm)?;
         let all = spectrum.frequencies.iter();
         Ok(all
             .flat_map(|mode| std::iter::repeat_n(mode.frequency_hz, mode.multiplicity))

@@ -1,7 +1,5 @@
 //! The coupled Campbell diagram of a turbine.
 
-use std::f64::consts::PI;
-
 use towermodes::tower::Rotor;
 use towermodes::turbine::{Turbine, TurbineModeName, TurbineModel, TurbineModes};
 
@@ -141,9 +139,8 @@ pub fn coupled_campbell(
     check_modes(&mut model, check_limit(options.limit_hz)?, &headroom)?;
     let solved = diagram(rotor, options, |rpm, limit_hz, last| {
         watch(rpm);
-        let speed = rpm * PI / 30.0;
         let last = last.map_or(&[][..], std::slice::from_ref);
-        let modes = model.modes_from(limit_hz, speed, last);
+        let modes = model.modes_from(limit_hz, rpm, last);
         let mut modes = modes.map_err(|error| CoupledError::At {
             rotor_speed_rpm: rpm,
             error,

@@ -1,7 +1,5 @@
 //! The modes at a rotor speed, as they are followed.
 
-use std::f64::consts::PI;
-
 use towermodes::turbine::TurbineModes;
 
 use super::curve::CurvePoint;
@@ -49,7 +47,7 @@ impl Solved for TurbineModes {
     fn point(&self, mode: usize) -> CurvePoint {
         let own = &self.modes[mode];
         CurvePoint {
-            rotor_speed_rpm: self.speed_rad_per_s * 30.0 / PI,
+            rotor_speed_rpm: self.rotor_speed_rpm,
             mode,
             frequency: own.frequency,
             error_hz: own.discretization_error_hz,

@@ -2,8 +2,6 @@
 //! full beams with ElastoDyn's tables, linear between the rows, quadratic and cubic curvatures of
 //! which agree to 4e-8.
 
-use std::f64::consts::PI;
-
 use towermodes::Blade;
 use towermodes::turbine::{
     BladeMotion, Harmonic, TurbineDescription, TurbineMesh, TurbineModel, TurbinePart,
@@ -117,7 +115,7 @@ fn model(input: &TowerInput) -> TurbineModel {
 
 fn compare(model: &mut TurbineModel, rpm: f64, expected: &[f64], tolerance: f64) {
     let limit_hz = expected[expected.len() - 1] + 1e-3;
-    let spectrum = model.frequencies(limit_hz, rpm * PI / 30.0);
+    let spectrum = model.frequencies(limit_hz, rpm);
     let spectrum = spectrum.expect("a spectrum");
     assert!(spectrum.is_complete);
     assert_eq!(spectrum.frequencies.len(), expected.len(), "{rpm} rpm");
@@ -262,7 +260,7 @@ fn the_names_with_a_locked_generator_are_those_of_the_dominant_parts() {
 
 /// "SS1", "FB2": tower side-side 1, flapwise backward whirl 2.
 fn short_names(model: &mut TurbineModel, rpm: f64) -> Vec<String> {
-    let modes = model.modes(3.0715 + 0.01, rpm * PI / 30.0).expect("modes");
+    let modes = model.modes(3.0715 + 0.01, rpm).expect("modes");
     let short = |part: TurbinePart| match part {
         TurbinePart::TowerForeAft => "FA",
         TurbinePart::TowerSideSide => "SS",

@@ -100,8 +100,8 @@ impl Solver {
     /// soil, all derivatives are those of a finer mesh; the frequencies are those of the mesh that
     /// was asked for.
     ///
-    /// [`points`](crate::Options::points) and [`heights_m`](crate::Options::heights_m) of the options
-    /// have no effect.
+    /// [`points`](crate::Options::points) and [`heights_m`](crate::Options::heights_m) have no
+    /// effect.
     ///
     /// # Errors
     /// [`SensitivityError`]: the tower is impossible, is not solved, or a change has no value on

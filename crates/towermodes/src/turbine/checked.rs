@@ -16,7 +16,6 @@ use crate::tower::{Rna, Tower, TowerDescription};
 /// # Example
 /// Three uniform blades on a uniform tower, at rest and at 12 rpm:
 /// ```
-/// use std::f64::consts::PI;
 /// use towermodes::turbine::{
 ///     Generator, Hub, Turbine, TurbineDescription, TurbineMesh, TurbineModel,
 /// };
@@ -38,16 +37,12 @@ use crate::tower::{Rna, Tower, TowerDescription};
 ///         center_m: [1.0, 0.0, 1.5],
 ///         inertia_kg_m2: Inertia { xx: 2e5, yy: 8e5, zz: 9e5, ..Inertia::default() },
 ///     },
-///     yaw_bearing_mass_kg: 0.0,
-///     yaw_n_m_per_rad: f64::INFINITY,
 ///     overhang_m: -4.0,
 ///     tower_to_shaft_m: 2.0,
 ///     tilt_rad: -0.09,
 ///     hub: Hub { mass_kg: 2e4, polar_inertia_kg_m2: 5e4, ..Hub::default() },
 ///     shaft_n_m_per_rad: 5e8,
 ///     generator: Generator { inertia_kg_m2: 4e6, gear_ratio: 1.0, is_locked: true },
-///     blades: 3,
-///     cone_rad: 0.0,
 ///     blade: BladeDescription {
 ///         hub_radius_m: 2.0,
 ///         tip_radius_m: 52.0,
@@ -55,6 +50,7 @@ use crate::tower::{Rna, Tower, TowerDescription};
 ///         borders: vec![0.0, 0.5, 1.0],
 ///         ..BladeDescription::default()
 ///     },
+///     ..TurbineDescription::default()
 /// };
 /// let tower = TowerDescription {
 ///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
@@ -64,9 +60,9 @@ use crate::tower::{Rna, Tower, TowerDescription};
 /// let turbine = Turbine::new(tower, machine)?;
 /// let mut model = TurbineModel::new(&turbine, &TurbineMesh::default())?;
 /// for rpm in [0.0, 12.0] {
-///     let spectrum = model.frequencies(2.0, rpm * PI / 30.0)?;
+///     let spectrum = model.frequencies(2.0, rpm)?;
 ///     assert!(spectrum.is_complete);
-///     assert_eq!(spectrum.frequencies.len(), model.count(2.0, rpm * PI / 30.0));
+///     assert_eq!(spectrum.frequencies.len(), model.count(2.0, rpm));
 /// }
 /// # Ok::<(), towermodes::turbine::TurbineError>(())
 /// ```

@@ -65,3 +65,35 @@ pub struct Generator {
     /// twists between it and the hub.
     pub is_locked: bool,
 }
+
+impl Default for TurbineDescription {
+    /// Three blades without cone on a shaft without tilt; yaw drive and shaft are rigid. Nothing
+    /// has mass.
+    fn default() -> Self {
+        Self {
+            nacelle: RigidBody::default(),
+            yaw_bearing_mass_kg: 0.0,
+            yaw_n_m_per_rad: f64::INFINITY,
+            overhang_m: 0.0,
+            tower_to_shaft_m: 0.0,
+            tilt_rad: 0.0,
+            hub: Hub::default(),
+            shaft_n_m_per_rad: f64::INFINITY,
+            generator: Generator::default(),
+            blades: 3,
+            cone_rad: 0.0,
+            blade: BladeDescription::default(),
+        }
+    }
+}
+
+impl Default for Generator {
+    /// Without inertia and gearbox, held at the constant speed.
+    fn default() -> Self {
+        Self {
+            inertia_kg_m2: 0.0,
+            gear_ratio: 1.0,
+            is_locked: true,
+        }
+    }
+}

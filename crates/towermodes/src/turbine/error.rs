@@ -131,9 +131,9 @@ pub enum TurbineError {
         limit_hz: f64,
     },
     /// A speed that is infinite or NaN.
-    #[error("the speed of the rotor is {speed_rad_per_s} rad/s, which is not a finite number")]
+    #[error("the speed of the rotor is {rotor_speed_rpm} rpm, which is not a finite number")]
     Speed {
-        /// The speed given, rad/s.
-        speed_rad_per_s: f64,
+        /// The speed given, rpm.
+        rotor_speed_rpm: f64,
     },
 }

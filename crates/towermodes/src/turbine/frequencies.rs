@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use super::coupled::{Coupled, OnStillHub};
 use super::error::TurbineError;
 use super::gyroscopic::Gyroscopic;
+use super::mode::rad_per_s;
 use super::model::TurbineModel;
 use super::search::{Found, Guess, Search};
 use crate::beam::BladeFactors;
@@ -79,17 +80,17 @@ pub(super) struct Whole {
 }
 
 impl TurbineModel {
-    /// The natural frequencies up to a limit (Hz) at a speed of the rotor (rad/s).
+    /// The natural frequencies up to a limit (Hz) at a speed of the rotor (rpm).
     ///
     /// # Errors
     /// [`TurbineError`] if limit or speed is no number.
     pub fn frequencies(
         &mut self,
         limit_hz: f64,
-        speed_rad_per_s: f64,
+        rotor_speed_rpm: f64,
     ) -> Result<CoupledSpectrum, TurbineError> {
-        check(limit_hz, speed_rad_per_s)?;
-        let whole = self.search(TAU * limit_hz, speed_rad_per_s, |_| Vec::new());
+        let speed = check(limit_hz, rotor_speed_rpm)?;
+        let whole = self.search(TAU * limit_hz, speed, |_| Vec::new());
         let mut frequencies: Vec<_> = whole.found.iter().map(|(_, found)| found.as_hz()).collect();
         // Those that share a frequency are one entry.
         frequencies.dedup_by(|a, b| {
@@ -114,7 +115,7 @@ impl TurbineModel {
         speed: f64,
         guesses: impl Fn(Part) -> Vec<Guess<'g>>,
     ) -> Whole {
-        let mut whole = match self.negative_stiffness(speed) {
+        let mut whole = match self.negative_stiffness_at(speed) {
             0 => self.search_rising(limit, speed, guesses),
             _ => self.search_falling(limit, speed),
         };
@@ -269,12 +270,16 @@ impl Found {
     }
 }
 
-pub(super) fn check(limit_hz: f64, speed_rad_per_s: f64) -> Result<(), TurbineError> {
+/// The speed, rad/s.
+///
+/// # Errors
+/// [`TurbineError`] if limit (Hz) or speed (rpm) is no number.
+pub(super) fn check(limit_hz: f64, rotor_speed_rpm: f64) -> Result<f64, TurbineError> {
     if !(limit_hz.is_finite() && limit_hz > 0.0) {
         return Err(TurbineError::Limit { limit_hz });
     }
-    if !speed_rad_per_s.is_finite() {
-        return Err(TurbineError::Speed { speed_rad_per_s });
+    match rad_per_s(rotor_speed_rpm) {
+        speed if speed.is_finite() => Ok(speed),
+        _ => Err(TurbineError::Speed { rotor_speed_rpm }),
     }
-    Ok(())
 }

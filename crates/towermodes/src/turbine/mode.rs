@@ -1,5 +1,6 @@
 //! The modes of a turbine at a speed of its rotor.
 
+use std::f64::consts::PI;
 use std::ops::Range;
 
 use super::energy::{Nodding, TurbineEnergy, TurbinePart};
@@ -41,8 +42,8 @@ pub struct TurbineMode {
 /// The modes of a turbine below a limit, at a speed of its rotor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TurbineModes {
-    /// The speed, rad/s.
-    pub speed_rad_per_s: f64,
+    /// The speed, rpm.
+    pub rotor_speed_rpm: f64,
     /// The modes by frequency. The rotation of a free shaft, at 0, is not among them.
     ///
     /// Going up in frequency, each mode gets the part that is most in arrears: the one whose energy
@@ -71,6 +72,18 @@ pub struct TurbineModes {
     pub negative_energy_expected: usize,
     /// How many were found.
     pub negative_energy_found: usize,
+}
+
+impl TurbineModes {
+    /// The speed, rad/s.
+    pub(super) fn speed(&self) -> f64 {
+        rad_per_s(self.rotor_speed_rpm)
+    }
+}
+
+/// A speed in rpm, rad/s.
+pub(super) fn rad_per_s(rpm: f64) -> f64 {
+    rpm * PI / 30.0
 }
 
 impl TurbineMode {

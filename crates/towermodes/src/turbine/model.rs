@@ -7,6 +7,7 @@ use super::error::TurbineError;
 use super::gyroscopic::{Gyroscopic, Raise};
 use super::machine::{Machine, MachineFactors};
 use super::mesh::TurbineMesh;
+use super::mode::rad_per_s;
 use crate::beam::{BeamRecipe, BeamWorkspace, SpaceBeam, TopWorkspace, assemble_in_space};
 use crate::elements::{Borders, Mesh};
 use crate::modes::RigidTower;
@@ -94,31 +95,37 @@ impl TurbineModel {
     }
 
     /// The number of negative eigenvalues of H at a frequency in Hz, which is not 0, and a speed of
-    /// the rotor in rad/s.
+    /// the rotor in rpm.
     ///
     /// Where K is positive definite, this is the number of natural frequencies below; a free shaft
     /// adds 1, its rotation. Proof: where an eigenvalue of H vanishes, with the vector x, its
     /// derivative by w, times w, is −xᴴ (K + w² M) x < 0, so that each crosses zero downwards.
     /// Where the stiffness K, softened by the spin, is indefinite, modes with xᴴ (K + w² M) x < 0,
     /// of negative energy, cross upwards.
-    pub fn count(&mut self, frequency_hz: f64, speed_rad_per_s: f64) -> usize {
-        self.count_at(TAU * frequency_hz, speed_rad_per_s, self.is_locked)
+    pub fn count(&mut self, frequency_hz: f64, rotor_speed_rpm: f64) -> usize {
+        let speed = rad_per_s(rotor_speed_rpm);
+        self.count_at(TAU * frequency_hz, speed, self.is_locked)
     }
 
     /// The number of negative eigenvalues of the stiffness K with the generator locked, at a speed
-    /// in rad/s: 0 unless the rotor turns faster than its blades vibrate.
+    /// in rpm: 0 unless the rotor turns faster than its blades vibrate.
     ///
     /// It is counted in K + w² M at 1e-5 rad/s, a period of a week: motions that nothing resists,
     /// whose stiffness is zero but for rounding, are not among them.
-    pub fn negative_stiffness(&mut self, speed_rad_per_s: f64) -> usize {
+    pub fn negative_stiffness(&mut self, rotor_speed_rpm: f64) -> usize {
+        self.negative_stiffness_at(rad_per_s(rotor_speed_rpm))
+    }
+
+    /// The same at a speed in rad/s.
+    pub(super) fn negative_stiffness_at(&mut self, speed: f64) -> usize {
         let raise = Raise {
             by_inertia: UNRESISTED * UNRESISTED,
             ..Raise::default()
         };
-        let coupled = self.count_coupled((0.0, speed_rad_per_s), raise, true);
+        let coupled = self.count_coupled((0.0, speed), raise, true);
         let of_waves = reactionless(self.machine.rotor.blades());
         let of_waves = of_waves.map(|wave| {
-            let mut blade = self.on_still_hub(wave, speed_rad_per_s);
+            let mut blade = self.on_still_hub(wave, speed);
             blade.count_raised(0.0, raise)
         });
         coupled + of_waves.sum::<usize>()

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::checked::Turbine;
 use super::error::TurbineError;
 use super::frequencies::{Part, Whole, check};
 use super::mode::{TurbineMode, TurbineModes};
@@ -9,8 +10,25 @@ use super::model::TurbineModel;
 use super::naming::{Named, Naming};
 use super::search::{Found, Guess};
 
+impl Turbine {
+    /// The modes up to a limit (Hz) at a speed of the rotor (rpm) on the [usual mesh](Self::mesh),
+    /// with names, shapes and the errors of the mesh.
+    ///
+    /// # Errors
+    /// [`TurbineError`] if limit or speed is no number, or the tower is unstable at rest.
+    ///
+    /// # Example
+    /// See the [first page](crate).
+    pub fn modes(&self, limit_hz: f64, rotor_speed_rpm: f64) -> Result<TurbineModes, TurbineError> {
+        let mesh = self.mesh();
+        let mut modes = TurbineModel::new(self, &mesh)?.modes(limit_hz, rotor_speed_rpm)?;
+        TurbineModel::new(self, &mesh.finer())?.estimate_errors(&mut modes);
+        Ok(modes)
+    }
+}
+
 impl TurbineModel {
-    /// The modes up to a limit (Hz) at a speed of the rotor (rad/s), with names and shapes.
+    /// The modes up to a limit (Hz) at a speed of the rotor (rpm), with names and shapes.
     ///
     /// # Errors
     /// [`TurbineError`] if limit or speed is no number.
@@ -20,9 +38,9 @@ impl TurbineModel {
     pub fn modes(
         &mut self,
         limit_hz: f64,
-        speed_rad_per_s: f64,
+        rotor_speed_rpm: f64,
     ) -> Result<TurbineModes, TurbineError> {
-        self.modes_from(limit_hz, speed_rad_per_s, &[])
+        self.modes_from(limit_hz, rotor_speed_rpm, &[])
     }
 
     /// The same, sooner where the modes at one or two speeds before are known, the nearest last.
@@ -33,23 +51,23 @@ impl TurbineModel {
     pub fn modes_from(
         &mut self,
         limit_hz: f64,
-        speed_rad_per_s: f64,
+        rotor_speed_rpm: f64,
         before: &[TurbineModes],
     ) -> Result<TurbineModes, TurbineError> {
-        check(limit_hz, speed_rad_per_s)?;
-        let guesses = |part| guesses(part, speed_rad_per_s, before);
-        let whole = self.search(TAU * limit_hz, speed_rad_per_s, guesses);
-        Ok(self.named(whole, limit_hz, speed_rad_per_s))
+        let speed = check(limit_hz, rotor_speed_rpm)?;
+        let guesses = |part| guesses(part, speed, before);
+        let whole = self.search(TAU * limit_hz, speed, guesses);
+        Ok(self.named(whole, limit_hz, rotor_speed_rpm))
     }
 
-    fn named(&self, whole: Whole, limit_hz: f64, speed_rad_per_s: f64) -> TurbineModes {
+    fn named(&self, whole: Whole, limit_hz: f64, rotor_speed_rpm: f64) -> TurbineModes {
         let (unproven_hz, growing) = (whole.unproven_hz(), whole.growing());
         let mut naming = Naming::default();
         let found = whole.found.into_iter();
         let modes = found.map(|(part, found)| self.mode(part, found, &mut naming));
         let modes = modes.collect();
         TurbineModes {
-            speed_rad_per_s,
+            rotor_speed_rpm,
             modes,
             limit_hz,
             is_complete: whole.is_complete,
@@ -99,7 +117,7 @@ impl TurbineModel {
         };
         let limit = TAU * modes.limit_hz;
         let soil_error = self.soil_error;
-        let mut finer = self.search(limit, modes.speed_rad_per_s, own_guesses).found;
+        let mut finer = self.search(limit, modes.speed(), own_guesses).found;
         for mode in &mut modes.modes {
             let counterpart = finer.iter().position(|(part, _)| *part == mode.part);
             let finer_hz = counterpart.map(|place| finer.remove(place).1.w / TAU);
@@ -130,8 +148,8 @@ fn guesses(part: Part, speed: f64, before: &[TurbineModes]) -> Vec<Guess<'_>> {
         let before = earlier
             .zip(places_before.get(order))
             .map(|(earlier, place)| {
-                let steps = last.speed_rad_per_s - earlier.speed_rad_per_s;
-                let ratio = (speed - last.speed_rad_per_s) / steps;
+                let steps = last.speed() - earlier.speed();
+                let ratio = (speed - last.speed()) / steps;
                 let change = hz - earlier.modes[*place].frequency.frequency_hz;
                 if ratio.is_finite() {
                     ratio * change

@@ -34,7 +34,7 @@ impl TurbineModel {
     /// # Errors
     /// [`MissedModes`] with the first interval where list and counts differ.
     pub fn recount(&mut self, modes: &TurbineModes) -> Result<(), MissedModes> {
-        let speed = modes.speed_rad_per_s;
+        let speed = modes.rotor_speed_rpm;
         let from_hz = UNRESISTED / TAU;
         let mut last = (from_hz, self.count(from_hz, speed));
         let same = |a: &TurbineMode, b: &TurbineMode| a.bounds_hz() == b.bounds_hz();

@@ -407,14 +407,15 @@ fn counts_are_those_of_dense_matrices() {
         let mut model = TurbineModel::new(&turbine, &mesh).expect("a model");
         let mut n = Numbers(1000 + seed);
         for _ in 0..100 {
-            let (w, speed) = (n.between(0.01, 75.0), n.between(-14.0, 14.0));
-            let counted = model.count(w / std::f64::consts::TAU, speed);
+            let (w, rpm) = (n.between(0.01, 75.0), n.between(-134.0, 134.0));
+            let speed = super::rad_per_s(rpm);
+            let counted = model.count(w / std::f64::consts::TAU, rpm);
             assert_eq!(
                 counted,
                 dense.count(w, speed),
                 "turbine {seed}: {w} and {speed} rad/s"
             );
-            indefinite += usize::from(model.negative_stiffness(speed) > 0);
+            indefinite += usize::from(model.negative_stiffness(rpm) > 0);
         }
     }
     // Both theorems are tested.

@@ -111,7 +111,7 @@ fn on_a_heavy_nacelle_blades_that_only_bend_agree_with_the_element_of_bmodes() {
 #[test]
 fn beyond_the_speed_of_edgewise_vibration_modes_of_negative_energy_complete_the_list() {
     let mut turbine = model(tilted());
-    let (limit_hz, speed) = (4.0, rad_per_s(90.0));
+    let (limit_hz, speed) = (4.0, 90.0);
     assert_eq!(turbine.negative_stiffness(speed), 2);
     let spectrum = turbine.frequencies(limit_hz, speed).expect("solved");
     let negative: Vec<bool> = spectrum

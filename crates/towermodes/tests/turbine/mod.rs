@@ -101,7 +101,7 @@ pub(crate) fn model(machine: TurbineDescription) -> TurbineModel {
 /// The frequencies below a limit, Hz, of a list that is proved complete; repeated ones repeat.
 #[track_caller]
 fn frequencies(model: &mut TurbineModel, limit_hz: f64, rpm: f64) -> Vec<f64> {
-    let spectrum = model.frequencies(limit_hz, rad_per_s(rpm)).expect("solved");
+    let spectrum = model.frequencies(limit_hz, rpm).expect("solved");
     assert!(spectrum.is_complete, "{rpm} rpm");
     let all = spectrum.frequencies.iter();
     all.flat_map(|f| std::iter::repeat_n(f.frequency_hz, f.multiplicity))

@@ -10,7 +10,7 @@ use towermodes::turbine::{
 use towermodes::{Blade, BladeSection, Solver};
 
 fn modes(machine: TurbineDescription, rpm: f64) -> TurbineModes {
-    model(machine).modes(4.0, rad_per_s(rpm)).expect("modes")
+    model(machine).modes(4.0, rpm).expect("modes")
 }
 
 fn free(mut machine: TurbineDescription) -> TurbineDescription {
@@ -115,8 +115,7 @@ fn shares_sum_to_one_and_name_their_modes() {
 fn names_are_given_once_and_do_not_depend_on_the_list() {
     for machine in [straight(), tilted(), free(straight())] {
         let mut model = model(machine);
-        let mut names_at =
-            |limit_hz, rpm| names(&model.modes(limit_hz, rad_per_s(rpm)).expect("modes"));
+        let mut names_at = |limit_hz, rpm| names(&model.modes(limit_hz, rpm).expect("modes"));
         let at_rest = names_at(4.0, 0.0);
         for rpm in [0.01, 1.0] {
             assert_eq!(names_at(4.0, rpm), at_rest, "{rpm} rpm");
@@ -137,11 +136,9 @@ fn names_are_given_once_and_do_not_depend_on_the_list() {
 #[test]
 fn digits_do_not_depend_on_where_the_search_begins() {
     let mut model = model(tilted());
-    let before = [0.0, 8.0].map(|rpm| model.modes(4.0, rad_per_s(rpm)).expect("modes"));
-    let near = model
-        .modes_from(4.0, rad_per_s(12.0), &before)
-        .expect("modes");
-    let alone = model.modes(4.0, rad_per_s(12.0)).expect("modes");
+    let before = [0.0, 8.0].map(|rpm| model.modes(4.0, rpm).expect("modes"));
+    let near = model.modes_from(4.0, 12.0, &before).expect("modes");
+    let alone = model.modes(4.0, 12.0).expect("modes");
     assert_eq!(names(&near), names(&alone));
     for (a, b) in near.modes.iter().zip(&alone.modes) {
         let [a_hz, b_hz] = [a, b].map(|mode| mode.frequency.frequency_hz);
@@ -164,7 +161,7 @@ fn digits_do_not_depend_on_where_the_search_begins() {
 #[test]
 fn modes_at_near_speeds_are_alike_and_modes_at_one_speed_are_not() {
     let mut model = model(straight());
-    let [a, b] = [14.0, 14.2].map(|rpm| model.modes(3.5, rad_per_s(rpm)).expect("modes"));
+    let [a, b] = [14.0, 14.2].map(|rpm| model.modes(3.5, rpm).expect("modes"));
     for (i, mode) in a.modes.iter().enumerate() {
         assert!((mode.mac(mode) - 1.0).abs() < 1e-12);
         assert!(mode.mac(&b.modes[i]) > 0.99, "{}", mode.name);
@@ -178,7 +175,7 @@ fn modes_at_near_speeds_are_alike_and_modes_at_one_speed_are_not() {
 fn a_missed_mode_is_noticed() {
     for machine in [straight(), free(tilted())] {
         let mut model = model(machine);
-        let whole = model.modes(4.0, rad_per_s(12.0)).expect("modes");
+        let whole = model.modes(4.0, 12.0).expect("modes");
         assert_eq!(model.recount(&whole), Ok(()));
         for index in 0..whole.modes.len() {
             let mut list = whole.clone();
@@ -308,7 +305,7 @@ fn errors_of_the_mesh_are_estimated() {
     };
     let turbine = Turbine::new(tower(), tilted()).expect("a turbine");
     let model = |mesh| TurbineModel::new(&turbine, &mesh).expect("a model");
-    let speed = rad_per_s(12.0);
+    let speed = 12.0;
     let mut modes = model(coarse).modes(4.0, speed).expect("modes");
     model(coarse.finer()).estimate_errors(&mut modes);
     let exact = model(FINE).modes(4.0, speed).expect("modes");

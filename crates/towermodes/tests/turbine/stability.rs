@@ -1,7 +1,7 @@
 //! Turbines at the border of stability: speeds above the frequencies of the blades, platforms that
 //! nothing holds or that capsize.
 
-use super::{model, rad_per_s, straight, tilted};
+use super::{model, straight, tilted};
 use towermodes::tower::Foundation;
 use towermodes::turbine::{Turbine, TurbineError, TurbineMesh, TurbineModel};
 use towermodes::{Family, TowerDescription};
@@ -27,7 +27,7 @@ fn a_platform_has_its_six_motions() {
     for rpm in [0.0, 9.0] {
         let modes = on(floater())
             .expect("a model")
-            .modes(0.3, rad_per_s(rpm))
+            .modes(0.3, rpm)
             .expect("modes");
         assert!(modes.is_complete);
         let mut names: Vec<String> = modes
@@ -48,7 +48,7 @@ fn a_platform_has_its_six_motions() {
 #[test]
 fn motions_of_a_platform_are_followed_from_speed_to_speed() {
     let mut model = on(floater()).expect("a model");
-    let [a, b] = [8.0, 9.0].map(|rpm| model.modes(0.3, rad_per_s(rpm)).expect("modes"));
+    let [a, b] = [8.0, 9.0].map(|rpm| model.modes(0.3, rpm).expect("modes"));
     for mode in &a.modes {
         let same = b.modes.iter().find(|other| other.name == mode.name);
         assert!(
@@ -81,7 +81,7 @@ fn a_platform_that_nothing_keeps_from_yawing() {
     let mut model = on(free).expect("a model");
     assert_eq!(model.unresisted_motions(), 1);
     for rpm in [0.0, 5.0, 12.0] {
-        let modes = model.modes(1.0, rad_per_s(rpm)).expect("modes");
+        let modes = model.modes(1.0, rpm).expect("modes");
         assert!(modes.is_complete, "{rpm} rpm");
         assert_eq!(model.recount(&modes), Ok(()));
         let yaw = towermodes::turbine::TurbinePart::Platform(Family::Yaw);
@@ -108,13 +108,13 @@ fn speeds_beyond_the_frequencies_of_the_blades() {
     let mut model = model(straight());
     let first_rpm = (30..200)
         .map(f64::from)
-        .find(|rpm| model.negative_stiffness(rad_per_s(*rpm)) > 0);
+        .find(|rpm| model.negative_stiffness(*rpm) > 0);
     // The edge frequency of the clamped blade is 1.03 Hz at rest.
     let first_rpm = first_rpm.expect("a speed");
     assert!((60.0..90.0).contains(&first_rpm), "{first_rpm}");
     let mut complete = 0;
     for k in 0..20 {
-        let speed = rad_per_s(first_rpm + 2.0 * f64::from(k));
+        let speed = first_rpm + 2.0 * f64::from(k);
         let modes = model.modes(4.0, speed).expect("modes");
         assert_eq!(modes.negative_energy_expected, 1);
         let of_negative = modes

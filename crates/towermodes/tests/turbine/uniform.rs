@@ -2,7 +2,7 @@
 //! real matrices of multiblade coordinates with full polynomials and solves them by a dense
 //! eigensolver.
 
-use super::{assert_near, frequencies, model, rad_per_s, straight, tilted};
+use super::{assert_near, frequencies, model, straight, tilted};
 use towermodes::turbine::TurbineDescription;
 
 /// Speeds of the columns, rpm.
@@ -21,7 +21,7 @@ fn assert_table(machine: TurbineDescription, is_locked: bool, rows: &[[f64; 4]])
         let exact: Vec<f64> = rows.iter().map(|row| row[column]).collect();
         assert_near(&frequencies(&mut model, 4.0, rpm), &exact, TOLERANCE);
         // As many counts find them, and a free shaft counts as one more.
-        let count = model.count(4.0, rad_per_s(rpm));
+        let count = model.count(4.0, rpm);
         assert_eq!(count, rows.len() + usize::from(!is_locked));
     }
 }

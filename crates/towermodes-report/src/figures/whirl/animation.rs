@@ -84,7 +84,7 @@ pub fn whirl_animation(turbine: &Turbine, modes: &TurbineModes) -> WhirlAnimatio
         .collect();
     let animated = |(index, mode)| animated(index + 1, mode, heights_m.len());
     WhirlAnimation {
-        rotor_speed_rpm: modes.speed_rad_per_s * 30.0 / std::f64::consts::PI,
+        rotor_speed_rpm: modes.rotor_speed_rpm,
         blades: geometry.blades,
         cone_rad: five_digits(geometry.cone_rad),
         shaft_axes: geometry.axes.map(|axis| axis.map(five_digits)),

@@ -1,7 +1,5 @@
 //! The figure of the modes of a turning turbine in words and as a table.
 
-use std::f64::consts::PI;
-
 use towermodes::tower::Rpm;
 use towermodes::turbine::Complex;
 use towermodes::turbine::{Turbine, TurbineMode, TurbineModes};
@@ -25,7 +23,7 @@ pub(super) fn title(turbine: &Turbine, modes: &TurbineModes) -> String {
 
 /// The rotor speed, rpm.
 fn speed(modes: &TurbineModes) -> Rpm {
-    Rpm(modes.speed_rad_per_s * 30.0 / PI)
+    Rpm(modes.rotor_speed_rpm)
 }
 
 /// The figure in words.

@@ -76,7 +76,7 @@ impl Scene {
         Self {
             geometry,
             heights_m,
-            speed_rad_per_s: modes.speed_rad_per_s,
+            speed_rad_per_s: modes.rotor_speed_rpm * std::f64::consts::PI / 30.0,
             reach_m,
             per_m,
             low,

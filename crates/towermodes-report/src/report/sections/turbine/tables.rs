@@ -1,7 +1,5 @@
 //! The tables of the whole turbine.
 
-use std::f64::consts::PI;
-
 use towermodes::Rotor;
 use towermodes::number::with_error;
 use towermodes::tower::Rpm;
@@ -115,7 +113,7 @@ pub(super) fn meetings(coupled: &CoupledCampbell) -> Table {
 
 /// The modes at a speed.
 pub(super) fn modes(modes: &TurbineModes) -> Table {
-    let speed = Rpm(modes.speed_rad_per_s * 30.0 / PI);
+    let speed = Rpm(modes.rotor_speed_rpm);
     let mut table = Table::new(
         format!("Modes of the turbine at {speed} rpm, the highest operating speed"),
         [
