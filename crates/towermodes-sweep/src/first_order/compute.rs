@@ -5,7 +5,7 @@ use towermodes_files::{Sampling, SamplingKind};
 
 use super::normal::inside;
 use super::{FirstOrder, FirstOrderError, InputScatter, ModeScatter, NoScatter, Scatter};
-use crate::row::{Cells, RowSolver};
+use crate::rows::row::{Cells, RowSolver};
 use crate::sampling::{Draw, Joint};
 use crate::summary::MarginCheck;
 use crate::sweep::Sweep;

@@ -5,7 +5,7 @@ use std::io::{self, BufReader, Write};
 
 use super::column::Column;
 use super::part::Part;
-use crate::results::Results;
+use crate::rows::results::Results;
 
 /// The line with the names of the columns.
 pub(super) fn names(columns: &[(String, Column)]) -> io::Result<Vec<u8>> {

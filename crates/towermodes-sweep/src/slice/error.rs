@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-use crate::run_error::RunError;
+use crate::rows::run_error::RunError;
 use crate::table::TableError;
 
 /// Why a slice cannot be written, or slices cannot be read together.

@@ -21,7 +21,7 @@ use towermodes::ModeName;
 use super::column::Column;
 use super::header::Header;
 use super::part::Part;
-use crate::results::Results;
+use crate::rows::results::Results;
 
 /// The name of the header in the footer.
 const KEY: &str = "towermodes.sweep";

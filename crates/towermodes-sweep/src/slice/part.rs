@@ -1,6 +1,6 @@
 //! Rows that are ready to be written.
 
-use crate::results::Results;
+use crate::rows::results::Results;
 use crate::source::RowSource;
 use crate::sweep::Sweep;
 

@@ -9,7 +9,7 @@ use super::SliceError;
 use super::column::Column;
 use super::csv;
 use super::header::Header;
-use crate::results::Results;
+use crate::rows::results::Results;
 use crate::sweep::Sweep;
 
 /// Rows of a CSV that are read at a time.

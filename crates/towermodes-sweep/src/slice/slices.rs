@@ -7,7 +7,7 @@ use super::SliceError;
 use super::column::{Column, columns};
 use super::header::Identity;
 use super::read::open;
-use crate::results::Results;
+use crate::rows::results::Results;
 use crate::sweep::Sweep;
 use crate::sweep_source::SweepSource;
 

@@ -8,13 +8,13 @@ use super::column::{Column, columns};
 use super::csv;
 use super::header::{Header, Identity};
 use super::part::Part;
-use crate::results::Results;
+use crate::rows::results::Results;
+use crate::rows::stream::stream;
+use crate::rows::threads::Watch;
+use crate::rows::warned::RowRemarks;
 use crate::source::RowSource;
-use crate::stream::stream;
 use crate::sweep::Sweep;
 use crate::sweep_source::SweepSource;
-use crate::threads::Watch;
-use crate::warned::RowRemarks;
 
 /// The format of the files of results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

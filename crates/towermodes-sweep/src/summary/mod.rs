@@ -9,7 +9,7 @@ pub use statistics::{QUANTILES, Statistics};
 use towermodes::{ModeName, Rotor};
 use towermodes_analysis::resonance::{CampbellOptions, tower_margin};
 
-use crate::results::Results;
+use crate::rows::results::Results;
 use crate::slice::{SliceError, Slices};
 use crate::sweep::Sweep;
 use failures::Failures;

@@ -8,7 +8,7 @@ use std::time::SystemTime;
 
 use super::error::TableProblem;
 use crate::digest::Digest;
-use crate::threads::lock;
+use crate::rows::threads::lock;
 
 /// The format of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

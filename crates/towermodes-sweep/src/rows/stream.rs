@@ -9,13 +9,13 @@ use std::ops::Range;
 use std::sync::{Arc, Condvar, Mutex};
 use std::time::Duration;
 
-use crate::results::Results;
-use crate::row::RowSolver;
-use crate::run_error::RunError;
+use super::results::Results;
+use super::row::RowSolver;
+use super::run_error::RunError;
+use super::threads::{Tick, Watch, lock, shared};
+use super::warned::RowRemarks;
 use crate::source::{RowSource, SourceBlock};
 use crate::sweep::Sweep;
-use crate::threads::{Tick, Watch, lock, shared};
-use crate::warned::RowRemarks;
 
 /// Rows that a thread takes at a time, some milliseconds of work; fewer are not worth a thread.
 const PIECE_ROWS: u64 = 64;

@@ -1,11 +1,11 @@
 //! A sweep in memory.
 
-use crate::results::Results;
-use crate::run_error::RunError;
+use super::results::Results;
+use super::run_error::RunError;
+use super::stream::stream;
+use super::threads::Watch;
 use crate::source::{RowSource, SourceBlock};
-use crate::stream::stream;
 use crate::sweep::Sweep;
-use crate::threads::Watch;
 
 /// Solves all rows of a source. The results do not depend on the number of threads.
 ///

@@ -2,9 +2,9 @@
 
 use towermodes::{Change, ModeName, Parameter, Place, Solver, Tower, TowerError, Warning};
 
+use super::warned::RowRemarks;
 use crate::lowest::Lowest;
 use crate::sweep::Sweep;
-use crate::warned::RowRemarks;
 
 /// A row in which a mode is missing is solved again with up to this many more modes than the base
 /// needs.

@@ -4,8 +4,8 @@ use std::collections::TryReserveError;
 
 use towermodes::ModeName;
 
-use crate::row::Cells;
-use crate::warned::RowRemarks;
+use super::row::Cells;
+use super::warned::RowRemarks;
 
 /// The results of successive rows of a sweep.
 ///
