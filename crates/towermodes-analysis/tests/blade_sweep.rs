@@ -6,12 +6,13 @@ use crate::towers;
 use std::f64::consts::{PI, TAU};
 
 use towermodes::{
-    Blade, BladeDescription, BladeFamily, BladeSection, Options, Rotor, Solver, Tower, solve,
+    Blade, BladeDescription, BladeFamily, BladeSection, Options, Solver, Tower, solve,
 };
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{
     Campbell, CampbellError, CampbellOptions, Excited, FrequencyLine, campbell,
 };
+use towermodes_testing::{assert_matches, changed, rotor, with};
 use towers::reference_350t;
 
 /// m = EI = 1 on a hub of no radius: frequencies are the dimensionless ones.
@@ -26,11 +27,7 @@ fn uniform(edge_n_m2: f64, tip_twist_rad: f64, elements: usize) -> BladeDescript
         axial_n: 1e7,
         ..BladeSection::default()
     };
-    let tip = BladeSection {
-        span: 1.0,
-        twist_rad: tip_twist_rad,
-        ..root
-    };
+    let tip = changed!(root, span = 1.0, twist_rad = tip_twist_rad);
     BladeDescription {
         tip_radius_m: 1.0,
         sections: vec![root, tip],
@@ -50,11 +47,7 @@ fn diagram(
     let tower = Tower::new(reference_350t()).expect("a tower");
     let solution = solve(&tower, &Options::default()).expect("modes");
     let highest_rpm = last_rad_per_s / 1.2 * 30.0 / PI;
-    let rotor = Rotor {
-        blades: 3,
-        lowest_rpm: 0.5 * highest_rpm,
-        highest_rpm,
-    };
+    let rotor = rotor(3, 0.5 * highest_rpm, highest_rpm);
     let options = CampbellOptions {
         blade_modes: modes,
         multiples: vec![1, 3, 4],
@@ -98,10 +91,8 @@ fn at(line: &FrequencyLine, speed_rad_per_s: f64) -> f64 {
 
 #[track_caller]
 fn near(value: f64, expected: f64, tolerance: f64) {
-    assert!(
-        (value / expected - 1.0).abs() < tolerance,
-        "{value} instead of {expected}"
-    );
+    let holds = (value / expected - 1.0).abs() < tolerance;
+    assert!(holds, "{value} instead of {expected}");
 }
 
 /// Wright, Smith, Thresher & Wang, J. Appl. Mech. 49 (1982): uniform cantilever on a hub of no
@@ -218,11 +209,8 @@ fn excitations_of_blades_warn_at_most() {
             // 16 Ω² = ω² between the points on both sides, ω² linear in Ω² there: 22.03² + 6.48 Ω²
             // within 1 %.
             let met_rad_per_s = margin.nearest_rpm * PI / 30.0;
-            near(
-                met_rad_per_s,
-                (22.0345 * 22.0345 / (16.0 - 6.48_f64)).sqrt(),
-                0.01,
-            );
+            let expected = (22.0345 * 22.0345 / (16.0 - 6.48_f64)).sqrt();
+            near(met_rad_per_s, expected, 0.01);
             assert_eq!((margin.distance, margin.verdict), (0.0, Verdict::Warn));
         }
         verdicts.push(margin.verdict);
@@ -237,18 +225,11 @@ fn a_single_speed_is_among_those_solved() {
     let tower = Tower::new(reference_350t()).expect("a tower");
     let solution = solve(&tower, &Options::default()).expect("modes");
     let blade = uniform(1.5, 0.0, 10);
-    let rotor = Rotor {
-        blades: 3,
-        lowest_rpm: 17.0,
-        highest_rpm: 17.0,
-    };
+    let rotor = rotor(3, 17.0, 17.0);
     // 25 speeds in steps of 0.85 rpm have it already; in 6 steps of 3.4 rpm 17 is the fifth; of 10
     // it is none.
     for (speeds, count) in [(25, 25), (7, 7), (10, 11)] {
-        let options = CampbellOptions {
-            speeds,
-            ..CampbellOptions::default()
-        };
+        let options = with!(CampbellOptions, speeds);
         let diagram = campbell(&tower, &solution, Some(&blade), &rotor, &options);
         let diagram = diagram.expect("a diagram");
         let line = diagram.lines.last().expect("of the blade");
@@ -270,10 +251,7 @@ fn blades_that_cannot_be_are_refused() {
         diagram(&blade, modes, 12.0, 5).expect_err("no diagram")
     };
     let backwards = refused(|blade| blade.hub_radius_m = 2.0, 4);
-    assert!(
-        matches!(backwards, CampbellError::NoBlade(_)),
-        "{backwards}"
-    );
+    assert_matches!(backwards, CampbellError::NoBlade(_));
     for modes in [1000, usize::MAX] {
         let many = refused(|_| {}, modes);
         assert!(matches!(many, CampbellError::Blade { .. }), "{many}");

@@ -3,35 +3,23 @@
 use crate::towers;
 
 use towermodes::{
-    BladeFamily, Family, Options, Place, Problem, Rotor, Solution, Station, Tower,
-    TowerDescription, solve,
+    BladeFamily, Family, Options, Place, Problem, Rotor, Solution, Station, Tower, solve,
 };
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{
     Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited, FrequencyLine, LineEnd,
     Margin, StiffnessClass, campbell, reach_hz, tower_margin,
 };
+use towermodes_testing::{Says, assert_matches, changed, rotor, with};
 use towers::reference_350t;
 
 /// The NREL 5 MW machine: 1P 0.115 to 0.201667 Hz, 3P 0.345 to 0.605 Hz, 6P 0.69 to 1.21 Hz, 9P
 /// 1.035 to 1.815 Hz.
 const NREL: Rotor = rotor(3, 6.9, 12.1);
 
-const fn rotor(blades: usize, lowest_rpm: f64, highest_rpm: f64) -> Rotor {
-    Rotor {
-        blades,
-        lowest_rpm,
-        highest_rpm,
-    }
-}
-
 fn solved() -> (Tower, Solution) {
     let tower = Tower::new(reference_350t()).expect("a tower");
-    let options = Options {
-        modes: 2,
-        ..Options::default()
-    };
-    let solution = solve(&tower, &options).expect("modes");
+    let solution = solve(&tower, &with!(Options, modes = 2)).expect("modes");
     (tower, solution)
 }
 
@@ -63,10 +51,8 @@ fn margin(frequency_hz: f64, multiple: usize, rotor: Rotor) -> Margin {
 
 #[track_caller]
 fn close(value: f64, expected: f64) {
-    assert!(
-        (value - expected).abs() < 1e-8,
-        "{value} instead of {expected}"
-    );
+    let holds = (value - expected).abs() < 1e-8;
+    assert!(holds, "{value} instead of {expected}");
 }
 
 #[test]
@@ -105,7 +91,7 @@ fn lines_of_a_tower_are_level_to_beyond_the_highest_speed() {
         panic!("{:?}", diagram.lines);
     };
     assert_eq!(fore_aft.label, "1st fore-aft bending");
-    assert_eq!(
+    assert_matches!(
         side_side.of,
         Excited::Tower {
             number: 2,
@@ -182,11 +168,7 @@ fn the_margin_asked_for_counts() {
     solution.modes.truncate(1);
     solution.modes[0].frequency_hz = 0.324;
     let verdict = |margin: f64| {
-        let options = CampbellOptions {
-            margin,
-            multiples: vec![3, 3],
-            ..CampbellOptions::default()
-        };
+        let options = with!(CampbellOptions, margin, multiples = vec![3, 3]);
         let diagram = campbell(&tower, &solution, None, &NREL, &options).expect("a diagram");
         assert_eq!(diagram.multiples, [3]);
         assert_eq!(diagram.margins.len(), 1);
@@ -347,16 +329,11 @@ fn a_mode_that_is_missing_is_no_distance() {
     let (rpm, sentence) = said(-0.62, Verdict::Warn);
     assert_eq!(rpm, Some(10.0));
     let expected = "blade 1st flap (mode not found from 10 rpm)";
-    assert!(
-        sentence.contains(expected) && !sentence.contains('%'),
-        "{sentence}"
-    );
+    sentence.says(expected);
+    assert!(!sentence.contains('%'), "{sentence}");
     let (rpm, sentence) = said(-0.03, Verdict::Warn);
     assert_eq!(rpm, None);
-    assert!(
-        sentence.contains("blade 1st flap (-3.0 % at 9 rpm)"),
-        "{sentence}"
-    );
+    sentence.says("blade 1st flap (-3.0 % at 9 rpm)");
     assert_eq!(said(-0.62, Verdict::Pass).0, None);
 }
 
@@ -432,10 +409,7 @@ fn a_solution_of_another_tower_is_refused() {
 
 /// What is wrong with a tower that has this rotor.
 fn rotor_refused(rotor: Rotor) -> (Place, Problem) {
-    let description = TowerDescription {
-        rotor: Some(rotor),
-        ..reference_350t()
-    };
+    let description = changed!(reference_350t(), rotor = Some(rotor));
     let error = Tower::new(description).expect_err("no rotor");
     (error.place, error.problem)
 }
@@ -466,10 +440,7 @@ fn rotors_that_cannot_be_are_refused_with_the_tower() {
     };
     assert_eq!(falls, expected);
     for possible in [NREL, rotor(1, 0.0, 1e5), rotor(10, 5.0, 5.0)] {
-        let description = TowerDescription {
-            rotor: Some(possible),
-            ..reference_350t()
-        };
+        let description = changed!(reference_350t(), rotor = Some(possible));
         let tower = Tower::new(description).expect("a tower");
         assert_eq!(tower.rotor(), Some(&possible));
     }
@@ -484,11 +455,7 @@ fn known_to_1_hz(cuts: bool, margin: f64) -> Campbell {
     for (mode, frequency_hz) in solution.modes.iter_mut().zip([0.25, 0.75]) {
         mode.frequency_hz = frequency_hz;
     }
-    let options = CampbellOptions {
-        margin,
-        multiples: vec![1, 3],
-        ..CampbellOptions::default()
-    };
+    let options = with!(CampbellOptions, margin, multiples = vec![1, 3]);
     campbell(&tower, &solution, None, &NREL, &options).expect("a diagram")
 }
 
@@ -616,11 +583,8 @@ fn a_healthy_tower_is_said_to_be_so_first() {
     assert_eq!(conclusion[1], "No warnings.");
     // The list of this tower ends after two modes, and 9P may meet others up to 9 · 12.1/60/0.95
     // Hz.
-    assert!(
-        conclusion[2].starts_with("Modes between 0.3"),
-        "{conclusion:?}"
-    );
-    assert!(conclusion[2].ends_with(" and 1.911 Hz are not in the list and were not checked."));
+    conclusion[2].begins("Modes between 0.3");
+    conclusion[2].ends(" and 1.911 Hz are not in the list and were not checked.");
     assert_eq!(conclusion.len(), 3);
 }
 
@@ -628,11 +592,8 @@ fn a_healthy_tower_is_said_to_be_so_first() {
 #[test]
 fn a_weak_excitation_is_a_warning_of_other_multiples() {
     let conclusion = said([0.27, 1.5], NREL);
-    assert!(
-        conclusion[0]
-            .starts_with("The first fore-aft bending frequency, 0.2700 Hz, lies between 1P")
-    );
-    assert!(conclusion[0].ends_with(" at a distance of at least 25.3 %: soft-stiff."));
+    conclusion[0].begins("The first fore-aft bending frequency, 0.2700 Hz, lies between 1P");
+    conclusion[0].ends(" at a distance of at least 25.3 %: soft-stiff.");
     assert_eq!(
         conclusion[1],
         "The first side-side bending frequency, 1.500 Hz, lies above 3P (up to 0.6050 Hz) at a distance of at least 59.7 %: stiff-stiff."
@@ -646,19 +607,9 @@ fn a_weak_excitation_is_a_warning_of_other_multiples() {
 #[test]
 fn what_fails_is_said_before_what_is_near() {
     let conclusion = said([0.33, 0.32], NREL);
-    assert!(
-        conclusion[0]
-            .ends_with(" at a distance of only 4.5 %, less than the required 5 %: soft-stiff."),
-        "{conclusion:?}"
-    );
-    assert_eq!(
-        conclusion[1],
-        "FAIL: 3P with 1st fore-aft bending (+4.5 % at 6.9 rpm)."
-    );
-    assert_eq!(
-        conclusion[2],
-        "1 warning for 3P: 1st side-side bending (+7.8 % at 6.9 rpm)."
-    );
+    conclusion[0].ends(" at a distance of only 4.5 %, less than the required 5 %: soft-stiff.");
+    conclusion[1].reads("FAIL: 3P with 1st fore-aft bending (+4.5 % at 6.9 rpm).");
+    conclusion[2].reads("1 warning for 3P: 1st side-side bending (+7.8 % at 6.9 rpm).");
 }
 
 /// 0.15 Hz is 1P at 9 rpm; 0.1 Hz is below 1P at the lowest speed, 0.115 Hz, by 15 %.
@@ -674,22 +625,14 @@ fn other_classes_are_said_with_what_bounds_them() {
         "FAIL: 1P with 1st fore-aft bending (crossing at 9 rpm) and 1st side-side bending (crossing at 9 rpm)."
     );
     let below = &said([0.1, 0.1], NREL)[0];
-    assert!(
-        below.ends_with(
-            "lie below 1P (from 0.1150 Hz) at a distance of at least 15.0 %: soft-soft."
-        ),
-        "{below}"
-    );
+    below.ends("lie below 1P (from 0.1150 Hz) at a distance of at least 15.0 %: soft-soft.");
 }
 
 /// The sentence gives no distance from a multiple that was not requested.
 #[test]
 fn without_1p_the_class_has_no_margin() {
     let (tower, solution) = solved();
-    let options = CampbellOptions {
-        multiples: vec![6],
-        ..CampbellOptions::default()
-    };
+    let options = with!(CampbellOptions, multiples = vec![6]);
     let mut diagram = campbell(&tower, &solution, None, &NREL, &options).expect("a diagram");
     assert!(!diagram.conclusion()[0].contains("distance"));
     diagram.classes.clear();

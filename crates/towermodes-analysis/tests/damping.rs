@@ -4,26 +4,18 @@
 use std::f64::consts::{PI, TAU};
 
 use towermodes::{
-    Damping, Foundation, FoundationSprings, Inertia, LossFactors, Material, Options, Planes,
-    Properties, PropertyStation, Rna, Rotor, RotorAerodynamics, Station, Tower, TowerDescription,
-    Water, solve,
+    Damping, Foundation, FoundationSprings, LossFactors, Material, Options, Planes, Properties,
+    PropertyStation, Rna, Rotor, RotorAerodynamics, Station, Tower, TowerDescription, solve,
 };
 use towermodes_analysis::damping::{DampingError, DampingRemark, ModalDamping, damping};
+use towermodes_testing::{changed, parts, rna, rotor, tube, with};
 use towermodes_verify::towers::floater;
 
-const ROTOR: Rotor = Rotor {
-    blades: 3,
-    lowest_rpm: 6.9,
-    highest_rpm: 12.1,
-};
+const ROTOR: Rotor = rotor(3, 6.9, 12.1);
 
 fn damped_by(description: &TowerDescription, modes: usize) -> ModalDamping {
     let tower = Tower::new(description.clone()).expect("a valid tower");
-    let options = Options {
-        modes,
-        energy_parts: true,
-        ..Options::default()
-    };
+    let options = with!(Options, modes, energy_parts = true);
     let solution = solve(&tower, &options).expect("a solvable tower");
     damping(description, &solution, description.rotor.as_ref()).expect("it has the energy")
 }
@@ -67,13 +59,7 @@ fn mixed() -> TowerDescription {
             lateral_n_per_m: 4e8,
             ..FoundationSprings::RIGID
         }),
-        water: Some(Water {
-            level_m: 10.0,
-            bed_m: None,
-            density_kg_per_m3: 1025.0,
-            added_mass_coefficient: 1.0,
-            flooded: false,
-        }),
+        water: Some(parts::water(10.0, None, 1025.0, 1.0, false)),
         ..TowerDescription::default()
     }
 }
@@ -88,10 +74,7 @@ fn a_clamped_tower_of_one_material_has_half_its_loss_factor_in_every_mode() {
     };
     // EN 1991-1-4:2005 has the logarithmic decrement 0.012 for welded steel stacks.
     let eta = 0.012 / PI;
-    let factors = LossFactors {
-        tower: Some(eta),
-        ..LossFactors::default()
-    };
+    let factors = with!(LossFactors, tower = Some(eta));
     let damping = damped_by(&with_loss_factors(factors, description), 8);
     for mode in 0..8 {
         assert!((ratio(&damping, mode) - 0.012 / TAU).abs() < 1e-15);
@@ -105,27 +88,15 @@ fn a_clamped_tower_of_one_material_has_half_its_loss_factor_in_every_mode() {
 fn loss_factors_add_up_by_energy() {
     let only = |factors: LossFactors| damped_by(&with_loss_factors(factors, mixed()), 6);
     let none = LossFactors::default;
-    let concrete = only(LossFactors {
-        materials: vec![Some(0.02)],
-        ..none()
-    });
-    let steel = only(LossFactors {
-        materials: vec![None, Some(0.02)],
-        ..none()
-    });
-    let foundation = only(LossFactors {
-        foundation: Some(0.02),
-        ..none()
-    });
-    let water = only(LossFactors {
-        water: Some(0.02),
-        ..none()
-    });
-    let all = only(LossFactors {
-        tower: Some(0.02),
-        foundation: Some(0.02),
-        ..none()
-    });
+    let concrete = only(changed!(none(), materials = vec![Some(0.02)]));
+    let steel = only(changed!(none(), materials = vec![None, Some(0.02)]));
+    let foundation = only(changed!(none(), foundation = Some(0.02)));
+    let water = only(changed!(none(), water = Some(0.02)));
+    let all = only(changed!(
+        none(),
+        tower = Some(0.02),
+        foundation = Some(0.02)
+    ));
     let own = only(LossFactors {
         tower: Some(0.02),
         materials: vec![Some(0.1)],
@@ -161,10 +132,7 @@ fn rigid_column() -> TowerDescription {
         properties: vec![row(0.0), row(50.0)],
         rna: Rna::point(100e3),
         rna_is_point: true,
-        foundation: Foundation::Springs(FoundationSprings {
-            rocking_n_m: 2e9,
-            ..FoundationSprings::RIGID
-        }),
+        foundation: Foundation::Springs(changed!(FoundationSprings::RIGID, rocking_n_m = 2e9)),
         rotor: Some(ROTOR),
         ..TowerDescription::default()
     }
@@ -172,13 +140,8 @@ fn rigid_column() -> TowerDescription {
 
 #[test]
 fn a_rigid_column_has_the_damping_of_its_spring_and_of_a_dashpot_on_top() {
-    let mut description = with_loss_factors(
-        LossFactors {
-            foundation: Some(0.03),
-            ..LossFactors::default()
-        },
-        rigid_column(),
-    );
+    let mut description =
+        with_loss_factors(with!(LossFactors, foundation = Some(0.03)), rigid_column());
     let aerodynamics = RotorAerodynamics {
         chord_moment_m3: 1000.0,
         lift_slope: 5.0,
@@ -204,10 +167,8 @@ fn a_rigid_column_has_the_damping_of_its_spring_and_of_a_dashpot_on_top() {
     assert!((running - ratio(&damping, 0) - first.aerodynamic[1].damping_ratio).abs() < 1e-15);
     // Side-side the rotor does not damp.
     let side_side = &damping.modes[1];
-    assert_eq!(
-        (side_side.label.as_str(), side_side.top_mass_kg),
-        ("1st side-side bending", None)
-    );
+    assert_eq!(side_side.label.as_str(), "1st side-side bending");
+    assert_eq!(side_side.top_mass_kg, None);
     assert!(
         side_side
             .aerodynamic
@@ -224,27 +185,14 @@ fn a_rigid_column_has_the_damping_of_its_spring_and_of_a_dashpot_on_top() {
 #[test]
 fn the_nrel_turbine_is_damped_as_by_hand() {
     let description = TowerDescription {
-        materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-        stations: vec![
-            Station::new(0.0, 6.0, 0.0351),
-            Station::new(87.6, 3.87, 0.0247),
-        ],
-        rna: Rna {
-            mass_kg: 350e3,
-            center_m: [-0.41, 0.0, 1.966427],
-            inertia_kg_m2: Inertia {
-                xx: 37634182.0,
-                yy: 24376664.3,
-                zz: 22613929.0,
-                ..Inertia::default()
-            },
-        },
+        rna: rna(
+            350e3,
+            [-0.41, 0.0, 1.966427],
+            [37634182.0, 24376664.3, 22613929.0],
+        ),
         rotor: Some(ROTOR),
-        damping: Damping {
-            rotor: Some(RotorAerodynamics::of_chords(6073.0)),
-            ..Damping::default()
-        },
-        ..TowerDescription::default()
+        damping: with!(Damping, rotor = Some(RotorAerodynamics::of_chords(6073.0))),
+        ..tube(&[(0.0, 6.0, 0.0351), (87.6, 3.87, 0.0247)])
     };
     let damping = damped_by(&description, 4);
     let modes = damping.modes.iter();
@@ -266,11 +214,7 @@ fn the_nrel_turbine_is_damped_as_by_hand() {
 fn what_is_left_out_is_remarked() {
     let remarks = |factors: LossFactors| damped_by(&with_loss_factors(factors, mixed()), 4).remarks;
     assert_eq!(remarks(LossFactors::default()), [DampingRemark::Nothing]);
-    let some = remarks(LossFactors {
-        tower: Some(0.004),
-        soil: Some(0.02),
-        ..LossFactors::default()
-    });
+    let some = remarks(with!(LossFactors, tower = Some(0.004), soil = Some(0.02)));
     let names = |remark: &DampingRemark| match remark {
         DampingRemark::Missing { name, .. } => format!("no {name}"),
         DampingRemark::Unused { part } => format!("unused {part}"),
@@ -289,10 +233,7 @@ fn what_is_left_out_is_remarked() {
         [DampingRemark::Unusual { .. }, DampingRemark::Unusual { .. }]
     ));
     let still = TowerDescription {
-        damping: Damping {
-            rotor: Some(RotorAerodynamics::of_chords(6073.0)),
-            ..Damping::default()
-        },
+        damping: with!(Damping, rotor = Some(RotorAerodynamics::of_chords(6073.0))),
         ..mixed()
     };
     assert_eq!(damped_by(&still, 4).remarks[0], DampingRemark::NoSpeed);
@@ -302,11 +243,7 @@ fn what_is_left_out_is_remarked() {
 /// modes by the difference of buoyancy and weight, which may be negative.
 #[test]
 fn a_floating_platform_has_no_loss_factor() {
-    let factors = LossFactors {
-        tower: Some(0.01),
-        foundation: Some(0.02),
-        ..LossFactors::default()
-    };
+    let factors = with!(LossFactors, tower = Some(0.01), foundation = Some(0.02));
     let damping = damped_by(&with_loss_factors(factors, floater()), 8);
     assert_eq!(damping.remarks, [DampingRemark::Afloat]);
     for (mode, of) in damping.modes.iter().enumerate() {

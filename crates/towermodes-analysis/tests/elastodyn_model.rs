@@ -5,6 +5,7 @@ use towermodes::tower::Plane;
 use towermodes_analysis::elastodyn::{
     ConcentratedMass, ModelError, PlaneModes, TowerModel, TowerPolynomial, TowerStation,
 };
+use towermodes_testing::{changed, parts};
 
 fn station(height_fraction: f64, mass_kg_per_m: f64, bending: f64) -> TowerStation {
     TowerStation {
@@ -79,17 +80,11 @@ fn a_uniform_tower_in_two_elements_by_hand() {
 fn factors_and_tuners_multiply() {
     let tower = TowerModel {
         mass_factor: 2.0,
-        stiffness_factors: Planes {
-            fore_aft: 3.0,
-            side_side: 5.0,
-        },
+        stiffness_factors: parts::planes(3.0, 5.0),
         tower_top_mass_kg: 0.0,
         ..uniform()
     };
-    let tuned = PlaneModes {
-        tuners: [4.0, 9.0],
-        ..modes()
-    };
+    let tuned = changed!(modes(), tuners = [4.0, 9.0]);
     let result = tower.generalized(Plane::SideSide, &tuned).expect("numbers");
     assert!(near(result.mass_kg[0], 2.0 * 160.15625));
     assert!(near(result.stiffness_n_per_m[0][0], 4.0 * 5.0 * 4000.0));
@@ -146,10 +141,7 @@ fn many_elements_give_the_integrals() {
 
 #[test]
 fn a_tower_too_heavy_on_top_has_no_loaded_frequency() {
-    let tower = TowerModel {
-        tower_top_mass_kg: 1e4,
-        ..uniform()
-    };
+    let tower = changed!(uniform(), tower_top_mass_kg = 1e4);
     let result = tower.generalized(Plane::ForeAft, &modes());
     assert_eq!(result.expect("numbers").frequency_loaded_hz[0], None);
 }

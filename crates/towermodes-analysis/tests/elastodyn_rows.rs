@@ -11,6 +11,7 @@ use towermodes::{Family, PointMass, Tower, TowerDescription, solve};
 use towermodes_analysis::elastodyn::{
     MAX_STATIONS, PointMasses, Rows, RowsError, TowerRows, TowerStation, tower_rows,
 };
+use towermodes_testing::{assert_matches, with};
 
 /// The mass of the lines between rows, of a tower so long, kg.
 fn mass_kg(rows: &TowerRows, length_m: f64) -> f64 {
@@ -57,11 +58,7 @@ fn bending_hz(tower: &Tower) -> [f64; 4] {
 }
 
 fn point_mass(height_m: f64, mass_kg: f64) -> PointMass {
-    PointMass {
-        height_m,
-        mass_kg,
-        ..PointMass::default()
-    }
+    with!(PointMass, height_m, mass_kg)
 }
 
 #[test]
@@ -95,11 +92,8 @@ fn rows_have_the_mass_of_the_tube() {
     let upper_kg = exact([(4.935, 0.0275), (3.87, 0.02)], 43.8);
     near(mass_kg(&rows, 43.8), upper_kg, 1e-6);
     assert_eq!(rows.stations[0].height_fraction, 0.0);
-    near(
-        rows.stations[0].mass_kg_per_m,
-        8500.0 * area(4.935, 0.0275),
-        1e-13,
-    );
+    let expected = 8500.0 * area(4.935, 0.0275);
+    near(rows.stations[0].mass_kg_per_m, expected, 1e-13);
 }
 
 #[test]
@@ -162,12 +156,8 @@ fn a_step_is_two_rows_a_millionth_apart() {
 fn rows_are_as_many_as_asked_for() {
     let tapered = tower(tapered());
     let count = |tower: &Tower, wanted| {
-        let rows = tower_rows(
-            tower,
-            tower.base_m(),
-            Rows::Count(wanted),
-            PointMasses::Listed,
-        );
+        let expected = Rows::Count(wanted);
+        let rows = tower_rows(tower, tower.base_m(), expected, PointMasses::Listed);
         rows.expect("rows").stations.len()
     };
     assert_eq!(
@@ -180,12 +170,8 @@ fn rows_are_as_many_as_asked_for() {
         [0, 1, 2, 5].map(|wanted| count(&stepped, wanted)),
         [5, 5, 5, 6]
     );
-    let most = tower_rows(
-        &tapered,
-        10.0,
-        Rows::Count(MAX_STATIONS),
-        PointMasses::Listed,
-    );
+    let expected = Rows::Count(MAX_STATIONS);
+    let most = tower_rows(&tapered, 10.0, expected, PointMasses::Listed);
     assert_eq!(most.expect("rows").stations.len(), MAX_STATIONS);
 }
 
@@ -253,19 +239,13 @@ fn rows_that_cannot_be_are_refused() {
     }
     for wanted in [MAX_STATIONS + 1, usize::MAX] {
         let refused = tower_rows(&tower, 10.0, Rows::Count(wanted), PointMasses::Listed);
-        assert!(
-            matches!(refused, Err(RowsError::TooMany { rows }) if rows > MAX_STATIONS),
-            "{refused:?}"
-        );
+        assert_matches!(refused, Err(RowsError::TooMany { rows }) if *rows > MAX_STATIONS);
     }
     // A cone that ends in a needle would need millions of rows.
     let needle = tube(&[(0.0, 6.0, 0.03), (100.0, 1e-3, 4e-4)]);
     let needle = elastodyn_towers::tower(needle);
     let refused = tower_rows(&needle, 0.0, Rows::Accurate, PointMasses::Listed);
-    assert!(
-        matches!(refused, Err(RowsError::TooMany { .. })),
-        "{refused:?}"
-    );
+    assert_matches!(refused, Err(RowsError::TooMany { .. }));
 }
 
 /// Masses anywhere: beside the base, a step and each other, at the very spacing of the elements,
@@ -300,18 +280,14 @@ fn spread_masses_never_cross() {
             let fractions = rows.stations.iter().map(|row| row.height_fraction);
             let fractions: Vec<f64> = fractions.collect();
             assert_eq!((fractions[0], fractions[fractions.len() - 1]), (0.0, 1.0));
-            assert!(
-                fractions.windows(2).all(|pair| pair[0] < pair[1]),
-                "{parts} {from_m}"
-            );
+            let holds = fractions.windows(2).all(|pair| pair[0] < pair[1]);
+            assert!(holds, "{parts} {from_m}");
             let without = tower_rows(&bare, from_m, Rows::Accurate, masses).expect("rows");
             let length_m = height_m - from_m;
             let added_kg = mass_kg(&rows, length_m) - mass_kg(&without, length_m);
             // Steps are ramps of a millionth of the height.
-            assert!(
-                (added_kg / own_kg - 1.0).abs() < 1e-4,
-                "{parts} {from_m}: {added_kg}"
-            );
+            let holds = (added_kg / own_kg - 1.0).abs() < 1e-4;
+            assert!(holds, "{parts} {from_m}: {added_kg}");
         }
     }
 }

@@ -1,35 +1,27 @@
 //! Frequencies and verdicts over a band of soil stiffness.
 
 use towermodes::{
-    Foundation, FoundationSprings, Material, Options, Rna, Rotor, SoilRow, SoilStiffness, Solution,
-    SolveError, Station, Tower, TowerDescription, solve,
+    Foundation, FoundationSprings, Material, Options, Rna, SoilRow, SoilStiffness, Solution,
+    SolveError, Tower, TowerDescription, solve,
 };
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::CampbellOptions;
 use towermodes_analysis::soil_band::{DEFAULT_FACTORS, SoilBandError, soil_band};
+use towermodes_testing::{changed, rotor, stations, with};
 
 /// A tower so stiff that it only rocks: its frequency grows with the square root of the spring.
 fn rocking() -> TowerDescription {
     TowerDescription {
         materials: vec![Material::from_shear_modulus(8500.0, 1e19, 4e18)],
-        stations: vec![
-            Station::new(0.0, 6.0, 0.027),
-            Station::new(87.6, 3.87, 0.019),
-        ],
+        stations: stations(&[(0.0, 6.0, 0.027), (87.6, 3.87, 0.019)]),
         rna: Rna::point(350e3),
-        foundation: Foundation::Springs(FoundationSprings {
-            rocking_n_m: 2e10,
-            ..FoundationSprings::RIGID
-        }),
+        foundation: Foundation::Springs(changed!(FoundationSprings::RIGID, rocking_n_m = 2e10)),
         ..TowerDescription::default()
     }
 }
 
 fn options() -> Options {
-    Options {
-        modes: 2,
-        ..Options::default()
-    }
+    with!(Options, modes = 2)
 }
 
 fn solved(tower: &Tower) -> Result<Solution, SolveError> {
@@ -66,11 +58,7 @@ fn verdicts_are_those_of_the_distances_at_each_factor() {
     // 1P at one constant speed is at 0.92 of the frequency: 8 % warns. At a quarter of the
     // stiffness 3P, at 2.76, is far, and so is 1P; 6P and 9P are farther.
     let rpm = 60.0 * 0.92 * first_hz;
-    let rotor = Rotor {
-        blades: 3,
-        lowest_rpm: rpm,
-        highest_rpm: rpm,
-    };
+    let rotor = rotor(3, rpm, rpm);
     let limits = CampbellOptions::default();
     let of_rotor = Some((&rotor, &limits));
     let band = soil_band(&tower, &solution, &[0.25, 0.85, 1.0], of_rotor, solved);
@@ -105,10 +93,7 @@ fn a_factor_at_which_the_tower_falls_is_reported() {
 
 #[test]
 fn without_soil_there_is_no_band() {
-    let clamped = TowerDescription {
-        foundation: Foundation::Clamped,
-        ..rocking()
-    };
+    let clamped = changed!(rocking(), foundation = Foundation::Clamped);
     let refused = soil_band(&clamped, &of(&clamped), &[2.0], None, solved);
     assert_eq!(refused, Err(SoilBandError::NoSoil));
     let tower = rocking();
@@ -122,21 +107,12 @@ fn without_soil_there_is_no_band() {
     // A pile in soil has one without a foundation.
     let row = |height_m| SoilRow {
         height_m,
-        stiffness: SoilStiffness {
-            x_n_per_m2: 1e7,
-            y_n_per_m2: 1e7,
-            ..SoilStiffness::default()
-        },
+        stiffness: with!(SoilStiffness, x_n_per_m2 = 1e7, y_n_per_m2 = 1e7),
     };
-    let pile = TowerDescription {
-        soil: vec![vec![row(0.0), row(20.0)]],
-        ..clamped
-    };
+    let pile = changed!(clamped, soil = vec![vec![row(0.0), row(20.0)]]);
     assert!(pile.stands_in_soil());
-    assert_eq!(
-        pile.with_soil_factor(3.0).soil[0][0].stiffness.x_n_per_m2,
-        3e7
-    );
+    let found = pile.with_soil_factor(3.0).soil[0][0].stiffness.x_n_per_m2;
+    assert_eq!(found, 3e7);
 }
 
 #[test]
@@ -152,10 +128,7 @@ fn scour_lowers_the_frequencies_and_without_ground_there_is_no_curve() {
     let layer = GroundLayer {
         top_m: 30.0,
         bottom_m: 0.0,
-        soil: LayerSoil::Sand(Sand {
-            friction_angle_deg: Some(35.0),
-            ..Sand::default()
-        }),
+        soil: LayerSoil::Sand(with!(Sand, friction_angle_deg = Some(35.0))),
         model: SoilModel::Api,
         effective_unit_weight_n_per_m3: Some(1e4),
         shear_modulus: None,

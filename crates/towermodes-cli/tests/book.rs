@@ -148,20 +148,14 @@ fn commands_and_options_that_are_named_are_there() {
                 .skip_while(|word| *word != "towermodes")
                 .skip(1);
             if let Some(command) = words.next().filter(|word| is_name(word)) {
-                assert!(
-                    commands.contains(command),
-                    "{}: no command {command} in `{code}`",
-                    page.name
-                );
+                let holds = commands.contains(command);
+                assert!(holds, "{}: no command {command} in `{code}`", page.name);
                 let second = words
                     .next()
                     .filter(|word| command == "elastodyn" && is_name(word));
                 let both = second.map(|second| format!("{command} {second}"));
-                assert!(
-                    both.iter().all(|both| commands.contains(both)),
-                    "{}: `{code}`",
-                    page.name
-                );
+                let holds = both.iter().all(|both| commands.contains(both));
+                assert!(holds, "{}: `{code}`", page.name);
             }
             // Cargo has options of its own.
             if code.starts_with("cargo ") {
@@ -171,11 +165,8 @@ fn commands_and_options_that_are_named_are_there() {
                 let word = word.trim_end_matches(AFTER_WORDS);
                 let is_name =
                     word.len() > 2 && word[2..].starts_with(|sign: char| sign.is_ascii_lowercase());
-                assert!(
-                    !is_name || options.contains(word),
-                    "{}: no option {word} in `{code}`",
-                    page.name
-                );
+                let holds = !is_name || options.contains(word);
+                assert!(holds, "{}: no option {word} in `{code}`", page.name);
             }
         }
     }
@@ -195,10 +186,8 @@ fn every_command_is_run() {
             );
         } else if SCRIPTS.contains(&language) {
             let word = block.info[language.len()..].trim();
-            assert!(
-                word.is_empty() || word == NOT_RUN,
-                "{place}: what is {word}?"
-            );
+            let holds = word.is_empty() || word == NOT_RUN;
+            assert!(holds, "{place}: what is {word}?");
             let own = block
                 .text
                 .lines()
@@ -278,10 +267,8 @@ fn serves(line: &str, sandbox: &Sandbox, path: &std::ffi::OsStr) {
     let read = BufReader::new(output).read_line(&mut address);
     let _ = served.kill();
     let _ = served.wait();
-    assert!(
-        read.is_ok() && address.starts_with("http://127.0.0.1:"),
-        "{line}: {address:?}"
-    );
+    let holds = read.is_ok() && address.starts_with("http://127.0.0.1:");
+    assert!(holds, "{line}: {address:?}");
 }
 
 #[cfg(unix)]
@@ -297,11 +284,8 @@ fn run_in(sandbox: &Sandbox, scripts: &[&Block]) {
             .env("HOME", sandbox.path());
         if script.text.contains(SERVED) {
             for line in script.text.lines() {
-                assert!(
-                    line.starts_with(SERVED),
-                    "{}: {line} with others",
-                    script.place
-                );
+                let holds = line.starts_with(SERVED);
+                assert!(holds, "{}: {line} with others", script.place);
                 serves(line, sandbox, &path);
             }
             continue;
@@ -375,10 +359,8 @@ fn the_command_line_is_that_of_the_program() {
         fs::write(&page, &output.stdout).expect("written");
     }
     let in_book = fs::read(&page).expect("the page");
-    assert!(
-        output.stdout == in_book,
-        "run: towermodes reference > {REFERENCE}"
-    );
+    let holds = output.stdout == in_book;
+    assert!(holds, "run: towermodes reference > {REFERENCE}");
 }
 
 /// Help, report and book describe a method in the same words.

@@ -1,24 +1,15 @@
 //! Turbines whose rotor turns, by the program: fast rotors, generators, what is refused.
 
+use crate::program::{root, run, texts};
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+
+use towermodes_testing::{Says, arguments};
 
 const EXAMPLE: &str = "examples/nrel-5mw-turbine.toml";
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
 /// Standard output and standard error.
 fn said(arguments: &[&str]) -> [String; 2] {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_towermodes"));
-    let output: Output = command
-        .current_dir(root())
-        .args(arguments)
-        .output()
-        .expect("the program runs");
-    [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("text"))
+    texts(&run(arguments))
 }
 
 fn json(arguments: &[&str]) -> serde_json::Value {
@@ -34,20 +25,13 @@ fn fast_rotors_are_said_to_be_unstable_or_not_certified() {
         "campbell", EXAMPLE, "--rpm", "100,115", "--speeds", "5", "--limit", "0.5",
     ];
     let [out, err] = said(&fast);
-    assert!(out.contains("Unstable or not certified at"), "{out}");
-    assert!(
-        err.contains("warning: unstable or not certified at"),
-        "{err}"
-    );
-    assert!(err.contains("has negative energy from 8"), "{err}");
+    out.says("Unstable or not certified at");
+    err.says_all("warning: unstable or not certified at & has negative energy from 8");
     let slow = [
         "campbell", EXAMPLE, "--rpm", "6.9,60", "--speeds", "5", "--limit", "0.5",
     ];
     let [out, err] = said(&slow);
-    assert!(
-        out.contains("counts prove that no mode below 0.5000 Hz is missing"),
-        "{out}"
-    );
+    out.says("counts prove that no mode below 0.5000 Hz is missing");
     assert!(!err.contains("negative energy"), "{err}");
 }
 
@@ -56,16 +40,8 @@ fn fast_rotors_are_said_to_be_unstable_or_not_certified() {
 #[test]
 fn the_generator_is_locked_or_free_as_asked() {
     let first = |state: &str, label: &str| {
-        let result = json(&[
-            "campbell",
-            EXAMPLE,
-            "--generator",
-            state,
-            "--speeds",
-            "2",
-            "--limit",
-            "2",
-        ]);
+        let line = format!("campbell {EXAMPLE} --generator {state} --speeds 2 --limit 2");
+        let result = json(&arguments(&line));
         let curves = result["curves"].as_array().expect("curves").clone();
         let curve = curves.into_iter().find(|curve| curve["label"] == label);
         let curve = curve.unwrap_or_else(|| panic!("{label}"));
@@ -89,9 +65,5 @@ fn two_blades_are_refused_at_their_line() {
     fs::write(&path, text).expect("written");
     let [_, err] = said(&["campbell", path.to_str().expect("text")]);
     fs::remove_file(&path).expect("removed");
-    assert!(
-        err.contains("error: a rotor of 2 blades is not solved"),
-        "{err}"
-    );
-    assert!(err.contains("blades = 2"), "{err}");
+    err.says_all("error: a rotor of 2 blades is not solved & blades = 2");
 }

@@ -1,44 +1,12 @@
 //! Files of other programs, written and mended: what changes, what stays, what is refused.
 
+use crate::program::{Folder, done, json, root, run};
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 
 use serde_json::Value;
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-fn run(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_towermodes"));
-    command.current_dir(root()).args(arguments);
-    command.output().expect("the program runs")
-}
-
-#[track_caller]
-fn done(arguments: &[&str]) -> String {
-    let output = run(arguments);
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{arguments:?}: {said}");
-    String::from_utf8(output.stdout).expect("text")
-}
-
-#[track_caller]
-fn json(arguments: &[&str]) -> Value {
-    serde_json::from_str(&done(arguments)).expect("JSON")
-}
-
-/// A folder that is gone when the test is.
-struct Folder(PathBuf);
+use towermodes_testing::{Close, Says, arguments};
 
 impl Folder {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("towermodes-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).expect("a folder");
-        Self(path)
-    }
-
     /// The example deck, its tower file changed.
     fn with_deck(name: &str, change: impl Fn(String) -> String) -> Self {
         let folder = Self::new(name);
@@ -53,20 +21,6 @@ impl Folder {
             fs::write(folder.0.join(file), text).expect("written");
         }
         folder
-    }
-
-    fn path(&self, file: &str) -> String {
-        self.0.join(file).display().to_string()
-    }
-
-    fn text(&self, file: &str) -> String {
-        fs::read_to_string(self.0.join(file)).expect("a file")
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
     }
 }
 
@@ -85,10 +39,8 @@ fn a_patched_deck_passes_and_only_its_coefficients_changed() {
         done(&["elastodyn", "patch", &deck, "--backup"]);
         assert_eq!(folder.text("Tower.dat.bak"), before);
         let after = folder.text("Tower.dat");
-        assert_eq!(
-            after.matches("\r\n").count(),
-            before.matches("\r\n").count()
-        );
+        let expected = before.matches("\r\n").count();
+        assert_eq!(after.matches("\r\n").count(), expected);
         let others = |text: &str| -> Vec<String> {
             let lines = text.split('\n').filter(|line| !line.contains("Sh("));
             lines.map(str::to_owned).collect()
@@ -172,13 +124,9 @@ fn converted_towers_swing_as_they_did() {
 fn a_tower_file_has_the_frequencies_of_its_tower() {
     let folder = Folder::new("tower-file");
     let path = folder.path("Tower.dat");
-    done(&[
-        "elastodyn",
-        "tower",
-        "examples/nrel-5mw.toml",
-        "--output",
-        &path,
-    ]);
+    done(&arguments(&format!(
+        "elastodyn tower examples/nrel-5mw.toml --output {path}"
+    )));
     let bare = ["--no-rna", "--no-rotary-inertia", "--modes", "4"];
     let original = frequencies("examples/nrel-5mw.toml", &bare);
     let read = frequencies(&path, &["--modes", "4"]);
@@ -187,13 +135,9 @@ fn a_tower_file_has_the_frequencies_of_its_tower() {
 
 #[test]
 fn wanted_damping_is_that_of_the_tower_with_its_machine() {
-    let text = done(&[
-        "elastodyn",
-        "tower",
-        "examples/nrel-5mw.toml",
-        "--damping",
-        "1.0",
-    ]);
+    let text = done(&arguments(
+        "elastodyn tower examples/nrel-5mw.toml --damping 1.0",
+    ));
     let line = text
         .lines()
         .find(|line| line.contains("TwrFADmp(1)"))
@@ -217,10 +161,7 @@ fn wanted_damping_is_that_of_the_tower_with_its_machine() {
         .expect("a column")
         .parse()
         .expect("a number");
-    assert!(
-        (written - alone_hz / 0.321463).abs() < 1e-3,
-        "{written} {alone_hz}"
-    );
+    written.within(alone_hz / 0.321463, 1e-3);
 }
 
 #[test]
@@ -258,16 +199,10 @@ fn a_rotating_blade_is_solved_in_every_format() {
     ]);
     assert!(deck.is_empty());
     let text = folder.text("b.bmi");
-    let text = text.replacen(
-        "2                      beam_type",
-        "1                      beam_type",
-        1,
-    );
-    let text = text.replacen(
-        "0.0                    rot_rpm",
-        "6.0                    rot_rpm",
-        1,
-    );
+    let words = "2                      beam_type";
+    let text = text.replacen(words, "1                      beam_type", 1);
+    let words = "0.0                    rot_rpm";
+    let text = text.replacen(words, "6.0                    rot_rpm", 1);
     fs::write(folder.0.join("b.bmi"), text).expect("written");
     let path = folder.path("b.bmi");
     let blade = json(&["solve", &path, "--format", "json"]);
@@ -278,17 +213,14 @@ fn a_rotating_blade_is_solved_in_every_format() {
     let hz = |i: usize| modes[i]["frequency_hz"].as_f64().expect("a number");
     let difference = hz(1).powi(2) - hz(0).powi(2);
     assert!((difference - 0.01).abs() < 1e-9, "{difference}");
-    assert!(done(&["solve", &path]).contains("6 rpm"));
+    done(&["solve", &path]).says("6 rpm");
     assert_eq!(
         done(&["solve", &path, "--format", "csv"]).lines().count(),
         21
     );
     let drawn = done(&["solve", &path, "--plot"]);
-    for name in ["1st flap", "1st lag", "87.6 m ┤"] {
-        assert!(drawn.contains(name), "{name}: {drawn}");
-    }
-    let out = done(&["solve", &path, "--format", "bmodes"]);
-    assert!(out.contains("rotating blade frequencies & mode shapes"));
+    drawn.says_all("1st flap & 1st lag & 87.6 m ┤");
+    done(&["solve", &path, "--format", "bmodes"]).says("rotating blade frequencies & mode shapes");
     for arguments in [
         vec!["solve", &path, "--method", "spectral"],
         vec!["solve", &path, "--segments", "10"],
@@ -314,7 +246,7 @@ fn modes_of_another_tower_are_refused() {
             let output = run(&["elastodyn", command, &deck, "--from", other]);
             assert_eq!(output.status.code(), Some(1), "{command} {other}");
             let said = String::from_utf8_lossy(&output.stderr).into_owned();
-            assert!(said.contains(words), "{said}");
+            said.says(words);
         }
     }
     assert_eq!(folder.text("Tower.dat"), before);
@@ -382,12 +314,10 @@ fn options_that_mean_nothing_to_a_file_are_refused() {
     ] {
         let output = run(&["solve", file, option, value]);
         assert_eq!(output.status.code(), Some(2), "{file} {option}");
-        assert!(String::from_utf8_lossy(&output.stderr).contains(option));
+        String::from_utf8_lossy(&output.stderr).says(option);
     }
-    assert_eq!(
-        run(&["solve", toml, "--bmodes-quirks"]).status.code(),
-        Some(2)
-    );
+    let found = run(&["solve", toml, "--bmodes-quirks"]).status.code();
+    assert_eq!(found, Some(2));
     let openfast = ["elastodyn", "tower", toml, "--openfast", "99"];
     assert_eq!(run(&openfast).status.code(), Some(2));
 }

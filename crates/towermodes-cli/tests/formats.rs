@@ -1,39 +1,19 @@
 //! What other programs read: JSON and CSV, standard input, files, pipes.
 
+use crate::program::{json, root, run as output, towermodes};
 use std::io::{Read, Write};
 use std::path::PathBuf;
-use std::process::{Command, Output, Stdio};
+use std::process::Stdio;
 
 use serde_json::Value;
 use towermodes_files::generated_schema_of;
+use towermodes_testing::{Says, arguments, rows};
 use towermodes_verify::Verification;
-
-fn root() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-fn towermodes(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_towermodes"));
-    command.current_dir(root()).args(arguments);
-    command
-}
-
-fn output(arguments: &[&str]) -> Output {
-    towermodes(arguments).output().expect("the program runs")
-}
-
-fn json(arguments: &[&str]) -> Value {
-    let output = output(arguments);
-    assert!(output.status.success(), "{output:?}");
-    serde_json::from_slice(&output.stdout).expect("JSON on standard output")
-}
 
 fn close(value: &Value, expected: f64, tolerance: f64) {
     let value = value.as_f64().expect("a number");
-    assert!(
-        (value / expected - 1.0).abs() < tolerance,
-        "{value} is not {expected}"
-    );
+    let holds = (value / expected - 1.0).abs() < tolerance;
+    assert!(holds, "{value} is not {expected}");
 }
 
 /// The frequency of the lowest mode of a solve with one number set.
@@ -61,10 +41,8 @@ fn sensitivities_in_json_are_differences_of_solves() {
         .expect("a list");
     let mass = numbers.iter().find(|number| number["name"] == "rna.mass");
     for number in [&alone["numbers"][0], mass.expect("it is listed")] {
-        assert_eq!(
-            (&number["unit"], &number["percent_of"]),
-            (&"kg".into(), &"value".into())
-        );
+        assert_eq!(number["unit"], "kg");
+        assert_eq!(number["percent_of"], "value");
         close(&number["modes"][0]["hz_per_unit"], expected, 1e-5);
         assert_eq!(number["mass_kg_per_unit"], 0.0);
     }
@@ -80,16 +58,8 @@ fn sensitivities_in_json_are_differences_of_solves() {
 #[test]
 fn json_has_the_documented_keys_and_values() {
     let file = "examples/reference-tower.toml";
-    let result = json(&[
-        "solve",
-        file,
-        "--method",
-        "rmje",
-        "--segments",
-        "60",
-        "--format",
-        "json",
-    ]);
+    let line = format!("solve {file} --method rmje --segments 60 --format json");
+    let result = json(&arguments(&line));
     assert_eq!(result["method"], "rmje");
     assert_eq!(result["segments"], 60);
     assert_eq!(result["degrees_of_freedom"], 360);
@@ -170,72 +140,24 @@ fn json_gives_shapes_at_equal_heights_and_at_the_stations() {
 }
 
 /// The commands whose results have schemas, with arguments that make a result.
-const RESULTS: [&[&str]; 4] = [
-    &["solve", "examples/reference-tower.toml"],
-    &["compare", "examples/reference-tower.toml", "--modes", "2"],
-    &[
-        "converge",
-        "examples/reference-tower.toml",
-        "--segments",
-        "4,8",
-    ],
-    &["verify", "paper"],
-];
+const RESULTS: &str = "
+    solve examples/reference-tower.toml
+    compare examples/reference-tower.toml --modes 2
+    converge examples/reference-tower.toml --segments 4,8
+    verify paper
+";
 
 /// The other results with a schema, by its name, and commands that give them.
-const OTHERS: [(&str, &[&str]); 8] = [
-    (
-        "design",
-        &[
-            "design",
-            "examples/nrel-5mw.toml",
-            "crates/towermodes-cli/tests/inputs/design/mass.toml",
-        ],
-    ),
-    (
-        "calibrate",
-        &[
-            "calibrate",
-            "examples/monopile.toml",
-            "crates/towermodes-cli/tests/inputs/measured/pairing.toml",
-        ],
-    ),
-    (
-        "first-order",
-        &[
-            "sweep",
-            "examples/studies/uncertainty.toml",
-            "--first-order",
-        ],
-    ),
-    (
-        "campbell",
-        &[
-            "campbell",
-            "examples/small-turbine/ElastoDyn.dat",
-            "--rpm",
-            "9,17",
-            "--uncoupled",
-        ],
-    ),
-    (
-        "campbell-turbine",
-        &["campbell", "examples/nrel-5mw-turbine.toml"],
-    ),
-    ("check-one", &["check", "examples/nrel-5mw.toml"]),
-    (
-        "check",
-        &["check", "examples/nrel-5mw.toml", "examples/nrel-5mw.yaml"],
-    ),
-    (
-        "validate",
-        &[
-            "elastodyn",
-            "validate",
-            "examples/small-turbine/ElastoDyn.dat",
-        ],
-    ),
-];
+const OTHERS: &str = "
+    design | design examples/nrel-5mw.toml crates/towermodes-cli/tests/inputs/design/mass.toml
+    calibrate | calibrate examples/monopile.toml crates/towermodes-cli/tests/inputs/measured/pairing.toml
+    first-order | sweep examples/studies/uncertainty.toml --first-order
+    campbell | campbell examples/small-turbine/ElastoDyn.dat --rpm 9,17 --uncoupled
+    campbell-turbine | campbell examples/nrel-5mw-turbine.toml
+    check-one | check examples/nrel-5mw.toml
+    check | check examples/nrel-5mw.toml examples/nrel-5mw.yaml
+    validate | elastodyn validate examples/small-turbine/ElastoDyn.dat
+";
 
 /// `TOWERMODES_BLESS=1` writes the files again after a wanted change of a result.
 #[test]
@@ -254,10 +176,8 @@ fn the_schemas_are_made_from_the_types_of_the_results() {
         }
         let in_file = std::fs::read_to_string(root().join(&path)).expect("the schema");
         assert!(generated == in_file, "{path}: run with TOWERMODES_BLESS=1");
-        assert!(
-            output(&["schema", name]).stdout == in_file.as_bytes(),
-            "{name}"
-        );
+        let holds = output(&["schema", name]).stdout == in_file.as_bytes();
+        assert!(holds, "{name}");
     }
 }
 
@@ -303,14 +223,15 @@ fn check_keys(value: &Value, schema: &Value, definitions: &Value, path: &str) {
 
 #[test]
 fn the_schemas_name_every_key() {
-    for arguments in RESULTS {
-        let schema = json(&["schema", arguments[0]]);
-        let result = json(&[arguments, &["--format", "json"]].concat());
-        check_keys(&result, &schema, &schema["$defs"], arguments[0]);
+    for [line] in rows(RESULTS) {
+        let command = arguments(line);
+        let schema = json(&["schema", command[0]]);
+        let result = json(&[&command[..], &["--format", "json"]].concat());
+        check_keys(&result, &schema, &schema["$defs"], command[0]);
     }
-    for (name, arguments) in OTHERS {
+    for [name, line] in rows(OTHERS) {
         let schema = json(&["schema", name]);
-        let result = output(&[arguments, &["--format", "json"]].concat());
+        let result = output(&arguments(&format!("{line} --format json")));
         let result: Value = serde_json::from_slice(&result.stdout).expect("JSON");
         check_keys(&result, &schema, &schema["$defs"], name);
     }
@@ -334,10 +255,8 @@ fn a_comparison_has_a_column_for_each_method_and_number_of_segments() {
     assert_eq!(of("bmodes", 20)["degrees_of_freedom"], 180);
     assert_eq!(of("spectral", 1)["relative_differences"][0], 0.0);
     let difference = of("bmodes", 60)["relative_differences"][2].as_f64();
-    assert!(
-        difference.is_some_and(|d| (d - 0.0136).abs() < 1e-4),
-        "{difference:?}"
-    );
+    let holds = difference.is_some_and(|d| (d - 0.0136).abs() < 1e-4);
+    assert!(holds, "{difference:?}");
     for method in methods {
         assert!(
             method["seconds_per_solve"]
@@ -351,18 +270,8 @@ fn a_comparison_has_a_column_for_each_method_and_number_of_segments() {
 #[test]
 fn a_method_too_coarse_for_a_mode_says_so() {
     let file = "examples/reference-tower.toml";
-    let result = json(&[
-        "compare",
-        file,
-        "--methods",
-        "rmje",
-        "--segments",
-        "1",
-        "--modes",
-        "20",
-        "--format",
-        "json",
-    ]);
+    let line = format!("compare {file} --methods rmje --segments 1 --modes 20 --format json");
+    let result = json(&arguments(&line));
     let frequencies = result["methods"][0]["frequencies_hz"]
         .as_array()
         .expect("a list");
@@ -405,7 +314,7 @@ fn the_manual_is_in_the_book_as_the_program_prints_it() {
 fn the_manual_as_csv_has_one_line_a_value() {
     let output = output(&["verify", "--format", "csv"]);
     let text = String::from_utf8(output.stdout).expect("text");
-    assert!(text.starts_with("chapter,case,source,method,mode,unit,expected,got,"));
+    text.begins("chapter,case,source,method,mode,unit,expected,got,");
     let rows = json(&["verify", "--format", "json"]);
     assert_eq!(rows["failures"], 0);
     assert_eq!(
@@ -416,16 +325,11 @@ fn the_manual_as_csv_has_one_line_a_value() {
 
 #[test]
 fn warnings_are_in_the_json_too() {
-    let result = json(&[
-        "solve",
-        "examples/reference-tower.toml",
-        "--modes",
-        "1",
-        "--format",
-        "json",
-    ]);
+    let result = json(&arguments(
+        "solve examples/reference-tower.toml --modes 1 --format json",
+    ));
     let warning = result["warnings"][0].as_str().expect("a warning");
-    assert!(warning.contains("1st side-side bending"), "{warning}");
+    warning.says("1st side-side bending");
     assert_eq!(result["certificate"]["count"], 2);
 }
 
@@ -468,10 +372,8 @@ fn standard_input_gives_the_same_as_a_file() {
         .expect("it reads");
     let piped = child.wait_with_output().expect("it ends");
     assert!(piped.status.success());
-    assert_eq!(
-        piped.stdout,
-        output(&["solve", path, "--format", "json"]).stdout
-    );
+    let expected = output(&["solve", path, "--format", "json"]).stdout;
+    assert_eq!(piped.stdout, expected);
 }
 
 #[test]
@@ -508,18 +410,12 @@ fn a_result_never_overwrites_its_tower_by_any_name() {
 
 #[test]
 fn a_closed_pipe_is_no_failure() {
-    let mut child = towermodes(&[
-        "solve",
-        "examples/nrel-5mw.toml",
-        "--format",
-        "json",
-        "--points",
-        "5000",
-    ])
-    .stdout(Stdio::piped())
-    .stderr(Stdio::piped())
-    .spawn()
-    .expect("the program runs");
+    let line = "solve examples/nrel-5mw.toml --format json --points 5000";
+    let mut child = towermodes(&arguments(line))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program runs");
     let mut first = [0; 16];
     let mut stdout = child.stdout.take().expect("piped");
     stdout.read_exact(&mut first).expect("it begins");
@@ -535,21 +431,12 @@ fn refusals_leave_standard_output_empty() {
         &["solve", "missing.toml"][..],
         &["solve", "crates/towermodes-cli/tests/inputs/nan.toml"],
         &["solve", "examples/nrel-5mw.toml", "--segments", "0"],
-        &[
-            "solve",
-            "examples/nrel-5mw.toml",
-            "--segments",
-            "1",
-            "--modes",
-            "7",
-        ],
+        &arguments("solve examples/nrel-5mw.toml --segments 1 --modes 7"),
     ] {
         let refused = output(arguments);
         assert_eq!(refused.status.code(), Some(2), "{arguments:?}");
-        assert!(
-            refused.stdout.is_empty() && !refused.stderr.is_empty(),
-            "{arguments:?}"
-        );
+        assert!(refused.stdout.is_empty(), "{arguments:?}");
+        assert!(!refused.stderr.is_empty(), "{arguments:?}");
     }
 }
 
@@ -557,10 +444,8 @@ fn refusals_leave_standard_output_empty() {
 fn completions_and_manual_pages_name_the_commands() {
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
         let script = String::from_utf8(output(&["completions", shell]).stdout).expect("text");
-        assert!(
-            script.contains("solve") && script.contains("segments"),
-            "{shell}"
-        );
+        assert!(script.contains("solve"), "{shell}");
+        assert!(script.contains("segments"), "{shell}");
     }
     let page = String::from_utf8(output(&["man", "solve"]).stdout).expect("text");
     assert!(page.starts_with(".ie") && page.contains("\\-\\-segments"));

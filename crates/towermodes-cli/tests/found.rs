@@ -1,27 +1,13 @@
 //! The towers that `design` and `calibrate` write: what changes in the text, and what its solution
 //! is.
 
+use crate::program::{json, root};
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::Path;
 
 use serde_json::Value;
 
 use crate::sandbox::Sandbox;
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-#[track_caller]
-fn json(arguments: &[&str]) -> Value {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_towermodes"));
-    let output = command.current_dir(root()).args(arguments).output();
-    let output = output.expect("the program runs");
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{arguments:?}: {said}");
-    serde_json::from_slice(&output.stdout).expect("JSON")
-}
 
 /// Runs a command with a study in a file and writes the tower; returns the result, and the lines of
 /// the tower file before and after.

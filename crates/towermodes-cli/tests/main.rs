@@ -12,6 +12,7 @@ mod pages;
 mod peers;
 mod pictures;
 mod plot;
+mod program;
 mod reports;
 mod rotors;
 mod sandbox;

@@ -1,20 +1,13 @@
 //! What is written: whole or not at all, in the format of its ending, with nothing ignored.
 
+use crate::program::{Folder, root, run};
 use std::fs;
-use std::path::{Path, PathBuf};
+
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
+use towermodes_testing::{Says, arguments, rows};
 
 use crate::sandbox::PROGRAM;
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-fn run(arguments: &[&str]) -> Output {
-    let mut command = Command::new(PROGRAM);
-    command.current_dir(root()).args(arguments);
-    command.output().expect("the program runs")
-}
 
 #[track_caller]
 fn refused(arguments: &[&str], words: &str) {
@@ -25,41 +18,13 @@ fn refused(arguments: &[&str], words: &str) {
     assert!(said.contains(words), "{arguments:?}: {said}");
 }
 
-/// A folder that is gone when the test is.
-struct Folder(PathBuf);
-
 impl Folder {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("towermodes-{name}-{}", std::process::id()));
-        let _ = fs::remove_dir_all(&path);
-        fs::create_dir_all(&path).expect("a folder");
-        Self(path)
-    }
-
-    fn path(&self, file: &str) -> String {
-        self.0.join(file).display().to_string()
-    }
-
-    fn text(&self, file: &str) -> String {
-        fs::read_to_string(self.0.join(file)).expect("a file")
-    }
-
-    fn write(&self, file: &str, text: &str) {
-        fs::write(self.0.join(file), text).expect("written");
-    }
-
     fn names(&self) -> Vec<String> {
         let entries = fs::read_dir(&self.0).expect("the folder");
         let names = entries.map(|entry| entry.expect("an entry").file_name());
         let mut names: Vec<String> = names.map(|n| n.to_string_lossy().into_owned()).collect();
         names.sort();
         names
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
     }
 }
 
@@ -130,17 +95,15 @@ fn a_full_disk_or_a_killed_process_leaves_the_old_file() {
             if !is_killed {
                 assert_eq!(output.status.code(), Some(1), "{arguments:?}: {output:?}");
                 let said = String::from_utf8_lossy(&output.stderr).into_owned();
-                assert!(said.contains(name), "{said}");
+                said.says(name);
                 let left = folder.names();
                 assert!(left.iter().all(|n| !n.ends_with(".tmp")), "{left:?}");
             }
             // What a killed process leaves does not stand in the way of the next one.
             let output = run(&arguments);
             let said = String::from_utf8_lossy(&output.stderr).into_owned();
-            assert!(
-                output.status.code() != Some(2) && !said.contains("os error"),
-                "{said}"
-            );
+            assert!(output.status.code() != Some(2), "{said}");
+            assert!(!said.contains("os error"), "{said}");
             assert!(folder.text(name).len() > DISK, "{arguments:?}");
             fs::remove_dir_all(&folder.0).expect("ours");
             fs::create_dir_all(&folder.0).expect("a folder");
@@ -169,10 +132,8 @@ fn a_deck_of_two_files_is_written_together() {
     let output = run(&arguments);
     assert_eq!(output.status.code(), Some(1));
     assert_eq!(folder.text("out_sections.dat"), "mine");
-    refused(
-        &["convert", TOWER, "--to", "bmodes", "--output", "-"],
-        "consists of two files",
-    );
+    let line = ["convert", TOWER, "--to", "bmodes", "--output", "-"];
+    refused(&line, "consists of two files");
     let output = run(&["convert", TOWER, "--to", "bmodes", "--output", "/dev/null"]);
     assert_eq!(output.status.code(), Some(1), "{output:?}");
 }
@@ -252,7 +213,7 @@ fn links_and_permissions_stay() {
             .status
             .success()
     );
-    assert!(folder.text("real.csv").starts_with("number,"));
+    folder.text("real.csv").begins("number,");
     let link = fs::symlink_metadata(folder.0.join("link.csv")).expect("there");
     assert!(link.is_symlink());
     let mode = fs::metadata(folder.0.join("real.csv"))
@@ -282,7 +243,7 @@ fn streams_are_written_directly() {
         .status();
     assert!(done.expect("a shell").success());
     let text = folder.text("all.txt");
-    assert!(text.starts_with("first\nnumber,"), "{text}");
+    text.begins("first\nnumber,");
     let piped = run(&["solve", TOWER, "-f", "csv", "-o", "/dev/stdout"]);
     assert_eq!(piped.stdout, text.as_bytes()["first\n".len()..]);
 }
@@ -299,87 +260,48 @@ fn the_ending_of_an_output_is_its_format() {
     };
     let solve = ["solve", TOWER];
     assert!(written(&solve, "m.json").starts_with('{'));
-    assert!(written(&solve, "m.csv").starts_with("number,"));
-    assert!(written(&solve, "m.TXT").starts_with("Reference tower"));
-    assert!(written(&solve, "m").starts_with("Reference tower"));
-    assert!(written(&["solve", TOWER, "--format", "csv"], "m.data").starts_with("number,"));
+    written(&solve, "m.csv").begins("number,");
+    written(&solve, "m.TXT").begins("Reference tower");
+    written(&solve, "m").begins("Reference tower");
+    written(&["solve", TOWER, "--format", "csv"], "m.data").begins("number,");
     assert!(written(&["converge", TOWER, "--segments", "4,8"], "c.csv").contains(','));
-    assert!(written(&["verify", "springs"], "v.md").contains("|---"));
-    assert!(written(&["convert", TOWER], "t.toml").contains("[tower]"));
-    assert!(written(&["convert", TOWER], "t.yaml").contains("windIO"));
-    for (arguments, name, words) in [
-        (
-            &solve[..],
-            "m.pdf",
-            "use .json, .csv, .txt, or give --format",
-        ),
-        (
-            &["solve", TOWER, "--format", "csv"],
-            "x.json",
-            "--format csv contradicts",
-        ),
-        (
-            &["report", TOWER],
-            "r.pdf",
-            "use .html, .htm, .md, .markdown, or give --format",
-        ),
-        (
-            &["report", TOWER, "--format", "md"],
-            "r.html",
-            "which means html",
-        ),
-        (
-            &["convert", TOWER, "--to", "toml"],
-            "t.bmi",
-            "which means bmodes",
-        ),
-        (&["convert", TOWER], "t", "give --to toml"),
-    ] {
+    written(&["verify", "springs"], "v.md").says("|---");
+    written(&["convert", TOWER], "t.toml").says("[tower]");
+    written(&["convert", TOWER], "t.yaml").says("windIO");
+    let table = r#"
+        solve TOWER | m.pdf | use .json, .csv, .txt, or give --format
+        solve TOWER --format csv | x.json | --format csv contradicts
+        report TOWER | r.pdf | use .html, .htm, .md, .markdown, or give --format
+        report TOWER --format md | r.html | which means html
+        convert TOWER --to toml | t.bmi | which means bmodes
+        convert TOWER | t | give --to toml
+    "#;
+    for [line, name, words] in rows(table) {
         let path = folder.path(name);
-        refused(&[arguments, &["--output", &path]].concat(), words);
+        let line = format!("{line} --output {path}").replace("TOWER", TOWER);
+        refused(&arguments(&line), words);
         assert!(!Path::new(&path).exists());
     }
 }
 
 #[test]
 fn options_that_would_do_nothing_are_refused() {
-    let deck = "examples/nrel-5mw.bmi";
-    for (arguments, words) in [
-        (
-            &["solve", TOWER, "--points", "5"][..],
-            "--points applies only to",
-        ),
-        (
-            &["solve", TOWER, "--points", "5", "--format", "csv"],
-            "--points applies only to",
-        ),
-        (
-            &["solve", deck, "--points", "5", "--format", "bmodes"],
-            "element boundaries of the deck",
-        ),
-        (
-            &["compare", TOWER, "--methods", "rmje", "--hinges", "0.2"],
-            "--hinges applies only to",
-        ),
-        (
-            &["compare", TOWER, "--methods", "spectral", "--segments", "9"],
-            "--segments does not apply to",
-        ),
-        (
-            &["convert", TOWER, "--to", "toml", "--from-height", "5"],
-            "--from-height applies only to",
-        ),
-        (
-            &["plot", TOWER, "--what", "tower", "--no-limits"],
-            "does not solve the tower",
-        ),
-    ] {
-        refused(arguments, words);
+    let table = r#"
+        solve TOWER --points 5 | --points applies only to
+        solve TOWER --points 5 --format csv | --points applies only to
+        solve examples/nrel-5mw.bmi --points 5 --format bmodes | element boundaries of the deck
+        compare TOWER --methods rmje --hinges 0.2 | --hinges applies only to
+        compare TOWER --methods spectral --segments 9 | --segments does not apply to
+        convert TOWER --to toml --from-height 5 | --from-height applies only to
+        plot TOWER --what tower --no-limits | does not solve the tower
+    "#;
+    for [line, words] in rows(table) {
+        refused(&arguments(&line.replace("TOWER", TOWER)), words);
     }
     let output = run(&["solve", TOWER, "--no-rna"]);
     assert!(output.status.success());
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(said.contains("--no-rna has no effect"), "{said}");
+    said.says("--no-rna has no effect");
     let output = run(&["solve", "examples/nrel-5mw.toml", "--no-rna"]);
     assert!(output.stderr.is_empty(), "{output:?}");
 }
@@ -412,11 +334,8 @@ fn names_send_no_marks_to_the_terminal() {
     fs::write(&odd, text.replacen("density", "\"d\u{202e}nsity\"", 1)).expect("written");
     let output = run(&["solve", &odd]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(
-        !bad(&output.stderr),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    let holds = !bad(&output.stderr);
+    assert!(holds, "{}", String::from_utf8_lossy(&output.stderr));
     let missing = run(&["solve", &folder.path("\u{202e}y.toml")]);
     assert!(!bad(&missing.stderr));
 }
@@ -435,7 +354,7 @@ fn a_closed_standard_output_is_a_failure() {
     };
     let (code, said) = run(">&-");
     assert_eq!(code, "1\n");
-    assert!(said.contains("standard output: it is closed"), "{said}");
+    said.says("standard output: it is closed");
     assert_eq!(run("> /dev/null"), ("0\n".to_owned(), String::new()));
     // Inherited from a shell whose own output goes there.
     let (code, said) = run("< /dev/null > /dev/null");

@@ -1,24 +1,12 @@
 //! Pictures of the examples: each there is, in each format, the same every time, and never over an
 //! input.
 
+use crate::program::{Folder, root, run, towermodes};
 use std::fs;
+
 use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-fn towermodes(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_towermodes"));
-    command.current_dir(root()).args(arguments);
-    command
-}
-
-fn run(arguments: &[&str]) -> Output {
-    towermodes(arguments).output().expect("the program runs")
-}
+use std::process::Stdio;
+use towermodes_testing::Says;
 
 #[track_caller]
 fn done(arguments: &[&str]) -> Vec<u8> {
@@ -31,8 +19,8 @@ fn done(arguments: &[&str]) -> Vec<u8> {
 #[track_caller]
 fn svg(arguments: &[&str]) -> String {
     let text = String::from_utf8(done(&[&["plot"], arguments].concat())).expect("text");
-    assert!(text.starts_with("<svg "), "{text}");
-    assert!(text.trim_end().ends_with("</svg>"));
+    text.begins("<svg ");
+    text.trim_end().ends("</svg>");
     for part in ["<title", "<desc", "<text"] {
         assert!(text.contains(part), "{part} of {arguments:?}");
     }
@@ -48,28 +36,9 @@ fn size(png: &[u8]) -> [u32; 2] {
     [number(16), number(20)]
 }
 
-/// A folder that is gone when the test is.
-struct Folder(PathBuf);
-
 impl Folder {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("towermodes-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).expect("a folder");
-        Self(path)
-    }
-
-    fn path(&self, file: &str) -> String {
-        self.0.join(file).display().to_string()
-    }
-
     fn bytes(&self, file: &str) -> Vec<u8> {
         fs::read(self.0.join(file)).expect("a file")
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
     }
 }
 
@@ -116,15 +85,11 @@ fn soil_and_scour_have_pictures_where_there_is_soil() {
         let said = clamped.expect("the program runs");
         assert_eq!(said.status.code(), Some(2));
         let said = String::from_utf8_lossy(&said.stderr).into_owned();
-        assert!(
-            said.contains(&format!("--what {what} needs soil")),
-            "{said}"
-        );
+        said.says(&format!("--what {what} needs soil"));
     }
     // 1P up to 0.2017 Hz is not in the field, but at 14 rpm it is.
     assert!(!svg(&[layers, "--what", "soil"]).contains("1P in operation"));
-    let fast = svg(&[layers, "--what", "soil", "--rpm", "7,14"]);
-    assert!(fast.contains("1P in operation"));
+    svg(&[layers, "--what", "soil", "--rpm", "7,14"]).says("1P in operation");
 }
 
 #[test]
@@ -167,7 +132,7 @@ fn dark_is_another_colour_and_nothing_else() {
     // What is drawn begins after the style; who has no wish gets light, who wishes dark gets dark.
     let after_style = |text: &str| text.split_once("</style>").expect("a style").1.to_owned();
     assert_eq!(after_style(&light), after_style(&dark));
-    assert!(light.contains("prefers-color-scheme"));
+    light.says("prefers-color-scheme");
     assert!(!dark.contains("prefers-color-scheme"));
 }
 
@@ -231,7 +196,7 @@ fn towers_of_many_pieces_begin_with_the_segments_they_need() {
         let tower = format!("{material}[tower]\nstations = [\n{rows}]\n");
         fs::write(folder.0.join("many.toml"), tower).expect("written");
         let drawn = svg(&[&folder.path("many.toml"), "--what", "convergence"]);
-        assert!(drawn.contains(from_to), "{from_to}: {drawn}");
+        drawn.says(from_to);
     }
 }
 
@@ -268,15 +233,13 @@ fn every_picture_says_what_it_is_of() {
         let text = svg(&[&[TOWER], PICTURES[index]].concat());
         let texts = texts(&text);
         assert!(texts.contains(&"Reference tower"), "{words}: {texts:?}");
-        assert!(
-            texts.iter().any(|text| text.ends_with(words)),
-            "{words}: {texts:?}"
-        );
+        let holds = texts.iter().any(|text| text.ends_with(words));
+        assert!(holds, "{words}: {texts:?}");
     }
     // The verdict stands above the diagram.
     let text = svg(&[&[TOWER], PICTURES[3]].concat());
     let conclusion = texts(&text).join(" ");
-    assert!(conclusion.contains("The first bending frequencies, both 0.8913 Hz, lie above 3P"));
+    conclusion.says("The first bending frequencies, both 0.8913 Hz, lie above 3P");
 }
 
 #[test]
@@ -285,11 +248,11 @@ fn a_title_of_ones_own_replaces_it_and_an_empty_one_removes_it() {
     let own = drawn("Figure 3: the shapes");
     assert!(texts(&own).contains(&"Figure 3: the shapes"));
     assert!(!texts(&own).contains(&"Reference tower"));
-    assert!(own.contains(">Figure 3: the shapes</title>"));
+    own.says(">Figure 3: the shapes</title>");
     let none = drawn("");
     assert!(!texts(&none).contains(&"Reference tower"));
     // Who does not see the picture still has its title.
-    assert!(none.contains(">Reference tower: Shapes of the lowest 8 modes</title>"));
+    none.says(">Reference tower: Shapes of the lowest 8 modes</title>");
     let height = |svg: &str| {
         let rest = svg.split_once(" height=\"").expect("a height").1;
         let number = rest.split_once('"').expect("a quote").0;
@@ -310,12 +273,9 @@ fn hints_fit_the_file() {
     let own = said(1, &["campbell", TOWER]);
     assert!(own.contains("--rpm") && own.contains("[rotor]"), "{own}");
     let other = said(1, &["campbell", "examples/nrel-5mw.bmi"]);
-    assert!(
-        other.contains("--rpm") && !other.contains("[rotor]"),
-        "{other}"
-    );
+    other.says("--rpm");
+    assert!(!other.contains("[rotor]"), "{other}");
     let deck = "examples/small-turbine/";
     let (main, blade) = (format!("{deck}ElastoDyn.dat"), format!("{deck}Blade.dat"));
-    let refused = said(2, &["campbell", &main, "-f", "csv", "-o", &blade]);
-    assert!(refused.contains("Blade.dat is an input file"), "{refused}");
+    said(2, &["campbell", &main, "-f", "csv", "-o", &blade]).says("Blade.dat is an input file");
 }

@@ -1,81 +1,26 @@
 //! Reports of the program: every example's is whole, small and always the same, and the sums of its
 //! files are right.
 
+use crate::program::{root, towermodes};
 use std::fs;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use towermodes_testing::{Says, arguments, rows, words};
 
 /// Every example, with sentences that are true of it alone.
-const EXAMPLES: [(&str, &[&str]); 10] = [
-    (
-        "floating.toml",
-        &[
-            "The base is a rigid floating platform",
-            "it determines roll and pitch",
-            "No buckling load factor is given for a floating structure",
-            "The total includes the tower, the rotor-nacelle assembly, the platform and the added mass of the platform",
-            "Surge, sway, heave, roll, pitch and yaw are modes",
-        ],
-    ),
-    (
-        "guyed.toml",
-        &[
-            "The input has no [rotor]",
-            "Guy wires are linear springs that stay taut",
-            "Gravity is included as linear geometric stiffness, g = 9.80665",
-        ],
-    ),
-    (
-        "monopile.toml",
-        &[
-            "Soil is modelled by distributed linear springs",
-            "Still water",
-        ],
-    ),
-    (
-        "nrel-5mw-table.toml",
-        &[
-            "Cross-sections are given by a table",
-            "the input has no diameter",
-        ],
-    ),
-    (
-        "nrel-5mw.bmi",
-        &[
-            "an Euler-Bernoulli beam",
-            "Computed by the method bmodes",
-            "Give --rpm LOWEST,HIGHEST",
-        ],
-    ),
-    (
-        "nrel-5mw.toml",
-        &[
-            "a Rayleigh beam",
-            "The rotor has 3 blades at 6.9 to 12.1 rpm in operation.",
-        ],
-    ),
-    (
-        "nrel-5mw.yaml",
-        &["The rotor-nacelle assembly is one rigid body"],
-    ),
-    (
-        "reference-tower-350t.toml",
-        &["The rotor-nacelle assembly is one rigid body"],
-    ),
-    (
-        "reference-tower.toml",
-        &["There is no rotor-nacelle assembly.", "The base is clamped"],
-    ),
-    (
-        "small-turbine/ElastoDyn.dat",
-        &[
-            "Torsion and axial deformation are not included",
-            "RotSpeed = 17 rpm is the speed at which the simulation begins",
-            "Not checked: operating speeds unknown.",
-            "The table of the input has no rotary inertia.",
-        ],
-    ),
-];
+const EXAMPLES: &str = r#"
+    floating.toml | The base is a rigid floating platform & it determines roll and pitch & No buckling load factor is given for a floating structure & The total includes the tower, the rotor-nacelle assembly, the platform and the added mass of the platform & Surge, sway, heave, roll, pitch and yaw are modes
+    guyed.toml | The input has no [rotor] & Guy wires are linear springs that stay taut & Gravity is included as linear geometric stiffness, g = 9.80665
+    monopile.toml | Soil is modelled by distributed linear springs & Still water
+    nrel-5mw-table.toml | Cross-sections are given by a table & the input has no diameter
+    nrel-5mw.bmi | an Euler-Bernoulli beam & Computed by the method bmodes & Give --rpm LOWEST,HIGHEST
+    nrel-5mw.toml | a Rayleigh beam & The rotor has 3 blades at 6.9 to 12.1 rpm in operation.
+    nrel-5mw.yaml | The rotor-nacelle assembly is one rigid body
+    reference-tower-350t.toml | The rotor-nacelle assembly is one rigid body
+    reference-tower.toml | There is no rotor-nacelle assembly. & The base is clamped
+    small-turbine/ElastoDyn.dat | Torsion and axial deformation are not included & RotSpeed = 17 rpm is the speed at which the simulation begins & Not checked: operating speeds unknown. & The table of the input has no rotary inertia.
+"#;
 
 /// Larger pages are hard to send.
 const LARGEST: usize = 2_000_000;
@@ -85,13 +30,8 @@ fn report(arguments: &[&str], input: Stdio) -> Output {
 }
 
 fn run(arguments: &[&str], input: Stdio) -> Output {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    Command::new(env!("CARGO_BIN_EXE_towermodes"))
-        .current_dir(root)
-        .args(arguments)
-        .stdin(input)
-        .output()
-        .expect("the program runs")
+    let mut command = towermodes(arguments);
+    command.stdin(input).output().expect("the program runs")
 }
 
 fn text(output: Output) -> String {
@@ -117,15 +57,13 @@ const SUM_UTF8: &str = "71f3fc4b49277d18559a3ef894b8bdf22307a9dc382212c8ed366d70
 
 #[test]
 fn every_example_has_a_small_report() {
-    for (example, sentences) in EXAMPLES {
+    for [example, sentences] in rows(EXAMPLES) {
         let path = format!("examples/{example}");
         let page = text(report(&[&path], Stdio::null()));
-        assert!(
-            page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"),
-            "{example}"
-        );
+        assert!(page.starts_with("<!DOCTYPE html>"), "{example}");
+        assert!(page.ends_with("</html>\n"), "{example}");
         assert!(page.len() < LARGEST, "{example}: {} bytes", page.len());
-        for sentence in sentences {
+        for sentence in words(sentences) {
             assert!(page.contains(sentence), "{example}: not said: {sentence}");
         }
         let again = text(report(&[&path], Stdio::null()));
@@ -138,11 +76,8 @@ fn the_sums_are_those_of_the_bytes() {
     let path = file("latin1.toml", TOWER);
     let name = path.display().to_string();
     let page = text(report(&[&name, "--format", "md"], Stdio::null()));
-    assert!(page.contains("Tour d'\u{e9}t\u{e9}"));
-    assert!(
-        page.contains(&format!("| {} | {SUM} |", TOWER.len())),
-        "{page}"
-    );
+    page.says("Tour d'\u{e9}t\u{e9}");
+    page.says(&format!("| {} | {SUM} |", TOWER.len()));
 }
 
 #[test]
@@ -150,48 +85,40 @@ fn standard_input_has_a_sum_too() {
     let path = file("latin1-input.toml", TOWER);
     let input = fs::File::open(path).expect("a file");
     let page = text(report(&["-", "--format", "md"], input.into()));
-    assert!(page.contains("towermodes plot - --what tower"), "{page}");
-    assert!(page.contains("&lt;standard input\\> (as UTF-8)"), "{page}");
-    assert!(
-        page.contains(&format!("| {} | {SUM_UTF8} |", TOWER.len() + 2)),
-        "{page}"
-    );
+    page.says("towermodes plot - --what tower");
+    page.says("&lt;standard input\\> (as UTF-8)");
+    page.says(&format!("| {} | {SUM_UTF8} |", TOWER.len() + 2));
 }
 
 #[test]
 fn the_command_is_quoted_for_a_shell() {
+    let title = "it's \"A\" & <B>";
     let arguments = [
         "examples/reference-tower.toml",
         "--title",
-        "it's \"A\" & <B>",
+        title,
         "--format",
         "md",
     ];
     let page = text(report(&arguments, Stdio::null()));
     let command = "towermodes report examples/reference-tower.toml --title 'it'\\''s \"A\" & <B>' --format md";
-    assert!(page.contains(command), "{page}");
+    page.says(command);
 }
 
 #[test]
 fn a_file_of_the_report_is_what_standard_output_is() {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("report.md");
     let name = path.display().to_string();
-    let arguments = [
-        "examples/reference-tower.toml",
-        "--format",
-        "md",
-        "--output",
-        &name,
-    ];
+    let line = format!("examples/reference-tower.toml --format md --output {name}");
+    let arguments = arguments(&line);
     assert_eq!(text(report(&arguments, Stdio::null())), "");
     let written = fs::read_to_string(&path).expect("a report");
     let page = text(report(&arguments[..3], Stdio::null()));
     // All but the command.
     let without = |page: &str| {
-        page.lines()
-            .filter(|l| !l.starts_with("towermodes report"))
-            .collect::<Vec<_>>()
-            .join("\n")
+        let lines = page.lines();
+        let lines = lines.filter(|l| !l.starts_with("towermodes report"));
+        lines.collect::<Vec<_>>().join("\n")
     };
     assert_eq!(without(&written), without(&page));
 }
@@ -251,24 +178,10 @@ fn the_commands_of_a_report_draw_its_pictures() {
         }
     }
     // Each of these options changes what is to be seen.
-    let plain = description(&[
-        "plot",
-        "examples/nrel-5mw.bmi",
-        "--what",
-        "shapes",
-        "--modes",
-        "6",
-    ]);
-    let other = [
-        "plot",
-        "examples/nrel-5mw.bmi",
-        "--what",
-        "shapes",
-        "--modes",
-        "6",
-        "--method",
-        "rmje-exact",
-    ];
+    let plain = description(&arguments(
+        "plot examples/nrel-5mw.bmi --what shapes --modes 6",
+    ));
+    let other = arguments("plot examples/nrel-5mw.bmi --what shapes --modes 6 --method rmje-exact");
     let other_beam = [&other[..], &["--no-rotary-inertia"]].concat();
     assert_ne!(description(&other), description(&other_beam));
     assert_ne!(plain, description(&other));
@@ -279,31 +192,19 @@ fn a_tower_file_from_standard_input_is_not_converted_to_itself() {
     let path = file("input.toml", TOWER);
     let input = fs::File::open(path).expect("a file");
     let page = text(report(&["-", "--format", "md"], input.into()));
-    assert!(page.contains("The input has no \\[rotor\\]"), "{page}");
+    page.says("The input has no \\[rotor\\]");
     assert!(!page.contains("convert the tower to TOML"), "{page}");
 }
 
 #[test]
 fn margins_are_said_as_they_were_given() {
     for margin in ["0.03", "2.55"] {
-        let arguments = [
-            "examples/nrel-5mw.toml",
-            "--format",
-            "md",
-            "--margin",
-            margin,
-        ];
-        let page = text(report(&arguments, Stdio::null()));
-        assert!(
-            page.contains(&format!("FAIL at a required margin of {margin} %")),
-            "{page}"
-        );
-        assert!(
-            page.contains(&format!(
-                "The margin, the required distance, is {margin} %."
-            )),
-            "{page}"
-        );
+        let line = format!("examples/nrel-5mw.toml --format md --margin {margin}");
+        let page = text(report(&arguments(&line), Stdio::null()));
+        page.says(&format!("FAIL at a required margin of {margin} %"));
+        page.says(&format!(
+            "The margin, the required distance, is {margin} %."
+        ));
     }
 }
 
@@ -335,7 +236,7 @@ fn shapes_for_elastodyn_are_those_of_the_tower_file() {
         assert!(frequencies.len() >= 8, "{said}");
         for number in coefficients.iter().chain(&frequencies) {
             let number = number.replace('-', "\u{2212}");
-            assert!(page.contains(&format!("| {number} |")), "{number}\n{page}");
+            page.says(&format!("| {number} |"));
         }
     }
 }
@@ -402,10 +303,7 @@ fn a_file_that_looks_like_an_option_is_drawn_by_the_commands() {
     };
     let page = in_folder(&["report", "-f", "md", "--", "-dash.toml"]);
     let shapes = "--what tower --output tower.svg -- -dash.toml";
-    assert!(
-        page.contains(&format!("towermodes plot {shapes}")),
-        "{page}"
-    );
+    page.says(&format!("towermodes plot {shapes}"));
     in_folder(&[&["plot"], &shapes.split(' ').collect::<Vec<_>>()[..]].concat());
     in_folder(&["elastodyn", "tower", "--output", "-", "--", "-dash.toml"]);
 }
@@ -438,10 +336,7 @@ fn who_made_and_checked_it_stands_below_the_title() {
     });
     assert_eq!(lines, expected);
     // The command that makes it again has them too.
-    assert!(
-        page.contains("--document T-17-003 --revision C --author 'J. Doe'"),
-        "{page}"
-    );
+    page.says("--document T-17-003 --revision C --author 'J. Doe'");
     let without = text(report(
         &["examples/reference-tower.toml", "-f", "md"],
         Stdio::null(),
@@ -457,7 +352,7 @@ fn who_made_and_checked_it_stands_below_the_title() {
 /// Every file that was read, the companions too, is in the report as it is on the disk.
 #[test]
 fn the_files_of_the_input_are_in_the_report() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let root = root();
     for (example, files) in [
         ("examples/monopile.toml", &["examples/monopile.toml"][..]),
         (
@@ -470,10 +365,8 @@ fn the_files_of_the_input_are_in_the_report() {
         let appendix = appendix.expect("the appendix");
         for file in files {
             let bytes = fs::read_to_string(root.join(file)).expect("a file");
-            assert!(
-                appendix.contains(&bytes),
-                "{file} is not in the report of {example}"
-            );
+            let holds = appendix.contains(&bytes);
+            assert!(holds, "{file} is not in the report of {example}");
         }
         assert_eq!(appendix.matches("```text").count(), files.len());
         assert!(!appendix.contains("Not byte by byte"), "{appendix}");
@@ -484,9 +377,5 @@ fn the_files_of_the_input_are_in_the_report() {
     let page = text(report(&[&name, "-f", "md"], Stdio::null()));
     let appendix = page.split("## Appendix B. Input files").nth(1);
     let appendix = appendix.expect("the appendix");
-    assert!(
-        appendix.contains("name = \"Tour d'\u{e9}t\u{e9}\""),
-        "{appendix}"
-    );
-    assert!(appendix.contains("not encoded in UTF-8"), "{appendix}");
+    appendix.says_all("name = \"Tour d'\u{e9}t\u{e9}\" & not encoded in UTF-8");
 }

@@ -1,22 +1,9 @@
 //! What files say of a rotor: where it is used, where it is handed on, and what is said of it.
 
+use crate::program::{Folder, root, run, texts};
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 
-fn run(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_towermodes"));
-    command.current_dir(root()).args(arguments);
-    command.output().expect("the program runs")
-}
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-fn texts(output: &Output) -> [String; 2] {
-    [&output.stdout, &output.stderr].map(|text| String::from_utf8(text.clone()).expect("text"))
-}
+use towermodes_testing::{Says, arguments};
 
 /// Standard output and standard error.
 #[track_caller]
@@ -28,18 +15,9 @@ fn said(arguments: &[&str]) -> [String; 2] {
     [out, err]
 }
 
-/// A folder that is gone when the test is.
-struct Folder(PathBuf);
-
 impl Folder {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("towermodes-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).expect("a folder");
-        Self(path)
-    }
-
     /// The example deck with parts of lines of its main file replaced.
-    fn with_deck(name: &str, changes: &[(&str, &str)]) -> Self {
+    fn with_main_file(name: &str, changes: &[(&str, &str)]) -> Self {
         let folder = Self::new(name);
         let example = root().join("examples/small-turbine");
         for file in ["Blade.dat", "Tower.dat"] {
@@ -47,7 +25,7 @@ impl Folder {
         }
         let mut text = fs::read_to_string(example.join("ElastoDyn.dat")).expect("the example");
         for (from, to) in changes {
-            assert!(text.contains(from), "{from}");
+            text.says(from);
             text = text.replace(from, to);
         }
         fs::write(folder.0.join("ElastoDyn.dat"), text).expect("written");
@@ -60,23 +38,13 @@ impl Folder {
         let folder = Self::new(name);
         let text = fs::read_to_string(root().join("examples/nrel-5mw.yaml")).expect("the example");
         let blades = "assembly:\n  number_of_blades: 3\n";
-        assert!(text.contains(blades));
+        text.says(blades);
         let rated = "  rated_rotor_speed: 12.1\n";
         let text = text
             .replace(blades, "")
             .replace(rated, &format!("{rated}  max_rotor_speed: 14\n"));
         fs::write(folder.0.join("turbine.yaml"), text).expect("written");
         folder
-    }
-
-    fn path(&self, file: &str) -> String {
-        self.0.join(file).display().to_string()
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
     }
 }
 
@@ -87,15 +55,15 @@ fn blades_are_known_without_a_speed() {
         ("17.0   RotSpeed", "0.0   RotSpeed"),
         ("3   NumBl", "2   NumBl"),
     ];
-    let folder = Folder::with_deck("two-blades", &changes);
+    let folder = Folder::with_main_file("two-blades", &changes);
     let deck = folder.path("ElastoDyn.dat");
     let [out, err] = said(&["campbell", &deck, "--rpm", "7,9", "--modes", "2"]);
-    assert!(out.contains("2 blades at 7 to 9 rpm"), "{out}");
+    out.says("2 blades at 7 to 9 rpm");
     assert!(!err.contains("the number of blades is not given"), "{err}");
-    let [out, _] = said(&[
-        "campbell", &deck, "--rpm", "7,9", "--modes", "2", "--blades", "4",
-    ]);
-    assert!(out.contains("4 blades at 7 to 9 rpm"), "{out}");
+    let [out, _] = said(&arguments(&format!(
+        "campbell {deck} --rpm 7,9 --modes 2 --blades 4"
+    )));
+    out.says("4 blades at 7 to 9 rpm");
 }
 
 #[test]
@@ -104,7 +72,7 @@ fn a_number_of_blades_that_is_given_is_not_guessed() {
     let file = folder.path("turbine.yaml");
     let guess = "no number_of_blades: 3 is assumed";
     let campbell = ["campbell", &file, "--modes", "2", "--multiples", "1"];
-    assert!(said(&campbell)[1].contains(guess));
+    said(&campbell)[1].says(guess);
     let given = [&campbell[..], &["--blades", "2"]].concat();
     assert!(!said(&given)[1].contains(guess));
 }
@@ -112,24 +80,18 @@ fn a_number_of_blades_that_is_given_is_not_guessed() {
 /// What was guessed of a rotor is said where it becomes a fact, and only there.
 #[test]
 fn conversions_say_how_the_rotor_was_found() {
-    let folder = Folder::with_deck("converted", &[]);
+    let folder = Folder::with_main_file("converted", &[]);
     let deck = folder.path("ElastoDyn.dat");
     for to in ["toml", "windio", "elastodyn"] {
         let [_, err] = said(&["convert", &deck, "--to", to]);
         // The speed of the start is handed on to nothing, nor are blades.
-        assert!(
-            !err.contains("RotSpeed") && !err.contains("PreCone"),
-            "{to}: {err}"
-        );
+        assert!(!err.contains("RotSpeed"), "{to}: {err}");
+        assert!(!err.contains("PreCone"), "{to}: {err}");
     }
     let folder = Folder::with_windio("guessed");
     let [_, err] = said(&["convert", &folder.path("turbine.yaml"), "--to", "toml"]);
-    for guess in [
-        "max_rotor_speed = 14 rpm is a protection limit",
-        "no number_of_blades: 3 is assumed",
-    ] {
-        assert!(err.contains(guess), "{guess}: {err}");
-    }
+    err.says("max_rotor_speed = 14 rpm is a protection limit");
+    err.says("no number_of_blades: 3 is assumed");
 }
 
 /// A simulation may begin at any speed, at standstill too: that is no range of operation, and
@@ -138,7 +100,7 @@ fn conversions_say_how_the_rotor_was_found() {
 fn the_speed_of_the_start_is_no_range_of_operation() {
     for speed in ["17.0", "1.5", "0.0"] {
         let row = format!("{speed}   RotSpeed");
-        let folder = Folder::with_deck("start", &[("17.0   RotSpeed", &row)]);
+        let folder = Folder::with_main_file("start", &[("17.0   RotSpeed", &row)]);
         let deck = folder.path("ElastoDyn.dat");
         for uncoupled in [true, false] {
             let command = ["campbell", &deck, "--speeds", "3"];
@@ -147,25 +109,13 @@ fn the_speed_of_the_start_is_no_range_of_operation() {
             let output = run(command);
             let [out, err] = texts(&output);
             assert_eq!(output.status.code(), Some(1), "{out}{err}");
-            for said in [
-                "Not checked: operating speeds unknown.",
-                "meets 1P at",
-                "3 blades, operating speeds unknown | not checked",
-            ] {
-                assert!(out.contains(said), "{said}: {out}");
-            }
+            out.says_all("Not checked: operating speeds unknown. & meets 1P at");
+            out.says("3 blades, operating speeds unknown | not checked");
             for word in ["PASS", "FAIL", "soft-stiff", "No warnings"] {
                 assert!(!out.contains(word), "{word}: {out}");
             }
-            assert!(
-                err.contains("is the speed at which the simulation begins"),
-                "{err}"
-            );
-            assert!(
-                err.contains("error: not checked: operating speeds unknown"),
-                "{err}"
-            );
-            assert!(err.contains("--rpm LOWEST,HIGHEST"), "{err}");
+            err.says("is the speed at which the simulation begins");
+            err.says_all("error: not checked: operating speeds unknown & --rpm LOWEST,HIGHEST");
         }
         // With speeds there are verdicts.
         let command = [
@@ -178,7 +128,7 @@ fn the_speed_of_the_start_is_no_range_of_operation() {
             "9,17",
         ];
         let [out, err] = texts(&run(&command));
-        assert!(out.contains(" fail"), "{out}");
+        out.says(" fail");
         assert!(!err.contains("RotSpeed"), "{err}");
     }
 }
@@ -203,16 +153,10 @@ fn what_verdicts_need_is_named_at_once() {
             let command: Vec<&str> = ["campbell", &path].into_iter().chain(rpm).collect();
             let output = run(&command);
             let [out, err] = texts(&output);
-            assert_eq!(
-                err.contains("a file with the whole structure"),
-                needs_structure,
-                "{err}"
-            );
-            assert_eq!(
-                err.contains("give --rpm LOWEST,HIGHEST"),
-                needs_speeds,
-                "{err}"
-            );
+            let found = err.contains("a file with the whole structure");
+            assert_eq!(found, needs_structure, "{err}");
+            let found = err.contains("give --rpm LOWEST,HIGHEST");
+            assert_eq!(found, needs_speeds, "{err}");
             let mark = "the mass of the nacelle and the hub is not in this model";
             assert_eq!(out.contains(mark), needs_structure, "{out}");
         }
@@ -222,12 +166,7 @@ fn what_verdicts_need_is_named_at_once() {
 /// The CSV of a turbine has a line for each point of the JSON, with energies that sum to 1.
 #[test]
 fn the_curves_of_a_turbine_are_the_same_in_csv_and_json() {
-    let command = [
-        "campbell",
-        "examples/nrel-5mw-turbine.toml",
-        "--speeds",
-        "3",
-    ];
+    let command = arguments("campbell examples/nrel-5mw-turbine.toml --speeds 3");
     let written = |format| said(&[&command[..], &["--format", format]].concat())[0].clone();
     let json: serde_json::Value = serde_json::from_str(&written("json")).expect("JSON");
     let curves = json["curves"].as_array().expect("curves").iter();

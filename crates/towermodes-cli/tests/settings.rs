@@ -1,54 +1,33 @@
 //! `--set` in every command that reads a tower.
 
-use std::path::PathBuf;
-use std::process::{Command, Output};
+use crate::program::{Folder, run};
 
-use crate::pages::root;
-use crate::sandbox::PROGRAM;
+use std::process::Output;
+use towermodes_testing::{Says, arguments, rows};
 
 const TOWER: &str = "examples/nrel-5mw.toml";
 const SET: [&str; 2] = ["--set", "stations[0].wall=0.036"];
 const NOTE: &str = "stations[0].wall = 0.036 m by --set; the file has 0.0351";
 
-fn run(arguments: &[&str]) -> Output {
-    let mut command = Command::new(PROGRAM);
-    command.current_dir(root()).args(arguments);
-    command.output().expect("the program runs")
-}
-
-/// A file name that is gone when the test is.
-struct Written(PathBuf);
-
-impl Drop for Written {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_file(&self.0);
-    }
-}
-
 #[test]
 fn every_command_that_reads_a_tower_sets_numbers() {
-    let commands: [&[&str]; 12] = [
-        &["solve", TOWER],
-        &[
-            "compare",
-            TOWER,
-            "--methods",
-            "rmje,spectral",
-            "--modes",
-            "2",
-        ],
-        &["converge", TOWER, "--modes", "2", "--segments", "10,20,40"],
-        &["campbell", TOWER],
-        &["check", TOWER],
-        &["check", TOWER, "examples/nrel-5mw.yaml"],
-        &["convert", TOWER, "--to", "toml"],
-        &["convert", TOWER, "--to", "windio"],
-        &["elastodyn", "tower", TOWER],
-        &["parameters", TOWER],
-        &["plot", TOWER, "--what", "tower"],
-        &["report", TOWER, "--format", "md"],
-    ];
-    for arguments in commands {
+    let commands = "
+        solve TOWER
+        compare TOWER --methods rmje,spectral --modes 2
+        converge TOWER --modes 2 --segments 10,20,40
+        campbell TOWER
+        check TOWER
+        check TOWER examples/nrel-5mw.yaml
+        convert TOWER --to toml
+        convert TOWER --to windio
+        elastodyn tower TOWER
+        parameters TOWER
+        plot TOWER --what tower
+        report TOWER --format md
+    ";
+    for [line] in rows(commands) {
+        let line = line.replace("TOWER", TOWER);
+        let arguments = &arguments(&line)[..];
         let without = run(arguments);
         let with = run(&[arguments, &SET].concat());
         let said = String::from_utf8_lossy(&with.stderr).into_owned();
@@ -62,15 +41,13 @@ fn every_command_that_reads_a_tower_sets_numbers() {
 /// A reader of the report can repeat it: note, command and the changed value are there.
 #[test]
 fn a_report_shows_what_was_set() {
-    let name = format!("towermodes-set-{}.md", std::process::id());
-    let path = Written(std::env::temp_dir().join(name));
-    let output = path.0.display().to_string();
+    let folder = Folder::new("set");
+    let output = folder.path("set.md");
     let done = run(&["report", TOWER, SET[0], SET[1], "--output", &output]);
     assert!(done.status.success());
-    let page = std::fs::read_to_string(&path.0).expect("a report");
+    let page = folder.text("set.md");
     // Markdown escapes the brackets of the name.
-    assert!(page.contains("= 0.036 m by --set; the file has 0.0351"));
-    assert!(page.contains("--set 'stations[0].wall=0.036'"));
+    page.says_all("= 0.036 m by --set; the file has 0.0351 & --set 'stations[0].wall=0.036'");
 }
 
 /// A number that is not listed is added to what the other filters select.
@@ -80,15 +57,8 @@ fn filters_of_parameters_are_a_union() {
     let arguments = [&["parameters", TOWER, "--format", "csv"][..], &filters].concat();
     let listed = String::from_utf8(run(&arguments).stdout).expect("text");
     let count = |name: &str| listed.matches(&format!("{name},")).count();
-    assert_eq!(
-        (
-            count("rna.mass"),
-            count("material.poissons_ratio"),
-            count("density")
-        ),
-        (1, 1, 0),
-        "{listed}"
-    );
+    let counts = ["rna.mass", "material.poissons_ratio", "density"].map(count);
+    assert_eq!(counts, [1, 1, 0], "{listed}");
     let wrong = run(&[&arguments[..], &["rna.mas.s"]].concat());
     assert_eq!(wrong.status.code(), Some(2));
 }

@@ -4,6 +4,7 @@ use std::fs;
 use std::process::Command;
 
 use serde_json::Value;
+use towermodes_testing::Says;
 
 use crate::pages::root;
 use crate::sandbox::{PROGRAM, Sandbox};
@@ -44,10 +45,8 @@ fn the_csv_is_that_of_each_file_after_its_name() {
     for file in FILES {
         let alone = solved(&[file], "csv");
         let mut of_file = alone.lines();
-        assert_eq!(
-            format!("file,{}", of_file.next().expect("a header")),
-            header
-        );
+        let found = format!("file,{}", of_file.next().expect("a header"));
+        assert_eq!(found, header);
         for line in of_file {
             assert_eq!(lines.next(), Some(format!("{file},{line}").as_str()));
         }
@@ -86,7 +85,7 @@ fn no_file_of_an_input_is_overwritten() {
         let refused = command.output().expect("the program runs");
         let said = String::from_utf8_lossy(&refused.stderr).into_owned();
         assert_eq!(refused.status.code(), Some(2), "{said}");
-        assert!(said.contains("is an input file"), "{said}");
+        said.says("is an input file");
         let after = fs::read(sandbox.path().join(output)).expect("a file");
         assert!(after == before, "{output} is overwritten");
     }
@@ -101,8 +100,5 @@ fn a_setting_that_is_wrong_for_a_file_names_the_file() {
         .args(["solve", FILES[0], FILES[2]]);
     let refused = command.args(["--set", "rna.mass=-3"]).output();
     let said = String::from_utf8_lossy(&refused.expect("the program runs").stderr).into_owned();
-    assert!(
-        said.contains(&format!("error: {}: mass is -3 kg", FILES[0])),
-        "{said}"
-    );
+    said.says(&format!("error: {}: mass is -3 kg", FILES[0]));
 }

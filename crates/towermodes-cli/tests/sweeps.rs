@@ -4,11 +4,13 @@
 #![cfg(unix)]
 
 use std::fs;
+
 use std::os::unix::process::ExitStatusExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::thread;
 use std::time::Duration;
+use towermodes_testing::{Says, number, rows};
 
 use crate::pages::root;
 use crate::sandbox::PROGRAM;
@@ -152,8 +154,8 @@ fn with_ctrl_c(command: &Command) -> Command {
 
 /// The lines of the rows of a file, which has each row once.
 #[track_caller]
-fn rows(text: &str) -> Vec<&str> {
-    assert!(text.starts_with("# towermodes "), "{text:.80}");
+fn data_rows(text: &str) -> Vec<&str> {
+    text.begins("# towermodes ");
     text.lines().skip(2).collect()
 }
 
@@ -168,15 +170,11 @@ fn a_column_of_an_omitted_rna_is_refused() {
     let done = done.expect("the program runs");
     let said = String::from_utf8_lossy(&done.stderr);
     assert_eq!(done.status.code(), Some(2), "{said}");
-    assert!(
-        said.contains("a column changes a number of the RNA"),
-        "{said}"
-    );
+    said.says("a column changes a number of the RNA");
     let study = fs::read_to_string(folder.0.join("study.toml")).expect("the study");
     let without = format!("{study}[sweep.reading]\nno_rna = true\n");
     fs::write(folder.0.join("study.toml"), without).expect("written");
-    let said = folder.refused(&[], 2);
-    assert!(said.contains("[sweep.reading] no_rna"), "{said}");
+    folder.refused(&[], 2).says("[sweep.reading] no_rna");
 }
 
 #[test]
@@ -184,7 +182,7 @@ fn a_killed_sweep_leaves_no_file_and_the_next_run_succeeds() {
     let folder = Folder::new("killed");
     folder.done(&["--output", "whole.csv"]);
     let whole = folder.text("whole.csv");
-    assert_eq!(rows(&whole).len(), ROWS);
+    assert_eq!(data_rows(&whole).len(), ROWS);
     for signal in ["-KILL", "-INT", "-TERM"] {
         folder.killed("results.csv", signal);
         assert!(!folder.0.join("results.csv").exists(), "{signal}");
@@ -208,7 +206,7 @@ fn threads_slices_and_simultaneous_runs_give_the_same_rows() {
     let folder = Folder::new("same");
     let printed = folder.done(&["--threads", "1"]).stdout;
     let whole = String::from_utf8(printed).expect("text");
-    assert_eq!(rows(&whole).len(), ROWS);
+    assert_eq!(data_rows(&whole).len(), ROWS);
     folder.done(&["--output", "threads.csv", "--threads", "3"]);
     assert!(folder.text("threads.csv") == whole);
     let ranges = ["4000..9999", "0..1", "1..4000"];
@@ -217,8 +215,8 @@ fn threads_slices_and_simultaneous_runs_give_the_same_rows() {
         folder.done(&["--rows", range, "--output", name]);
     }
     let texts = ["a.csv", "b.csv", "c.csv"].map(|name| folder.text(name));
-    let joined: Vec<&str> = texts.iter().flat_map(|text| rows(text)).collect();
-    assert!(joined == rows(&whole));
+    let joined: Vec<&str> = texts.iter().flat_map(|text| data_rows(text)).collect();
+    assert!(joined == data_rows(&whole));
     // Together they are the whole sweep, and have its numbers.
     let summary = |files: &[&str]| {
         let check = [&["--summary", "--check"], files].concat();
@@ -239,17 +237,16 @@ fn a_mixture_of_slices_is_refused_and_missing_rows_are_named() {
     folder.done(&["--rows", "0..100", "--output", "a.csv"]);
     folder.done(&["--rows", "150..400", "--output", "b.csv"]);
     let said = folder.refused(&["--check", "a.csv", "b.csv"], 1);
-    assert!(said.contains("do not have the rows 100..150"), "{said}");
-    assert!(said.contains("--rows FIRST..END"), "{said}");
+    said.says_all("do not have the rows 100..150 & --rows FIRST..END");
     // Those that are asked for are there.
     folder.done(&["--rows", "150..400", "--check", "b.csv"]);
     let said = folder.refused(&["--check", "a.csv", "b.csv", "a.csv"], 2);
-    assert!(said.contains("both have the rows 0..100"), "{said}");
+    said.says("both have the rows 0..100");
     folder.write_study(400, 2);
     folder.done(&["--rows", "100..150", "--output", "c.csv"]);
     let said = folder.refused(&["--check", "c.csv", "a.csv"], 2);
     let expected = "a.csv is a slice of another sweep: the values of the rows differ";
-    assert!(said.contains(expected), "{said}");
+    said.says(expected);
     // What a killed command has printed.
     let half: Vec<String> = folder
         .text("c.csv")
@@ -259,10 +256,7 @@ fn a_mixture_of_slices_is_refused_and_missing_rows_are_named() {
         .collect();
     fs::write(folder.0.join("c.csv"), half.join("\n")).expect("written");
     let said = folder.refused(&["--rows", "100..150", "--check", "c.csv"], 1);
-    assert!(
-        said.contains("c.csv is not whole: it ends before row 107"),
-        "{said}"
-    );
+    said.says("c.csv is not whole: it ends before row 107");
 }
 
 /// Files cannot become longer than two blocks: as on a full disk a write fails.
@@ -279,10 +273,10 @@ fn a_write_that_fails_ends_the_sweep_and_leaves_nothing() {
         .expect("a shell");
     let said = String::from_utf8_lossy(&failed.stderr).into_owned();
     assert_eq!(failed.status.code(), Some(1), "{said}");
-    assert!(said.contains("error: results.csv: "), "{said}");
+    said.says("error: results.csv: ");
     assert!(!folder.0.join("results.csv").exists() && folder.temporary().is_empty());
     folder.done(&["--output", "results.csv"]);
-    assert_eq!(rows(&folder.text("results.csv")).len(), 400);
+    assert_eq!(data_rows(&folder.text("results.csv")).len(), 400);
 }
 
 /// A disk of its own that is smaller than the results; only root can have one.
@@ -306,7 +300,7 @@ fn a_full_disk_is_an_error_with_the_path() {
         .status();
     assert!(grown.expect("mount").success());
     folder.done(&["--output", "disk/results.csv"]);
-    assert_eq!(rows(&folder.text("disk/results.csv")).len(), 2000);
+    assert_eq!(data_rows(&folder.text("disk/results.csv")).len(), 2000);
 }
 
 /// A file system in memory, gone when the test is.
@@ -360,31 +354,22 @@ fn pictures_of_a_sweep_are_written() {
 #[test]
 fn what_cannot_be_written_is_refused_first() {
     let folder = Folder::new("no-picture");
-    for (option, path, code, words) in [
-        ("--plot", "curves.pdf", 2, "FILE.svg or FILE.png"),
-        ("--plot", "curves", 2, "FILE.svg or FILE.png"),
-        (
-            "--plot",
-            "missing/curves.svg",
-            1,
-            "the folder missing does not exist",
-        ),
-        (
-            "--output",
-            "missing/results.csv",
-            1,
-            "the folder missing does not exist",
-        ),
-        ("--output", "results.xlsx", 2, "use .csv, .parquet"),
-        ("--output", "study.toml", 2, "unknown file extension .toml"),
-        ("--output", ".", 1, "this is a folder"),
-    ] {
+    let table = r#"
+        --plot | curves.pdf | 2 | FILE.svg or FILE.png
+        --plot | curves | 2 | FILE.svg or FILE.png
+        --plot | missing/curves.svg | 1 | the folder missing does not exist
+        --output | missing/results.csv | 1 | the folder missing does not exist
+        --output | results.xlsx | 2 | use .csv, .parquet
+        --output | study.toml | 2 | unknown file extension .toml
+        --output | . | 1 | this is a folder
+        "#;
+    for [option, path, code, words] in rows(table) {
+        let code = number(code);
         let mut arguments = vec![option, path];
         if option == "--plot" {
             arguments.extend(["--output", "results.csv"]);
         }
-        let said = folder.refused(&arguments, code);
-        assert!(said.contains(words), "{said}");
+        folder.refused(&arguments, code).says(words);
         assert!(!folder.0.join("results.csv").exists(), "{path}");
     }
 }
@@ -394,27 +379,15 @@ fn what_cannot_be_written_is_refused_first() {
 fn reading_options_of_a_study_are_checked_under_their_names() {
     let folder = Folder::new("reading");
     let study = fs::read_to_string(folder.0.join("study.toml")).expect("the study");
-    for (key, set, words) in [
-        (
-            "tower_height = 80.0",
-            "rna.center[2]=2",
-            "[sweep.reading] tower_height applies only",
-        ),
-        (
-            "no_rna = true",
-            "rna.center[2]=2",
-            "contradicts [sweep.reading] no_rna;",
-        ),
-        (
-            "no_gravity = false",
-            "rna.mass=3e5",
-            "the column `rna.mass` sets rna.mass in each row",
-        ),
-    ] {
+    let table = r#"
+        tower_height = 80.0 | rna.center[2]=2 | [sweep.reading] tower_height applies only
+        no_rna = true | rna.center[2]=2 | contradicts [sweep.reading] no_rna;
+        no_gravity = false | rna.mass=3e5 | the column `rna.mass` sets rna.mass in each row
+        "#;
+    for [key, set, words] in rows(table) {
         let text = format!("{study}[sweep.reading]\n{key}\n");
         fs::write(folder.0.join("study.toml"), text).expect("written");
-        let said = folder.refused(&["--set", set], 2);
-        assert!(said.contains(words), "{said}");
+        folder.refused(&["--set", set], 2).says(words);
     }
 }
 
@@ -423,9 +396,6 @@ fn reading_options_of_a_study_are_checked_under_their_names() {
 fn a_hint_names_options_of_the_command() {
     let folder = Folder::new("hint");
     let said = folder.refused(&["--modes", "5000"], 2);
-    assert!(
-        said.contains("increase --segments or reduce --modes"),
-        "{said}"
-    );
+    said.says("increase --segments or reduce --modes");
     assert!(!said.contains("--degree"), "{said}");
 }

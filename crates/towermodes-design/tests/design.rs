@@ -4,10 +4,11 @@ mod towers;
 
 use std::time::Instant;
 
-use towermodes::{Change, Options, Parameter, Rotor, Solver, Tower, TowerDescription};
+use towermodes::{Change, Options, Parameter, Solver, Tower, TowerDescription};
 use towermodes_design::design::{
     Design, DesignError, DesignProblem, Goal, Limit, Side, Variable, design, window_hz,
 };
+use towermodes_testing::{Close, Says, assert_matches, changed, rna, rotor, tube, with};
 use towers::{cans, dtu_10mw, nrel_5mw};
 
 /// The KKT residual that every minimum has.
@@ -26,10 +27,7 @@ fn variable(name: &str, bounds: [f64; 2], base: &TowerDescription) -> Variable {
 
 fn stepped(name: &str, bounds: [f64; 2], step: f64, base: &TowerDescription) -> Variable {
     let step = Some(step);
-    Variable {
-        step,
-        ..variable(name, bounds, base)
-    }
+    changed!(variable(name, bounds, base), step)
 }
 
 fn goal(mode: &str, min_hz: f64, max_hz: f64) -> Goal {
@@ -46,10 +44,7 @@ fn at_least(mode: &str, min_hz: f64) -> Goal {
 }
 
 fn options() -> Options {
-    Options {
-        segments: Some(40),
-        ..Options::default()
-    }
+    with!(Options, segments = Some(40))
 }
 
 /// The design, with its residual checked.
@@ -66,17 +61,11 @@ fn found(name: &str, base: &TowerDescription, problem: &DesignProblem) -> Design
         found.mass_kg[1],
         found.reached.iter().map(|r| r.after_hz).collect::<Vec<_>>()
     );
-    assert!(
-        found.kkt_residual < RESIDUAL,
-        "{name}: {}",
-        found.kkt_residual
-    );
+    let holds = found.kkt_residual < RESIDUAL;
+    assert!(holds, "{name}: {}", found.kkt_residual);
     assert!(found.certificate.complete, "{name}");
-    assert!(
-        found.reached.iter().all(|one| one.is_met()),
-        "{name}: {:?}",
-        found.reached
-    );
+    let holds = found.reached.iter().all(|one| one.is_met());
+    assert!(holds, "{name}: {:?}", found.reached);
     found
 }
 
@@ -89,10 +78,7 @@ fn solved(base: &TowerDescription, names: &[&str], values: &[f64]) -> (f64, f64)
             .apply(&mut tower, *value);
     }
     let tower = Tower::new(tower).expect("a tower");
-    let options = Options {
-        modes: 2,
-        ..options()
-    };
+    let options = changed!(options(), modes = 2);
     let mut solver = Solver::new(options.clone());
     let modes = solver.frequencies(&tower).expect("modes");
     let first = modes
@@ -125,15 +111,12 @@ fn one_variable_agrees_with_bisection() {
             ..DesignProblem::default()
         };
         let of = found(name, &base, &problem);
-        assert!(
-            (of.values[0] / high - 1.0).abs() < 1e-6,
-            "{name}: {} {high}",
-            of.values[0]
-        );
+        let holds = (of.values[0] / high - 1.0).abs() < 1e-6;
+        assert!(holds, "{name}: {} {high}", of.values[0]);
         let [active] = of.active[..] else {
             panic!("{:?}", of.active)
         };
-        assert_eq!(
+        assert_matches!(
             active.limit,
             Limit::Frequency {
                 goal: 0,
@@ -144,10 +127,8 @@ fn one_variable_agrees_with_bisection() {
         let step = 1e-4 * high;
         let ends = [high - step, high + step].map(|x| solved(&base, &[name], &[x]));
         let slope = (ends[1].0 - ends[0].0) / (ends[1].1 - ends[0].1);
-        assert!(
-            (active.kg_per_unit / slope - 1.0).abs() < 1e-5,
-            "{name}: {active:?} {slope}"
-        );
+        let holds = (active.kg_per_unit / slope - 1.0).abs() < 1e-5;
+        assert!(holds, "{name}: {active:?} {slope}");
     }
 }
 
@@ -207,12 +188,8 @@ fn the_start_does_not_matter() {
         let ratio = of.mass_kg[1] / reference.mass_kg[1];
         assert!((ratio - 1.0).abs() < 1e-6, "{ratio}");
         for (a, b) in of.values.iter().zip(&reference.values) {
-            assert!(
-                (a / b - 1.0).abs() < 1e-4,
-                "{:?} {:?}",
-                of.values,
-                reference.values
-            );
+            let holds = (a / b - 1.0).abs() < 1e-4;
+            assert!(holds, "{:?} {:?}", of.values, reference.values);
         }
     }
 }
@@ -223,11 +200,7 @@ fn a_soft_stiff_window() {
     Change::parse("scale(stations[*].wall)", &base)
         .expect("a change")
         .apply(&mut base, 1.3);
-    let rotor = Rotor {
-        blades: 3,
-        lowest_rpm: 6.9,
-        highest_rpm: 12.1,
-    };
+    let rotor = rotor(3, 6.9, 12.1);
     let [min_hz, max_hz] = window_hz(&rotor, [1, 3], 0.10).expect("a window");
     let problem = DesignProblem {
         variables: vec![
@@ -258,10 +231,9 @@ fn of_cans(base: &TowerDescription, step: Option<f64>) -> DesignProblem {
     for can in 0..count {
         let (below, above) = (2 * can, 2 * can + 1);
         let name = format!("set(stations[{below}].wall, stations[{above}].wall)");
-        problem.variables.push(Variable {
-            step,
-            ..variable(&name, [0.012, 0.060], base)
-        });
+        problem
+            .variables
+            .push(changed!(variable(&name, [0.012, 0.060], base), step));
         if can > 0 {
             let walls = [below - 2, below].map(|i| number(format!("stations[{i}].wall")));
             problem.falling.push(walls);
@@ -332,16 +304,10 @@ fn plates_in_steps_are_little_heavier() {
         assert_eq!(*value, (value * 1000.0).round() / 1000.0);
     }
     let least = of.steps.expect("steps").without_steps_kg;
-    assert!(
-        of.mass_kg[1] >= least && of.mass_kg[1] < 1.01 * least,
-        "{} {least}",
-        of.mass_kg[1]
-    );
-    assert!(
-        of.values.windows(2).all(|pair| pair[1] <= pair[0]),
-        "{:?}",
-        of.values
-    );
+    assert!(of.mass_kg[1] >= least, "{} {least}", of.mass_kg[1]);
+    assert!(of.mass_kg[1] < 1.01 * least, "{} {least}", of.mass_kg[1]);
+    let holds = of.values.windows(2).all(|pair| pair[1] <= pair[0]);
+    assert!(holds, "{:?}", of.values);
 }
 
 #[test]
@@ -406,11 +372,7 @@ fn steps_beside_a_factor_are_judged_with_its_best_value() {
         Some(at(high).0)
     };
     let own = lightest(walls).expect("the design is possible");
-    assert!(
-        (of.mass_kg[1] / own - 1.0).abs() < 1e-5,
-        "{} {own}",
-        of.mass_kg[1]
-    );
+    of.mass_kg[1].close_to(own, 1e-5);
     for i in 0..walls.len() {
         for j in 0..walls.len() {
             let mut other = walls.to_vec();
@@ -486,10 +448,7 @@ fn a_bare_tower_has_a_closed_form() {
     base.rna = towermodes::Rna::default();
     base.gravity_m_per_s2 = 0.0;
     let name = "scale(stations[*].diameter, stations[*].wall)";
-    let options = Options {
-        rotary_inertia: false,
-        ..options()
-    };
+    let options = changed!(options(), rotary_inertia = false);
     let tower = Tower::new(base.clone()).expect("a tower");
     let mut solver = Solver::new(options.clone());
     let modes = solver.frequencies(&tower).expect("modes");
@@ -504,10 +463,7 @@ fn a_bare_tower_has_a_closed_form() {
     assert!((of.mass_kg[1] / of.mass_kg[0] / 1.44 - 1.0).abs() < 1e-6);
     // m ∝ f²: 1 % of frequency costs 2 % of the mass.
     let percent = of.active[0].kg_per_percent.expect("a limit that is not 0");
-    assert!(
-        (percent / of.mass_kg[1] / 0.02 - 1.0).abs() < 1e-5,
-        "{percent}"
-    );
+    (percent / of.mass_kg[1] / 0.02).within(1.0, 1e-5);
 }
 
 #[test]
@@ -544,10 +500,8 @@ fn what_cannot_be_reached_is_answered() {
         .trim_end_matches(" Hz")
         .parse()
         .expect("Hz");
-    assert!(
-        nearest >= highest - 1e-5 && nearest < 1.002 * highest,
-        "{nearest} {highest}"
-    );
+    assert!(nearest >= highest - 1e-5, "{nearest} {highest}");
+    assert!(nearest < 1.002 * highest, "{nearest} {highest}");
     assert!(
         why.in_the_way
             .contains(&"stations[0].wall at most 0.06 m".to_owned()),
@@ -563,12 +517,9 @@ fn what_cannot_be_reached_is_answered() {
     problem.goals = vec![at_least("fore-aft 1", 0.25)];
     problem.diameter_to_wall = Some([0.0, 50.0]);
     let why = refused(&problem);
-    assert!(
-        why.violated[0]
-            .wanted
-            .starts_with("diameter/wall at stations[0]"),
-        "{why}"
-    );
+    why.violated[0]
+        .wanted
+        .begins("diameter/wall at stations[0]");
 }
 
 #[test]
@@ -615,26 +566,17 @@ fn impossible_problems_are_refused() {
     for (name, high) in [("stations[0].wall", 36.0), ("stations[0].wall", 1e300)] {
         let wide = variable(name, [0.010, high], &base);
         let error = refused(&|p| p.variables = vec![wide.clone()]);
-        assert!(
-            matches!(
-                error,
-                DesignError::Wide {
-                    present: 0.0351,
-                    ..
-                }
-            ),
-            "{error}"
+        assert_matches!(
+            error,
+            DesignError::Wide {
+                present: 0.0351,
+                ..
+            }
         );
     }
     let wide = variable("scale(stations[*].wall)", [0.5, 1e6], &base);
     let error = refused(&|p| p.variables = vec![wide.clone()]);
-    let said = error.to_string();
-    assert!(
-        said.contains(
-            "are 0.5 and 1000000, but its present value is 1: bounds may be up to 1000 times"
-        ),
-        "{said}"
-    );
+    error.says("are 0.5 and 1000000, but its present value is 1: bounds may be up to 1000 times");
 }
 
 /// The widest bounds that are accepted lead to the same tower as narrow ones, and no limit that is
@@ -701,11 +643,8 @@ fn assert_holds(name: &str, problem: &DesignProblem, of: &Design) {
     for goal in &problem.goals {
         let mode = solution.mode(goal.mode.family, goal.mode.order);
         let hz = mode.expect("a mode").extrapolated_hz;
-        assert!(
-            goal.min_hz <= hz && hz <= goal.max_hz,
-            "{name}: {} {hz}",
-            goal.mode
-        );
+        assert!(goal.min_hz <= hz, "{name}: {} {hz}", goal.mode);
+        assert!(hz <= goal.max_hz, "{name}: {} {hz}", goal.mode);
     }
     for [below, above] in &problem.falling {
         assert!(above.value(&of.tower) <= below.value(&of.tower), "{name}");
@@ -714,10 +653,8 @@ fn assert_holds(name: &str, problem: &DesignProblem, of: &Design) {
         let [low, high] = problem.diameter_to_wall.unwrap_or([0.0, f64::INFINITY]);
         let ratio = station.outer_diameter_m / station.wall_thickness_m;
         let room = 1.0 + 1e-11;
-        assert!(
-            low <= ratio * room && ratio <= high * room,
-            "{name}: {ratio}"
-        );
+        assert!(low <= ratio * room, "{name}: {ratio}");
+        assert!(ratio <= high * room, "{name}: {ratio}");
     }
 }
 
@@ -773,11 +710,8 @@ fn cans_designed_again_are_not_lighter() {
         let again = found("    designed again", &of.tower, &problem);
         // A search that ended at its number of solves says so, and leaves less than a thousandth.
         let left = if steps.is_searched { 1e-6 } else { 1e-3 };
-        assert!(
-            again.mass_kg[1] > of.mass_kg[1] * (1.0 - left),
-            "{name}: {}",
-            again.mass_kg[1]
-        );
+        let holds = again.mass_kg[1] > of.mass_kg[1] * (1.0 - left);
+        assert!(holds, "{name}: {}", again.mass_kg[1]);
         // A wall is up to a step thicker than it needs to be: 1 mm of about 50 mm.
         let most = 1.02;
         assert!(of.mass_kg[1] < most * steps.without_steps_kg, "{name}");
@@ -786,30 +720,23 @@ fn cans_designed_again_are_not_lighter() {
 
 /// A tower whose RNA is beside its axis in both directions, on soil.
 fn diagonal() -> TowerDescription {
-    use towermodes::{Foundation, HalfSpace, Inertia, Material, Rna, Station};
+    use towermodes::{Foundation, HalfSpace};
     TowerDescription {
-        materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-        stations: vec![
-            Station::new(0.0, 2.3471260020305875, 0.010958313450165002),
-            Station::new(49.53559244020355, 2.4349226576197367, 0.024189505),
-        ],
-        rna: Rna {
-            mass_kg: 60797.7672878385,
-            center_m: [-2.3081601903870776, 2.134455263341553, 1.1327627906331306],
-            inertia_kg_m2: Inertia {
-                xx: 1857812.07,
-                yy: 1926672.3162498744,
-                zz: 2450530.2387451925,
-                ..Inertia::default()
-            },
-        },
+        rna: rna(
+            60797.7672878385,
+            [-2.3081601903870776, 2.134455263341553, 1.1327627906331306],
+            [1857812.07, 1926672.3162498744, 2450530.2387451925],
+        ),
         foundation: Foundation::HalfSpace(HalfSpace {
             radius_m: 3.407524943751656,
             embedment_m: 1.8134946910317558,
             shear_modulus_pa: 1.5417479256070977e8,
             poissons_ratio: 0.39976976444280454,
         }),
-        ..TowerDescription::default()
+        ..tube(&[
+            (0.0, 2.3471260020305875, 0.010958313450165002),
+            (49.53559244020355, 2.4349226576197367, 0.024189505),
+        ])
     }
 }
 
@@ -834,11 +761,8 @@ fn a_goal_is_that_of_the_lowest_mode_that_holds_the_name() {
         .modes[0]
         .extrapolated_hz;
     assert!((0.31..0.3101).contains(&lowest), "{lowest}");
-    assert!(
-        of.reached.iter().all(|one| one.others.len() == 1),
-        "{:?}",
-        of.reached
-    );
+    let is_so = of.reached.iter().all(|one| one.others.len() == 1);
+    assert!(is_so, "{:?}", of.reached);
 }
 
 /// Where side-side bending and torsion share two modes, a limit on one name holds for both.
@@ -858,10 +782,7 @@ fn a_limit_binds_both_modes_that_share_a_motion() {
         Err(DesignError::Infeasible(why)) => eprintln!("{why}"),
         other => panic!("{other:?}"),
     }
-    let problem = DesignProblem {
-        goals: vec![at_least("side-side 2", 2.0)],
-        ..problem
-    };
+    let problem = changed!(problem, goals = vec![at_least("side-side 2", 2.0)]);
     let of = found("shared motion", &base, &problem);
     eprintln!("{:?}", of.reached);
     assert_holds("shared motion", &problem, &of);

@@ -12,6 +12,7 @@ use towermodes::{Foundation, Method, Options, RigidBody, solve};
 use towermodes_files::{
     BladeInput, BmodesInput, Note, ReadOptions, SiblingFiles, Source, TowerInput, read_bmodes,
 };
+use towermodes_testing::with;
 
 fn close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * a.abs().max(b.abs())
@@ -23,10 +24,8 @@ fn noted(notes: &[Note], line: usize, words: &[&str]) {
         let is_there = note.place.as_ref().is_some_and(|(_, at)| *at == line);
         is_there && words.iter().all(|word| note.message.contains(word))
     };
-    assert!(
-        notes.iter().any(|note| is_meant(&note)),
-        "{line} {words:?}: {notes:#?}"
-    );
+    let holds = notes.iter().any(|note| is_meant(&note));
+    assert!(holds, "{line} {words:?}: {notes:#?}");
 }
 
 #[test]
@@ -36,47 +35,35 @@ fn a_tower_on_land() {
     assert_eq!(tower.name, "A small tower");
     assert_eq!(input.prescribed.method, Some(Method::Bmodes));
     assert_eq!(input.prescribed.modes, Some(10));
-    assert_eq!(
-        input.prescribed.borders_m,
-        Some(vec![0.0, 20.0, 40.0, 60.0, 80.0])
-    );
+    let wanted = Some(vec![0.0, 20.0, 40.0, 60.0, 80.0]);
+    assert_eq!(input.prescribed.borders_m, wanted);
     assert_eq!(tower.foundation, Foundation::Clamped);
     assert_eq!(tower.gravity_m_per_s2, 0.0);
     let heights: Vec<f64> = tower.properties.iter().map(|row| row.height_m).collect();
     assert_eq!(heights, [0.0, 40.0, 40.0, 80.0]);
     let row = &tower.properties[2].properties;
     assert_eq!(row.mass_kg_per_m, 3000.0);
-    assert_eq!(
-        (row.bending_n_m2.fore_aft, row.bending_n_m2.side_side),
-        (3e11, 3e11)
-    );
-    assert_eq!(
-        (row.torsion_n_m2, row.axial_n, row.polar_inertia_kg_m),
-        (2.4e11, 8e10, 24000.0)
-    );
+    assert_eq!(row.bending_n_m2.fore_aft, 3e11);
+    assert_eq!(row.bending_n_m2.side_side, 3e11);
+    assert_eq!(row.torsion_n_m2, 2.4e11);
+    assert_eq!(row.axial_n, 8e10);
+    assert_eq!(row.polar_inertia_kg_m, 24000.0);
     assert_eq!(row.rotary_inertia_kg_m.side_side, 12000.0);
     let rna = &tower.rna;
     assert_eq!((rna.mass_kg, rna.center_m), (2e5, [-1.5, 0.0, 2.5]));
-    assert_eq!(
-        rna.inertia_kg_m2.tensor(),
-        [[3e6, 1e4, -2e4], [1e4, 4e6, 3e4], [-2e4, 3e4, 5e6]]
-    );
+    let expected = [[3e6, 1e4, -2e4], [1e4, 4e6, 3e4], [-2e4, 3e4, 5e6]];
+    assert_eq!(rna.inertia_kg_m2.tensor(), expected);
     assert_eq!(input.files().collect::<Vec<_>>(), ["tower.bmi", "secs.dat"]);
-    noted(
-        &input.notes,
-        21,
-        &["cm_axial = 2.5 m", "cm_loc = -1.5 m", "here its centre"],
-    );
+    let words = ["cm_axial = 2.5 m", "cm_loc = -1.5 m", "here its centre"];
+    noted(&input.notes, 21, &words);
     assert_eq!(input.notes.len(), 1);
 }
 
 #[test]
 fn line_ends_and_blank_lines_change_nothing() {
     let plain = decks::tower(&tower_file(OFFSHORE), SECTIONS, false);
-    let changed = with(
-        &tower_file(OFFSHORE),
-        &[("80.0      radius", "\n\n8.0D1,  radius")],
-    );
+    let parameter = [("80.0      radius", "\n\n8.0D1,  radius")];
+    let changed = with(&tower_file(OFFSHORE), &parameter);
     let changed = with(&changed, &[("0.  0.25  0.5", "\n0.\n0.25,0.5")]);
     let (main, sections) = (
         changed.replace('\n', "\r\n"),
@@ -104,17 +91,10 @@ fn factors_scale_their_columns() {
     assert_eq!(row.mass_kg_per_m, 6000.0);
     // Twice and three times 20000 kg m: the factor of mass does not act on inertia.
     assert_eq!(row.polar_inertia_kg_m, 100_000.0);
-    assert_eq!(
-        (
-            row.rotary_inertia_kg_m.fore_aft,
-            row.rotary_inertia_kg_m.side_side
-        ),
-        (4e4, 6e4)
-    );
-    assert_eq!(
-        (row.bending_n_m2.fore_aft, row.bending_n_m2.side_side),
-        (2e12, 2.5e12)
-    );
+    assert_eq!(row.rotary_inertia_kg_m.fore_aft, 4e4);
+    assert_eq!(row.rotary_inertia_kg_m.side_side, 6e4);
+    assert_eq!(row.bending_n_m2.fore_aft, 2e12);
+    assert_eq!(row.bending_n_m2.side_side, 2.5e12);
     assert_eq!((row.torsion_n_m2, row.axial_n), (2.4e12, 7.7e11));
     noted(
         &input.notes,
@@ -127,15 +107,10 @@ fn factors_scale_their_columns() {
     );
     let quirks = decks::tower(&main, SECTIONS, true);
     let row = &quirks.description.properties[0].properties;
-    assert_eq!(
-        (row.bending_n_m2.fore_aft, row.bending_n_m2.side_side),
-        (2.5e12, 2e12)
-    );
-    noted(
-        &quirks.notes,
-        37,
-        &["swaps", "as in BModes 3.00 (--bmodes-quirks)"],
-    );
+    assert_eq!(row.bending_n_m2.fore_aft, 2.5e12);
+    assert_eq!(row.bending_n_m2.side_side, 2e12);
+    let words = ["swaps", "as in BModes 3.00 (--bmodes-quirks)"];
+    noted(&quirks.notes, 37, &words);
 }
 
 #[test]
@@ -166,11 +141,8 @@ fn wires_hold_at_their_nodes() {
     assert_eq!(said(0), (40.0, 3, 1e8, 60.0));
     assert_eq!(said(1), (80.0, 4, 2e8, 30.0));
     // Three of 1e8 N/m at 60 degrees: 3/4 1e8 in BModes, half of it in truth, and 9/4 1e8 upwards.
-    noted(
-        &input.notes,
-        56,
-        &["node 3", "7.50000e7", "3.75000e7", "2.25000e8"],
-    );
+    let words = ["node 3", "7.50000e7", "3.75000e7", "2.25000e8"];
+    noted(&input.notes, 56, &words);
     let quirks = decks::tower(&tower_file(WIRES), SECTIONS, true);
     let wires = &quirks.description.wires;
     assert!(close(wires[0].horizontal_n_per_m(), 0.75e8));
@@ -198,10 +170,8 @@ fn a_floating_tower() {
     let Foundation::Floating(platform) = &tower.foundation else {
         panic!("{:?}", tower.foundation)
     };
-    assert_eq!(
-        (platform.mass_kg, platform.center_m),
-        (8e6, [0.0, 0.0, -40.0])
-    );
+    assert_eq!(platform.mass_kg, 8e6);
+    assert_eq!(platform.center_m, [0.0, 0.0, -40.0]);
     let inertia = platform.inertia_kg_m2;
     assert_eq!((inertia.xx, inertia.yy, inertia.zz), (4e9, 5e9, 2e8));
     for referred in [
@@ -218,20 +188,16 @@ fn a_floating_tower() {
     assert_eq!((rows[1].height_m, rows[1].mass_kg_per_m), (-1.0, 6000.0));
     let rows = &tower.soil[0];
     assert_eq!((rows.len(), rows[1].height_m), (2, 0.0));
-    assert_eq!(
-        (rows[1].stiffness.x_n_per_m2, rows[1].stiffness.y_n_per_m2),
-        (5e7, 5e7)
-    );
+    assert_eq!(rows[1].stiffness.x_n_per_m2, 5e7);
+    assert_eq!(rows[1].stiffness.y_n_per_m2, 5e7);
     assert_eq!(rows[1].stiffness.z_n_per_m2, 0.0);
     assert!(input.tower().is_ok());
 }
 
 #[test]
 fn a_monopile_on_springs() {
-    let main = with(
-        &tower_file(OFFSHORE),
-        &[("1         hub_conn", "3 hub_conn")],
-    );
+    let parameter = [("1         hub_conn", "3 hub_conn")];
+    let main = with(&tower_file(OFFSHORE), &parameter);
     let input = decks::tower(&main, SECTIONS, false);
     let Foundation::Stiffness(springs) = &input.description.foundation else {
         panic!("{:?}", input.description.foundation)
@@ -265,10 +231,8 @@ fn springs_without_a_platform_are_a_foundation() {
     let Foundation::Stiffness(springs) = &input.description.foundation else {
         panic!("{:?}", input.description.foundation)
     };
-    assert_eq!(
-        (springs.stiffness[2][2], springs.stiffness[5][5]),
-        (3.42e5, 1.1e7)
-    );
+    assert_eq!(springs.stiffness[2][2], 3.42e5);
+    assert_eq!(springs.stiffness[5][5], 1.1e7);
     assert_eq!(springs.inertia[2][2], 2.4e5);
 }
 
@@ -300,10 +264,8 @@ fn slight_asymmetry_is_noted() {
 
 #[test]
 fn a_later_bmodes_has_wires_after_the_platform() {
-    let later = with(
-        OFFSHORE,
-        &[("2         tow_support", "1 tow_support"), ("END\n", "")],
-    );
+    let parameter = [("2         tow_support", "1 tow_support"), ("END\n", "")];
+    let later = with(OFFSHORE, &parameter);
     let bare = decks::tower(&tower_file(&later), SECTIONS, false);
     assert!(bare.description.wires.is_empty());
     let start = WIRES.find("2         n_att").expect("wires");
@@ -391,29 +353,21 @@ fn a_blade_has_the_signs_of_bmodes() {
         inertia_kg_m2,
     } = blade.tip;
     assert_eq!((mass_kg, center_m), (50.0, [1.5, 0.0, 2.5]));
-    assert_eq!(
-        inertia_kg_m2.tensor(),
-        [[11.0, -0.1, -0.3], [-0.1, 10.0, -0.2], [-0.3, -0.2, 12.0]]
-    );
+    let expected = [[11.0, -0.1, -0.3], [-0.1, 10.0, -0.2], [-0.3, -0.2, 12.0]];
+    assert_eq!(inertia_kg_m2.tensor(), expected);
     let row = &blade.sections[1];
     assert_eq!((row.span, row.mass_kg_per_m), (0.4, 200.0));
     assert!(close(row.twist_rad, -10f64.to_radians()));
     // Turned by 30 degrees: 40 ∓ 30 cos 60°.
-    assert!(
-        close(row.flap_inertia_kg_m, 25.0),
-        "{}",
-        row.flap_inertia_kg_m
-    );
+    let holds = close(row.flap_inertia_kg_m, 25.0);
+    assert!(holds, "{}", row.flap_inertia_kg_m);
     assert!(close(row.edge_inertia_kg_m, 55.0));
     assert_eq!((row.flap_n_m2, row.edge_n_m2), (4e9, 7e9));
     assert_eq!((row.torsion_n_m2, row.axial_n), (1e9, 1.2e10));
     assert_eq!(row.center_of_mass_m, -0.15);
     assert!(close(row.tension_center_m, -0.05));
-    noted(
-        &input.notes,
-        21,
-        &["cm_axial", "3 sections", "here it is 1.5 m"],
-    );
+    let words = ["cm_axial", "3 sections", "here it is 1.5 m"];
+    noted(&input.notes, 21, &words);
 }
 
 #[test]
@@ -455,10 +409,7 @@ fn sample(name: &str) -> Option<PathBuf> {
 
 fn read_sample(path: &Path, quirks: bool) -> BmodesInput {
     let source = Source::from_path(path).expect("the sample is there");
-    let options = ReadOptions {
-        bmodes_quirks: quirks,
-        ..ReadOptions::default()
-    };
+    let options = with!(ReadOptions, bmodes_quirks = quirks);
     read_bmodes(source, &SiblingFiles::of(path), &options).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -483,10 +434,9 @@ fn the_sample_blades() {
     };
     let input = sample_blade(&path, false);
     let blade = &input.description;
-    assert_eq!(
-        (blade.sections.len(), blade.borders.len(), input.modes),
-        (21, 13, 20)
-    );
+    assert_eq!(blade.sections.len(), 21);
+    assert_eq!(blade.borders.len(), 13);
+    assert_eq!(input.modes, 20);
     assert_eq!((blade.hub_radius_m, blade.tip_radius_m), (1.75, 35.0));
     assert!(close(
         blade.rotor_speed_rad_per_s,
@@ -512,26 +462,20 @@ fn the_sample_towers_on_land() {
     };
     let input = sample_tower(&path, false);
     let tower = &input.description;
-    assert_eq!(
-        (tower.properties.len(), input.prescribed.modes),
-        (10, Some(20))
-    );
+    assert_eq!(tower.properties.len(), 10);
+    assert_eq!(input.prescribed.modes, Some(20));
     assert_eq!(tower.properties[9].height_m, 82.39);
     assert_eq!(tower.properties[9].properties.mass_kg_per_m, 644.666);
     assert_eq!(
         tower.properties[0].properties.bending_n_m2.side_side,
         243.058e9
     );
-    assert_eq!(
-        (tower.rna.mass_kg, tower.rna.center_m),
-        (78055.8, [-3.3, 0.0, 1.1])
-    );
+    assert_eq!(tower.rna.mass_kg, 78055.8);
+    assert_eq!(tower.rna.center_m, [-3.3, 0.0, 1.1]);
     assert_eq!(tower.rna.inertia_kg_m2.xz, -18400.0);
     assert!(tower.wires.is_empty());
-    assert_eq!(
-        sample_tower(&path, true).description.rna.center_m,
-        [1.1, 0.0, 0.0]
-    );
+    let found = sample_tower(&path, true).description.rna.center_m;
+    assert_eq!(found, [1.1, 0.0, 0.0]);
     assert!(input.tower().is_ok());
     let Some(path) = sample("Test04_wires_supported_tower.bmi") else {
         return;
@@ -539,19 +483,12 @@ fn the_sample_towers_on_land() {
     let input = sample_tower(&path, false);
     let wires = &input.description.wires;
     assert_eq!(wires.len(), 2);
-    assert_eq!(
-        (
-            wires[1].count,
-            wires[1].stiffness_n_per_m,
-            wires[1].angle_deg
-        ),
-        (3, 1.6e9, 30.0)
-    );
+    assert_eq!(wires[1].count, 3);
+    assert_eq!(wires[1].stiffness_n_per_m, 1.6e9);
+    assert_eq!(wires[1].angle_deg, 30.0);
     let borders_m = input.prescribed.borders_m.as_deref().expect("borders");
-    assert_eq!(
-        (wires[0].height_m, wires[1].height_m),
-        (borders_m[5], borders_m[9])
-    );
+    assert_eq!(wires[0].height_m, borders_m[5]);
+    assert_eq!(wires[1].height_m, borders_m[9]);
     assert!(input.tower().is_ok());
 }
 
@@ -578,10 +515,9 @@ fn the_sample_monopile() {
     };
     // The matrices are about the base already.
     let k = &springs.stiffness;
-    assert_eq!(
-        (k[0][0], k[0][4], k[1][3]),
-        (2_574_800_000.0, -22_532_500_000.0, 22_532_500_000.0)
-    );
+    assert_eq!(k[0][0], 2_574_800_000.0);
+    assert_eq!(k[0][4], -22_532_500_000.0);
+    assert_eq!(k[1][3], 22_532_500_000.0);
     assert_eq!((k[3][3], k[2][2]), (262_912_300_000.0, f64::INFINITY));
     assert_eq!(springs.inertia, [[0.0; 6]; 6]);
     assert!(tower.soil.is_empty() && tower.wires.is_empty());
@@ -599,10 +535,8 @@ fn the_sample_spar() {
     let Foundation::Floating(platform) = &tower.foundation else {
         panic!("{:?}", tower.foundation)
     };
-    assert_eq!(
-        (platform.mass_kg, platform.center_m[2]),
-        (7_466_330.0, -89.9155)
-    );
+    assert_eq!(platform.mass_kg, 7_466_330.0);
+    assert_eq!(platform.center_m[2], -89.9155);
     assert_eq!(platform.mooring.height_m, 0.0);
     assert_eq!(platform.mooring.matrix[0][4], -2_818_500.0);
     assert_eq!(platform.mooring.matrix[4][4], 6_894_680_000.0);
@@ -623,11 +557,7 @@ fn the_sample_spar() {
     ];
     for (quirks, expected) in [(false, later), (true, third)] {
         let tower = sample_tower(&path, quirks).tower().expect("a tower");
-        let options = Options {
-            method: Method::Bmodes,
-            segments: Some(50),
-            ..Options::default()
-        };
+        let options = with!(Options, method = Method::Bmodes, segments = Some(50));
         let solution = solve(&tower, &options).expect("modes");
         // Surge and sway come first, which the program's own solver rounds most.
         for (mode, hz) in solution.modes[2..].iter().zip(expected) {

@@ -2,7 +2,7 @@
 //! some.
 
 use crate::decks;
-use crate::refused::{rows, words};
+use towermodes_testing::{Says, number, rows, words};
 
 use decks::{
     ALONE, BLADE_SECTIONS, OFFSHORE, SECTIONS, TOWER, WIRES, blade_file, mistakes, read, refused,
@@ -19,24 +19,20 @@ fn main_refused(old: &str, new: &str, line: usize, words: &[&str]) {
 
 fn main_all_refused(table: &str) {
     for [old, new, line, said] in rows(table) {
-        main_refused(&old, &new, line.parse().expect("a line"), &words(&said));
+        main_refused(old, new, line.parse().expect("a line"), &words(said));
     }
 }
 
 #[track_caller]
 fn sections_refused(old: &str, new: &str, line: usize, words: &[&str]) {
     let sections = with(SECTIONS, &[(old, new)]);
-    refused(
-        &tower_file(ALONE),
-        &sections,
-        &format!("secs.dat:{line}"),
-        words,
-    );
+    let place = format!("secs.dat:{line}");
+    refused(&tower_file(ALONE), &sections, &place, words);
 }
 
 fn sections_all_refused(table: &str) {
     for [old, new, line, said] in rows(table) {
-        sections_refused(&old, &new, line.parse().expect("a line"), &words(&said));
+        sections_refused(old, new, line.parse().expect("a line"), &words(said));
     }
 }
 
@@ -123,12 +119,8 @@ fn stiffnesses_are_positive() {
         ␣80.0E9 0 | ␣0. 0 | 8 | axial_stff & positive
         "#,
     );
-    main_refused(
-        "1.0       tor_",
-        "0.0 tor_",
-        39,
-        &["tor_stff_mult", "positive"],
-    );
+    let words = ["tor_stff_mult", "positive"];
+    main_refused("1.0       tor_", "0.0 tor_", 39, &words);
 }
 
 #[test]
@@ -144,12 +136,8 @@ fn a_section_without_inertia_is_refused() {
         ("1.0       lag_i", "0. lag_i"),
     ];
     let main = with(&tower_file(ALONE), &none);
-    refused(
-        &main,
-        SECTIONS,
-        "tower.bmi:36",
-        &["flp_iner_mult", "both 0"],
-    );
+    let words = ["flp_iner_mult", "both 0"];
+    refused(&main, SECTIONS, "tower.bmi:36", &words);
 }
 
 /// BModes multiplies both inertias with the twist alone, so that they are about the blade's axis.
@@ -167,16 +155,11 @@ fn a_centre_of_mass_beside_the_axis_of_a_blade_needs_inertia() {
 
 #[test]
 fn rows_are_counted() {
-    sections_refused(
-        "4        n_secs",
-        "5        n_secs",
-        11,
-        &["row 5 of n_secs = 5", "write n_secs = 4"],
-    );
-    let cut = with(
-        SECTIONS,
-        &[(ROW_9, ""), ("\n**Note: text may follow.\n", "")],
-    );
+    let old = "4        n_secs";
+    let new = "5        n_secs";
+    sections_refused(old, new, 11, &["row 5 of n_secs = 5", "write n_secs = 4"]);
+    let parameter = [(ROW_9, ""), ("\n**Note: text may follow.\n", "")];
+    let cut = with(SECTIONS, &parameter);
     let words = ["row 4 of n_secs = 4", "file ends"];
     refused(&tower_file(ALONE), &cut, "secs.dat:8", &words);
     sections_all_refused(
@@ -214,12 +197,8 @@ fn text_in_a_number_is_refused() {
 
 #[test]
 fn locations_rise_from_0_to_1() {
-    sections_refused(
-        "0.5 0. 0. 3000.",
-        "0.4 0. 0. 3000.",
-        8,
-        &["sec_loc", "0.4 follows 0.5"],
-    );
+    let old = "0.5 0. 0. 3000.";
+    sections_refused(old, "0.4 0. 0. 3000.", 8, &["sec_loc", "0.4 follows 0.5"]);
     let third = format!("{ROW_7}{ROW_7}");
     let sections = with(
         SECTIONS,
@@ -234,24 +213,17 @@ fn locations_rise_from_0_to_1() {
         "secs.dat:6",
         &["sec_loc", "must be 0"],
     );
-    sections_refused(
-        "1.0 0. 0. 2000.",
-        "0.9 0. 0. 2000.",
-        9,
-        &["sec_loc", "0.9", "must be 1"],
-    );
+    let old = "1.0 0. 0. 2000.";
+    sections_refused(old, "0.9 0. 0. 2000.", 9, &["sec_loc", "0.9", "must be 1"]);
     sections_refused(
         ROW_6,
         &ROW_6.replacen("0.0", "0.1", 1),
         6,
         &["sec_loc", "0.1", "must be 0"],
     );
-    sections_refused(
-        "1.0 0. 0. 2000.",
-        "80. 0. 0. 2000.",
-        9,
-        &["sec_loc", "metres", "divide by 80"],
-    );
+    let old = "1.0 0. 0. 2000.";
+    let new = "80. 0. 0. 2000.";
+    sections_refused(old, new, 9, &["sec_loc", "metres", "divide by 80"]);
 }
 
 #[test]
@@ -293,7 +265,7 @@ fn a_root_is_held_in_one_of_three_ways() {
         let input = decks::tower(&main, SECTIONS, false);
         let error = input.tower().expect_err("nothing holds it").to_string();
         if hub == "2" {
-            assert!(error.contains("nothing prevents"), "{error}");
+            error.says("nothing prevents");
         }
         let blade = with(&blade_file(), &[("1         hub_conn", &changed)]);
         let words = ["hub_conn is", "must be 1 for a blade"];
@@ -326,46 +298,26 @@ fn lengths_make_sense() {
         0.        romg: | -1. romg: | 7 | rot_rpm & negative
         "#,
     );
-    support_refused(
-        OFFSHORE,
-        "10.0      draft",
-        "-80. draft",
-        52,
-        &["80 m", "below the top"],
-    );
+    let words = ["80 m", "below the top"];
+    support_refused(OFFSHORE, "10.0      draft", "-80. draft", 52, &words);
 }
 
 #[test]
 fn wires_are_within_their_ranges() {
     let refused = |old, new, line, words: &[&str]| support_refused(WIRES, old, new, line, words);
-    refused("3 4       n_w", "3 2 n_w", 54, &["n_wires is 2", "three"]);
-    refused(
-        "3 5       node",
-        "1 5 node",
-        55,
-        &["node_attach is 1", "base"],
-    );
-    refused(
-        "3 5       node",
-        "3 6 node",
-        55,
-        &["node_attach is 6", "nselt + 1"],
-    );
-    refused("60. 30.", "60. 91.", 57, &["th_wire is 91", "0 to 90"]);
-    refused("60. 30.", "-1. 30.", 57, &["th_wire is -1"]);
-    refused(
-        "1.e8 2.e8",
-        "0. 2.e8",
-        56,
-        &["wire_stfness is 0", "positive"],
-    );
-    refused(
-        "2         n_att",
-        "-1 n_att",
-        53,
-        &["n_attachments", "at least 0"],
-    );
-    refused("1.e8 2.e8", "1.e8", 56, &["wire_stfness"]);
+    let table = r#"
+        3 4       n_w | 3 2 n_w | 54 | n_wires is 2 & three
+        3 5       node | 1 5 node | 55 | node_attach is 1 & base
+        3 5       node | 3 6 node | 55 | node_attach is 6 & nselt + 1
+        60. 30. | 60. 91. | 57 | th_wire is 91 & 0 to 90
+        60. 30. | -1. 30. | 57 | th_wire is -1
+        1.e8 2.e8 | 0. 2.e8 | 56 | wire_stfness is 0 & positive
+        2         n_att | -1 n_att | 53 | n_attachments & at least 0
+        1.e8 2.e8 | 1.e8 | 56 | wire_stfness
+        "#;
+    for [old, new, line, said] in rows(table) {
+        refused(old, new, number(line), &words(said));
+    }
 }
 
 #[test]
@@ -401,12 +353,8 @@ fn decimal_commas_are_no_separators() {
         "4,0 0,0 0,0 0,0 -2,8 0,0\n0. 4.0e4",
     )];
     let main = with(&tower_file(OFFSHORE), &all);
-    refused(
-        &main,
-        SECTIONS,
-        "tower.bmi:75",
-        &["mooring_K", "values instead of 6"],
-    );
+    let line = "tower.bmi:75";
+    refused(&main, SECTIONS, line, &["mooring_K", "values instead of 6"]);
 }
 
 #[test]
@@ -422,13 +370,8 @@ fn a_missing_line_is_noticed_where_it_is_missing() {
         el_loc()\n |  | 47 | announces el_loc & numbers
         "#,
     );
-    support_refused(
-        OFFSHORE,
-        "hydro_K:\n",
-        "",
-        67,
-        &["announces hydro_K", "numbers"],
-    );
+    let words = ["announces hydro_K", "numbers"];
+    support_refused(OFFSHORE, "hydro_K:\n", "", 67, &words);
     main_refused("--- Support ---\n", "", 50, &["heading", "tow_support"]);
 }
 
@@ -441,13 +384,8 @@ fn a_line_too_many_is_noticed() {
         --- Tip mass ---\n | --- Tip\nmass ---\n | 19 | tip_mass & `mass`
         "#,
     );
-    support_refused(
-        OFFSHORE,
-        "hydro_M:\n",
-        "hydro_M:\nrows\n",
-        61,
-        &["hydro_M", "`rows`"],
-    );
+    let words = ["hydro_M", "`rows`"];
+    support_refused(OFFSHORE, "hydro_M:\n", "hydro_M:\nrows\n", 61, &words);
 }
 
 #[test]
@@ -465,27 +403,14 @@ fn missing_rows_of_a_matrix_are_noticed() {
 
 #[test]
 fn tables_over_the_height_are_checked() {
-    support_refused(
-        OFFSHORE,
-        "0. 5. 10. :",
-        "0. 10. 5. :",
-        84,
-        &["height", "5 m follows 10 m"],
-    );
-    support_refused(
-        OFFSHORE,
-        "0. 5. 10. :",
-        "0. 5. 8. 9. :",
-        84,
-        &["z_distr_m", "4 values instead of 3"],
-    );
-    support_refused(
-        OFFSHORE,
-        "7000. 6000.",
-        "-7. 6000.",
-        85,
-        &["distr_m", "negative"],
-    );
+    let table = r#"
+        0. 5. 10. : | 0. 10. 5. : | 84 | height & 5 m follows 10 m
+        0. 5. 10. : | 0. 5. 8. 9. : | 84 | z_distr_m & 4 values instead of 3
+        7000. 6000. | -7. 6000. | 85 | distr_m & negative
+        "#;
+    for [old, new, line, said] in rows(table) {
+        support_refused(OFFSHORE, old, new, number(line), &words(said));
+    }
     let huge = "1000000000000 n_secs_m_distr";
     support_refused(OFFSHORE, "3         n_secs_m_distr", huge, 83, &["at most"]);
 }
@@ -525,12 +450,8 @@ fn values_left_out_are_refused() {
         80.0␣␣ | , 80.0␣ | 9 | radius & no value
         "#,
     );
-    sections_refused(
-        "3000. 12000.",
-        "3000.,, 12000.",
-        8,
-        &["flp_iner", "no value"],
-    );
+    let words = ["flp_iner", "no value"];
+    sections_refused("3000. 12000.", "3000.,, 12000.", 8, &words);
 }
 
 #[test]
@@ -566,10 +487,8 @@ fn no_beginning_of_a_deck_is_a_deck() {
     }
     let end = SECTIONS.find("  50.0E9 0. 0. 0.").expect("the last row");
     for length in 0..end {
-        assert!(
-            read(&tower_file(ALONE), &SECTIONS[..length], false).is_err(),
-            "{length}"
-        );
+        let holds = read(&tower_file(ALONE), &SECTIONS[..length], false).is_err();
+        assert!(holds, "{length}");
     }
     assert!(matches!(
         read(TOWER, SECTIONS, false),

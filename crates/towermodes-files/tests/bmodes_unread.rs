@@ -5,6 +5,7 @@ use crate::decks;
 
 use decks::{ALONE, OFFSHORE, SECTIONS, WIRES, mistakes, tower, tower_file, with};
 use towermodes::{Options, solve};
+use towermodes_testing::Says;
 
 /// The notes of a deck, each with the line it is on.
 fn notes(main: &str) -> Vec<(usize, String)> {
@@ -19,10 +20,8 @@ fn has_note(main: &str, line: usize, words: &[&str]) {
     let is_meant = |(at, message): &&(usize, String)| {
         *at == line && words.iter().all(|word| message.contains(word))
     };
-    assert!(
-        notes.iter().find(is_meant).is_some(),
-        "{line} {words:?}: {notes:?}"
-    );
+    let holds = notes.iter().find(is_meant).is_some();
+    assert!(holds, "{line} {words:?}: {notes:?}");
 }
 
 fn first_hz(main: &str) -> f64 {
@@ -67,15 +66,13 @@ fn a_heading_that_is_missing_is_still_noticed() {
     let (source, mistakes) = mistakes(&main, SECTIONS, false);
     let said = mistakes[0].to_string();
     assert_eq!(mistakes[0].line_and_column(&source.text).0, 50, "{said}");
-    assert!(said.contains("tow_support"), "{said}");
+    said.says("tow_support");
 }
 
 #[test]
 fn wires_that_a_count_of_zero_drops_are_noted() {
-    let dropped = with(
-        &tower_file(WIRES),
-        &[("2         n_attachments", "0         n_attachments")],
-    );
+    let parameter = [("2         n_attachments", "0         n_attachments")];
+    let dropped = with(&tower_file(WIRES), &parameter);
     let words = [
         "n_attachments is 0",
         "no guy wires",
@@ -83,10 +80,8 @@ fn wires_that_a_count_of_zero_drops_are_noted() {
     ];
     has_note(&dropped, 53, &words);
     assert!(first_hz(&tower_file(WIRES)) > 1.1 * first_hz(&dropped));
-    let without = with(
-        &dropped,
-        &[("1.e8 2.e8 wire_stfness", "0.   0.   wire_stfness")],
-    );
+    let parameter = [("1.e8 2.e8 wire_stfness", "0.   0.   wire_stfness")];
+    let without = with(&dropped, &parameter);
     has_note(&without, 53, &["n_attachments is 0", "tow_support = 0"]);
     let is_on_count =
         |(line, message): &(usize, String)| *line == 53 && message.contains("n_attachments");
@@ -95,10 +90,8 @@ fn wires_that_a_count_of_zero_drops_are_noted() {
 
 #[test]
 fn sets_of_wires_beyond_the_count_are_noted() {
-    let one = with(
-        &tower_file(WIRES),
-        &[("2         n_attachments", "1         n_attachments")],
-    );
+    let parameter = [("2         n_attachments", "1         n_attachments")];
+    let one = with(&tower_file(WIRES), &parameter);
     has_note(
         &one,
         53,
@@ -145,10 +138,8 @@ fn what_follows_no_support_is_noted() {
 
 #[test]
 fn tables_that_a_count_of_zero_drops_are_noted() {
-    let main = with(
-        &tower_file(OFFSHORE),
-        &[("3         n_secs_m", "0         n_secs_m")],
-    );
+    let parameter = [("3         n_secs_m", "0         n_secs_m")];
+    let main = with(&tower_file(OFFSHORE), &parameter);
     has_note(
         &main,
         83,
@@ -159,15 +150,10 @@ fn tables_that_a_count_of_zero_drops_are_noted() {
         ],
     );
     // A floating tower stands in no soil, and decks keep the table of another tower.
-    let soil = with(
-        &tower_file(OFFSHORE),
-        &[("2         n_secs_k", "0         n_secs_k")],
-    );
-    has_note(
-        &soil,
-        88,
-        &["n_secs_k_distr is 0", "the 2 values of distr_k"],
-    );
+    let parameter = [("2         n_secs_k", "0         n_secs_k")];
+    let soil = with(&tower_file(OFFSHORE), &parameter);
+    let words = ["n_secs_k_distr is 0", "the 2 values of distr_k"];
+    has_note(&soil, 88, &words);
     let floating = with(&soil, &[("1         hub_conn", "2         hub_conn")]);
     assert!(!notes(&floating).iter().any(|(line, _)| *line == 88));
     let zeros = with(&main, &[("7000. 6000. 0. :", "0. 0. 0. :")]);
@@ -249,17 +235,9 @@ fn tables_of_no_rows_before_something_else_are_refused() {
         .split("\nDistributed stiffness")
         .next()
         .expect("a part");
-    assert!(said(torn).contains("ends"), "{}", said(torn));
+    said(torn).says("ends");
     let without_count = with(&main, &[("0         n_secs_k_distr: rows\n", "")]);
-    assert!(
-        said(&without_count).contains("n_"),
-        "{}",
-        said(&without_count)
-    );
+    said(&without_count).says("n_");
     let without_places = with(&main, &[("2         n_attachments: places\n", "")]);
-    assert!(
-        said(&without_places).contains("the heading of the wires"),
-        "{}",
-        said(&without_places)
-    );
+    said(&without_places).says("the heading of the wires");
 }

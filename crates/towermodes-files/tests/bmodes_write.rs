@@ -9,6 +9,7 @@ use towermodes::{
     Tower, TowerDescription, solve,
 };
 use towermodes_files::{BmodesWriteError, BmodesWriteOptions, write_bmodes};
+use towermodes_testing::{Says, assert_matches, parts, with};
 
 use written_decks::{Deck, assert_near, between, try_to_write, tubes, written};
 
@@ -59,19 +60,11 @@ fn records_of_a_clamped_tower_stand_where_bmodes_reads_them() {
     // 61 borders on eight lines, and two records before tow_support.
     assert_eq!(deck.record("tow_support"), 48 + 8 + 2);
     assert_eq!((deck.value("radius"), deck.value("hub_rad")), (100.0, 0.0));
-    assert_eq!(
-        (deck.value("hub_conn"), deck.value("beam_type")),
-        (1.0, 2.0)
-    );
-    assert_eq!(
-        (deck.value("nselt"), deck.value("tow_support")),
-        (60.0, 0.0)
-    );
-    assert!(
-        deck.lines[30].starts_with("'tower_sections.dat'"),
-        "{}",
-        deck.lines[30]
-    );
+    assert_eq!(deck.value("hub_conn"), 1.0);
+    assert_eq!(deck.value("beam_type"), 2.0);
+    assert_eq!(deck.value("nselt"), 60.0);
+    assert_eq!(deck.value("tow_support"), 0.0);
+    deck.lines[30].begins("'tower_sections.dat'");
     assert_eq!(deck.borders()[30], 0.5);
 }
 
@@ -160,22 +153,11 @@ fn the_tower_of_a_deck_has_the_frequencies_of_the_tower() {
     };
     description.outfitting_factor = 1.1;
     description.point_masses = vec![
-        PointMass {
-            height_m: 97.0,
-            mass_kg: 5e3,
-            inertia_kg_m2: Inertia::default(),
-        },
-        PointMass {
-            height_m: 50.0,
-            mass_kg: 20e3,
-            inertia_kg_m2: Inertia::default(),
-        },
+        parts::point_mass(97.0, 5e3, Inertia::default()),
+        parts::point_mass(50.0, 20e3, Inertia::default()),
     ];
     let deck = written(&description);
-    let options = Options {
-        method: Method::Spectral,
-        ..Options::default()
-    };
+    let options = with!(Options, method = Method::Spectral);
     let frequencies = |tower: &Tower| -> Vec<f64> {
         let solution = solve(tower, &options).expect("modes");
         solution
@@ -219,12 +201,7 @@ fn masses_keep_their_mass_their_centre_and_their_inertia_about_the_axis() {
     let mass = |height_m, mass_kg, zz| PointMass {
         height_m,
         mass_kg,
-        inertia_kg_m2: Inertia {
-            xx: zz,
-            yy: zz,
-            zz,
-            ..Inertia::default()
-        },
+        inertia_kg_m2: with!(Inertia, xx = zz, yy = zz, zz),
     };
     // Apart, overlapping, nearer to an end than half the width, and where the tower has a step.
     description.point_masses = vec![
@@ -269,11 +246,8 @@ fn masses_keep_their_mass_their_centre_and_their_inertia_about_the_axis() {
     };
     let [kg, moment, half_polar] = total(0.0, 1.0);
     assert_near(kg, 70_500.0, 1e-3);
-    assert_near(
-        moment,
-        30.0 * 1e4 + 30.1 * 2e4 + 60.0 * 4e4 + 99.9 * 500.0,
-        1e-3,
-    );
+    let expected = 30.0 * 1e4 + 30.1 * 2e4 + 60.0 * 4e4 + 99.9 * 500.0;
+    assert_near(moment, expected, 1e-3);
     assert_near(half_polar, 0.5 * 4e5, 2e-2);
     let borders = with.borders();
     for end in [0.2975, 0.3025, 0.2985, 0.3035, 0.5975, 0.6, 0.6025, 0.998] {
@@ -294,34 +268,24 @@ fn planes_in_one_ratio_or_not_at_all() {
             mass_kg_per_m: 5000.0,
             rotary_inertia_kg_m: Planes::both(2e4),
             polar_inertia_kg_m: 4e4,
-            bending_n_m2: Planes {
-                fore_aft,
-                side_side,
-            },
+            bending_n_m2: parts::planes(fore_aft, side_side),
             torsion_n_m2: 4.7e11,
             axial_n: 1.4e11,
             shear_n: None,
         },
     };
-    let of = |properties| TowerDescription {
-        properties,
-        ..TowerDescription::default()
-    };
+    let of = |properties| with!(TowerDescription, properties);
     let deck = written(&of(vec![row(0.0, 4e11, 5e11), row(90.0, 2e11, 2.5e11)]));
-    assert_eq!(
-        (deck.value("flp_stff_mult"), deck.value("edge_stff_mult")),
-        (1.0, 1.25)
-    );
+    assert_eq!(deck.value("flp_stff_mult"), 1.0);
+    assert_eq!(deck.value("edge_stff_mult"), 1.25);
     // Both ends of a table's line are enough.
     assert_eq!(deck.sections.len(), 2);
-    assert_eq!(
-        deck.sections[1][3..10],
-        [5000.0, 2e4, 2e4, 2e11, 2e11, 4.7e11, 1.4e11]
-    );
+    let expected = [5000.0, 2e4, 2e4, 2e11, 2e11, 4.7e11, 1.4e11];
+    assert_eq!(deck.sections[1][3..10], expected);
     deck.says("BModes 3.00 swaps flp_stff_mult and edge_stff_mult");
     let error = try_to_write(&of(vec![row(0.0, 4e11, 5e11), row(90.0, 2e11, 2e11)]));
     let error = error.expect_err("planes that differ").to_string();
-    assert!(error.contains("1.25 at 0 m and 1.16667 at 45 m"), "{error}");
+    error.says("1.25 at 0 m and 1.16667 at 45 m");
 }
 
 #[test]
@@ -363,11 +327,7 @@ fn no_more_elements_than_bmodes_takes_and_no_heights_too_close() {
     let deck = written(&description);
     deck.says("heights are merged with neighbours");
     let tower = Tower::new(tubes()).expect("a tower");
-    let options = |elements| BmodesWriteOptions {
-        elements,
-        modes: 0,
-        ..BmodesWriteOptions::default()
-    };
+    let options = |elements| with!(BmodesWriteOptions, elements, modes = 0);
     let many = Deck::of(&write_bmodes(&tower, &tubes(), &options(usize::MAX)).expect("a deck"));
     assert_eq!((many.value("nselt"), many.value("modepr")), (111.0, 1.0));
     let few = Deck::of(&write_bmodes(&tower, &tubes(), &options(0)).expect("a deck"));
@@ -380,24 +340,17 @@ fn names_and_titles_stay_on_their_lines() {
     description.name = "two\nlines, ".repeat(20);
     let deck = written(&description);
     assert_eq!(deck.record("radius"), 9);
-    assert!(
-        deck.lines[1].starts_with("two lines, two lines,") && deck.lines[1].chars().count() <= 99
-    );
+    deck.lines[1].begins("two lines, two lines,");
+    assert!(deck.lines[1].chars().count() <= 99);
     let tower = Tower::new(tubes()).expect("a tower");
     let named = |sections_file: &str| {
-        let options = BmodesWriteOptions {
-            sections_file: sections_file.into(),
-            ..BmodesWriteOptions::default()
-        };
+        let options = with!(BmodesWriteOptions, sections_file = sections_file.into());
         write_bmodes(&tower, &tubes(), &options).map(|files| files.deck)
     };
     let deck = named("it's in/a folder.dat").expect("a deck");
-    assert!(deck.contains("\n\"it's in/a folder.dat\" "), "{deck}");
+    deck.says("\n\"it's in/a folder.dat\" ");
     for wrong in ["", "a'b\"c", "two\nlines", &"x".repeat(201)] {
         let error = named(wrong).expect_err("no name");
-        assert!(
-            matches!(error, BmodesWriteError::FileName { .. }),
-            "{error}"
-        );
+        assert_matches!(error, BmodesWriteError::FileName { .. });
     }
 }

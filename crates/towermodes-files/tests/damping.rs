@@ -2,11 +2,12 @@
 
 use crate::refused;
 
-use refused::{refused_text, rows};
+use refused::refused_text;
 use towermodes::{Damping, LossFactors, Rna, RotorAerodynamics, TowerDescription};
 use towermodes_files::{
     ConvertOptions, OutputFormat, TowerInput, convert, description_from_toml, write_toml,
 };
+use towermodes_testing::rows;
 
 const GOOD: &str = r#"[material]
 density = 8500.0
@@ -48,7 +49,7 @@ fn refused(from: &str, to: &str, place: &str, message: &str, hint: &str) {
 /// Mistakes one after the other: what is replaced, by what, place, message, hint.
 fn all_refused(table: &str) {
     for [from, to, place, message, hint] in rows(table) {
-        refused(&from, &to, &place, &message, &hint);
+        refused(from, to, place, message, hint);
     }
 }
 
@@ -86,13 +87,8 @@ fn defaults_of_the_rotor_are_those_that_the_book_lists() {
 fn mistakes_have_their_place() {
     let percent = "as a fraction and not in percent";
     refused("0.004", "-0.004", "17:21", "must be from 0 to 1", percent);
-    refused(
-        "0.03",
-        "3",
-        "20:20",
-        "the loss factor of the soil is 3",
-        percent,
-    );
+    let message = "the loss factor of the soil is 3";
+    refused("0.03", "3", "20:20", message, percent);
     refused("0.01 }", "1.5 }", "18:25", "of a material is 1.5", percent);
     all_refused(
         r#"
@@ -112,11 +108,8 @@ fn mistakes_have_their_place() {
 fn what_is_written_is_read_back() {
     let (text, notes) = write_toml(&good());
     assert!(notes.is_empty(), "{notes:?}");
-    assert_eq!(
-        description_from_toml(&text).expect("a tower"),
-        good(),
-        "{text}"
-    );
+    let found = description_from_toml(&text).expect("a tower");
+    assert_eq!(found, good(), "{text}");
     // Materials without names of their own get numbers.
     let mut unnamed = good();
     unnamed.part_names.materials.clear();

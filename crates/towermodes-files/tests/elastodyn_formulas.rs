@@ -3,6 +3,7 @@
 use towermodes::Planes;
 use towermodes::tower::Plane;
 use towermodes_analysis::elastodyn::{PlaneModes, TowerModel, TowerPolynomial, TowerStation};
+use towermodes_testing::parts;
 
 /// The first so many numbers of a line.
 fn numbers(line: &str, count: usize) -> Vec<f64> {
@@ -28,10 +29,7 @@ fn the_nrel_5_mw_tower_has_its_published_mass_and_elastodyn_s_frequencies() {
         TowerStation {
             height_fraction: row[0],
             mass_kg_per_m: row[1],
-            bending_n_m2: Planes {
-                fore_aft: row[2],
-                side_side: row[3],
-            },
+            bending_n_m2: parts::planes(row[2], row[3]),
         }
     };
     let shape = |first: usize| TowerPolynomial {

@@ -2,12 +2,13 @@
 
 use std::ops::Range;
 
-use towermodes::{Material, MissingPart, Rna, Station, Tower, TowerDescription};
+use towermodes::{MissingPart, Rna, Tower, TowerDescription};
 use towermodes_analysis::elastodyn::MakeOptions;
 use towermodes_files::elastodyn::{
     CoefficientSpans, ConcentratedMass, PatchError, TowerFile, TowerFileError, TowerRow,
     header_with_heights, make_tower_file, patched, unified_diff, write_tower_file,
 };
+use towermodes_testing::{Says, changed, tube};
 
 fn row(height_fraction: f64, mass_kg_per_m: f64) -> TowerRow {
     TowerRow {
@@ -97,16 +98,13 @@ a small tower; TowerHt = 87.6 m, TowerBsHt = 10 m
 #[test]
 fn a_tower_file_is_laid_out_as_openfast_s_examples_are() {
     assert_eq!(write_tower_file(&content(), true).expect("a file"), WRITTEN);
-    let without = TowerFile {
-        concentrated_masses: Vec::new(),
-        ..content()
-    };
+    let without = changed!(content(), concentrated_masses = Vec::new());
     let (head, _) = WRITTEN
         .split_once("---------------------- TOWER CONC")
         .expect("a section");
     assert_eq!(write_tower_file(&without, false).expect("a file"), head);
     let empty = write_tower_file(&without, true).expect("a file");
-    assert!(empty.contains("             0   NTwCMass "));
+    empty.says("             0   NTwCMass ");
 }
 
 #[test]
@@ -121,81 +119,41 @@ fn a_header_stays_one_line_and_a_missing_title_is_given() {
     content.header = [String::new(), "two\r\nlines \t".to_owned()];
     let text = write_tower_file(&content, true).expect("a file");
     let lines: Vec<&str> = text.lines().collect();
-    assert!(lines[0].starts_with("------- ELASTODYN V1.00.* TOWER INPUT FILE"));
+    lines[0].begins("------- ELASTODYN V1.00.* TOWER INPUT FILE");
     assert_eq!(lines[1], "two  lines");
     assert_eq!(lines.len(), WRITTEN.lines().count());
 }
 
 #[test]
 fn every_rule_of_openfast_is_kept() {
-    type Change = fn(&mut TowerFile);
-    let changes: [(Change, &str); 20] = [
-        (
-            |c| c.fore_aft_damping_percent[1] = -0.1,
-            "TwrFADmp(2) is -0.1; it must be from 0 to 100",
-        ),
-        (
-            |c| c.side_side_damping_percent[0] = 100.5,
-            "TwrSSDmp(1) is 100.5",
-        ),
-        (
-            |c| c.fore_aft_tuners[0] = 0.0,
-            "FAStTunr(1) is 0; it must be greater than 0",
-        ),
-        (|c| c.side_side_tuners[1] = f64::NAN, "SSStTunr(2) is NaN"),
-        (|c| c.mass_factor = f64::INFINITY, "AdjTwMa is inf"),
-        (|c| c.fore_aft_factor = -1.0, "AdjFASt is -1"),
-        (|c| c.side_side_factor = 0.0, "AdjSSSt is 0"),
-        (|c| c.rows.truncate(1), "at least 2 rows"),
-        (
-            |c| c.rows[0].height_fraction = 0.1,
-            "HtFract of row 1 is 0.1; it must be 0",
-        ),
-        (
-            |c| c.rows[2].height_fraction = 0.9,
-            "HtFract of row 3 is 0.9; it must be 1",
-        ),
-        (
-            |c| c.rows[1].height_fraction = 0.0,
-            "HtFract of row 2 is 0; it must be above",
-        ),
-        (|c| c.rows[1].height_fraction = 1.0, "HtFract of row 2 is 1"),
-        (
-            |c| c.rows[1].height_fraction = f64::NAN,
-            "HtFract of row 2 is NaN",
-        ),
-        (|c| c.rows[1].mass_kg_per_m = 0.0, "TMassDen of row 2 is 0"),
-        (
-            |c| c.rows[0].fore_aft_n_m2 = -1.0,
-            "TwFAStif of row 1 is -1",
-        ),
-        (
-            |c| c.rows[2].side_side_n_m2 = f64::NAN,
-            "TwSSStif of row 3 is NaN",
-        ),
-        (
-            |c| c.coefficients[1][0] += 0.01,
-            "TwFAM2Sh: the coefficients sum to 1.01",
-        ),
-        (
-            |c| c.coefficients[3][2] = f64::NAN,
-            "TwSSM2Sh: the coefficient of x^4 is NaN",
-        ),
-        (
-            |c| c.concentrated_masses[0].height_fraction = 1.1,
-            "HtFract of concentrated mass 1 is 1.1",
-        ),
-        (
-            |c| c.concentrated_masses[0].mass_kg = -1.0,
-            "TwCMass of concentrated mass 1 is -1",
-        ),
-    ];
-    for (change, expected) in changes {
+    let broken = |change: fn(&mut TowerFile)| {
         let mut content = content();
         change(&mut content);
-        let error = write_tower_file(&content, true).expect_err(expected);
-        assert!(error.to_string().contains(expected), "{error} / {expected}");
-    }
+        write_tower_file(&content, true).expect_err("a mistake")
+    };
+    broken(|c| c.fore_aft_damping_percent[1] = -0.1)
+        .says("TwrFADmp(2) is -0.1; it must be from 0 to 100");
+    broken(|c| c.side_side_damping_percent[0] = 100.5).says("TwrSSDmp(1) is 100.5");
+    broken(|c| c.fore_aft_tuners[0] = 0.0).says("FAStTunr(1) is 0; it must be greater than 0");
+    broken(|c| c.side_side_tuners[1] = f64::NAN).says("SSStTunr(2) is NaN");
+    broken(|c| c.mass_factor = f64::INFINITY).says("AdjTwMa is inf");
+    broken(|c| c.fore_aft_factor = -1.0).says("AdjFASt is -1");
+    broken(|c| c.side_side_factor = 0.0).says("AdjSSSt is 0");
+    broken(|c| c.rows.truncate(1)).says("at least 2 rows");
+    broken(|c| c.rows[0].height_fraction = 0.1).says("HtFract of row 1 is 0.1; it must be 0");
+    broken(|c| c.rows[2].height_fraction = 0.9).says("HtFract of row 3 is 0.9; it must be 1");
+    broken(|c| c.rows[1].height_fraction = 0.0).says("HtFract of row 2 is 0; it must be above");
+    broken(|c| c.rows[1].height_fraction = 1.0).says("HtFract of row 2 is 1");
+    broken(|c| c.rows[1].height_fraction = f64::NAN).says("HtFract of row 2 is NaN");
+    broken(|c| c.rows[1].mass_kg_per_m = 0.0).says("TMassDen of row 2 is 0");
+    broken(|c| c.rows[0].fore_aft_n_m2 = -1.0).says("TwFAStif of row 1 is -1");
+    broken(|c| c.rows[2].side_side_n_m2 = f64::NAN).says("TwSSStif of row 3 is NaN");
+    broken(|c| c.coefficients[1][0] += 0.01).says("TwFAM2Sh: the coefficients sum to 1.01");
+    broken(|c| c.coefficients[3][2] = f64::NAN).says("TwSSM2Sh: the coefficient of x^4 is NaN");
+    broken(|c| c.concentrated_masses[0].height_fraction = 1.1)
+        .says("HtFract of concentrated mass 1 is 1.1");
+    broken(|c| c.concentrated_masses[0].mass_kg = -1.0)
+        .says("TwCMass of concentrated mass 1 is -1");
 }
 
 #[test]
@@ -354,14 +312,8 @@ fn texts_of_different_lengths_differ_in_one_block() {
     let diff = unified_diff("a", "b", "1\n2\n3\n4\n5\n6\n", "1\n2\n3\n4\nx\ny\n5\n6\n");
     let expected = "--- a\n+++ b\n@@ -2,5 +2,7 @@\n 2\n 3\n 4\n+x\n+y\n 5\n 6\n";
     assert_eq!(diff, expected);
-    assert_eq!(
-        unified_diff("a", "b", "", "1\n"),
-        "--- a\n+++ b\n@@ -0,0 +1,1 @@\n+1\n"
-    );
-    assert_eq!(
-        unified_diff("a", "b", "1\n", ""),
-        "--- a\n+++ b\n@@ -1,1 +0,0 @@\n-1\n"
-    );
+    unified_diff("a", "b", "", "1\n").reads("--- a\n+++ b\n@@ -0,0 +1,1 @@\n+1\n");
+    unified_diff("a", "b", "1\n", "").reads("--- a\n+++ b\n@@ -1,1 +0,0 @@\n-1\n");
 }
 
 /// Tower files of other programs: of each, only the bytes of the coefficients and blanks beside
@@ -410,11 +362,9 @@ fn missing_parts_are_named_in_the_title() {
     let made = |parts: Vec<MissingPart>| {
         let description = TowerDescription {
             name: "on water".to_owned(),
-            materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-            stations: vec![Station::new(0.0, 6.0, 0.03), Station::new(80.0, 4.0, 0.02)],
             rna: Rna::point(3e5),
             missing_parts: parts,
-            ..TowerDescription::default()
+            ..tube(&[(0.0, 6.0, 0.03), (80.0, 4.0, 0.02)])
         };
         let tower = Tower::new(description).expect("a tower");
         let made = make_tower_file(&tower, &MakeOptions::default()).expect("a tower file");

@@ -1,6 +1,7 @@
 //! `[ground]`: read, written, refused.
 
 use crate::refused;
+use crate::sources::source;
 
 use refused::refused_text;
 use towermodes::{
@@ -8,8 +9,9 @@ use towermodes::{
     SoilModel, TowerDescription,
 };
 use towermodes_files::{
-    InMemory, Input, ReadOptions, Source, description_from_toml, read_source, write_toml,
+    InMemory, Input, ReadOptions, description_from_toml, read_source, write_toml,
 };
+use towermodes_testing::{Says, changed, rows, with};
 
 /// A pile in sand over clay.
 const PILE: &str = "\
@@ -49,10 +51,9 @@ fn described(text: &str) -> TowerDescription {
 fn layers_are_read_with_the_model_of_the_ground() {
     let tower = described(PILE);
     let ground = tower.ground.expect("a ground");
-    assert_eq!(
-        (ground.surface_m, ground.submerged, ground.factor),
-        (0.0, true, 1.0)
-    );
+    assert_eq!(ground.surface_m, 0.0);
+    assert_eq!(ground.submerged, true);
+    assert_eq!(ground.factor, 1.0);
     assert_eq!(
         ground.scour,
         Scour {
@@ -65,17 +66,11 @@ fn layers_are_read_with_the_model_of_the_ground() {
     let [sand, clay] = &ground.layers[..] else {
         panic!("{:?}", ground.layers)
     };
-    assert_eq!(
-        (sand.top_m, sand.bottom_m, sand.model),
-        (0.0, -14.0, SoilModel::Api)
-    );
-    assert_eq!(
-        sand.soil,
-        LayerSoil::Sand(Sand {
-            friction_angle_deg: Some(33.0),
-            ..Sand::default()
-        })
-    );
+    assert_eq!(sand.top_m, 0.0);
+    assert_eq!(sand.bottom_m, -14.0);
+    assert_eq!(sand.model, SoilModel::Api);
+    let expected = LayerSoil::Sand(with!(Sand, friction_angle_deg = Some(33.0)));
+    assert_eq!(sand.soil, expected);
     assert_eq!(
         clay.soil,
         LayerSoil::Clay(Clay {
@@ -96,10 +91,7 @@ fn without_a_foundation_the_tip_is_free_and_a_note_says_so() {
     assert_eq!((springs.lateral_n_per_m, springs.rocking_n_m), (0.0, 0.0));
     assert_eq!(springs.vertical_n_per_m, f64::INFINITY);
     assert_eq!(springs.torsion_n_m, f64::INFINITY);
-    let source = Source {
-        name: "pile.toml".to_owned(),
-        text: PILE.to_owned(),
-    };
+    let source = source("pile.toml", PILE);
     let input = read_source(source, &InMemory::default(), &ReadOptions::default());
     let Ok(Input::Tower(input)) = input else {
         panic!("{input:?}")
@@ -205,10 +197,7 @@ fn every_ground_is_written_and_read_back() {
             layer.shaft_friction_pa = Some([0.0, 5e4]);
             layer.end_bearing_pa = Some(5e6);
             layer.factor = 0.7;
-            let tower = TowerDescription {
-                ground: Some(ground),
-                ..base.clone()
-            };
+            let tower = changed!(base.clone(), ground = Some(ground));
             let (text, notes) = write_toml(&tower);
             assert!(notes.is_empty(), "{notes:?}");
             assert_eq!(described(&text), tower, "{text}");
@@ -218,68 +207,23 @@ fn every_ground_is_written_and_read_back() {
 
 #[test]
 fn mistakes_of_a_ground_are_shown_at_their_values() {
-    let cases = [
-        (
-            "scour = { local = 3.0 }",
-            "scour = { local = -3.0 }",
-            "11:19",
-            "local scour is -3 m",
-        ),
-        (
-            "scour = { local = 3.0 }",
-            "scour = { general = -1 }",
-            "11:21",
-            "general scour is -1 m",
-        ),
-        (
-            "bottom = -14.0",
-            "bottom = -13.0",
-            "21:7",
-            "there is a gap between them",
-        ),
-        (
-            "bottom = -14.0",
-            "bottom = 2.0",
-            "16:10",
-            "is not below its top",
-        ),
-        (
-            "bottom = -40.0",
-            "bottom = -30.0",
-            "22:10",
-            "above the tip of the pile",
-        ),
-        (
-            "surface = 0.0",
-            "surface = -50.0",
-            "8:11",
-            "does not reach into the soil",
-        ),
-        ("[8e4, 2e5]", "[8e4, -2e5]", "23:22", "-200000"),
-        ("[8e4, 2e5]", "[8e4]", "23:22", "has 1 value"),
-        ("[8e4, 2e5]", "true", "23:22", "a number, or [top, bottom]"),
-        (
-            "friction_angle = 33.0",
-            "undrained_strength = 5e4",
-            "17:1",
-            "is not a key",
-        ),
-        (
-            "type = \"clay\"",
-            "type = \"silt\"",
-            "20:8",
-            "there is no soil of type `silt`",
-        ),
-        (
-            "model = \"api\"",
-            "model = \"pisa\"",
-            "10:9",
-            "there is no soil model `pisa`",
-        ),
-        ("submerged = true", "", "7:1", "[ground] has no `submerged`"),
-    ];
-    for (from, to, place, message) in cases {
-        assert!(PILE.contains(from), "{from}");
+    let cases = r#"
+        scour = { local = 3.0 } | scour = { local = -3.0 } | 11:19 | local scour is -3 m
+        scour = { local = 3.0 } | scour = { general = -1 } | 11:21 | general scour is -1 m
+        bottom = -14.0 | bottom = -13.0 | 21:7 | there is a gap between them
+        bottom = -14.0 | bottom = 2.0 | 16:10 | is not below its top
+        bottom = -40.0 | bottom = -30.0 | 22:10 | above the tip of the pile
+        surface = 0.0 | surface = -50.0 | 8:11 | does not reach into the soil
+        [8e4, 2e5] | [8e4, -2e5] | 23:22 | -200000
+        [8e4, 2e5] | [8e4] | 23:22 | has 1 value
+        [8e4, 2e5] | true | 23:22 | a number, or [top, bottom]
+        friction_angle = 33.0 | undrained_strength = 5e4 | 17:1 | is not a key
+        type = "clay" | type = "silt" | 20:8 | there is no soil of type `silt`
+        model = "api" | model = "pisa" | 10:9 | there is no soil model `pisa`
+        submerged = true |  | 7:1 | [ground] has no `submerged`
+        "#;
+    for [from, to, place, message] in rows(cases) {
+        PILE.says(from);
         let text = PILE.replacen(from, to, 1);
         refused_text(&text, place, message, "");
     }
@@ -289,10 +233,7 @@ fn mistakes_of_a_ground_are_shown_at_their_values() {
 #[test]
 fn the_edition_is_noted_where_it_matters() {
     let notes = |text: &str| {
-        let source = Source {
-            name: "pile.toml".to_owned(),
-            text: text.to_owned(),
-        };
+        let source = source("pile.toml", text);
         let input = read_source(source, &InMemory::default(), &ReadOptions::default());
         let Ok(Input::Tower(input)) = input else {
             panic!("{input:?}")
@@ -314,10 +255,7 @@ fn the_edition_is_noted_where_it_matters() {
 }
 
 fn read_pile(text: &str) -> towermodes_files::TowerInput {
-    let source = Source {
-        name: "pile.toml".to_owned(),
-        text: text.to_owned(),
-    };
+    let source = source("pile.toml", text);
     let input = read_source(source, &InMemory::default(), &ReadOptions::default());
     match input {
         Ok(Input::Tower(input)) => *input,
@@ -335,17 +273,13 @@ fn the_note_on_the_edition_says_what_depends_on_it() {
         notes.collect::<Vec<_>>().join("\n")
     };
     let plain = said(PILE);
-    assert!(
-        plain.contains("the modulus of sand follows API RP 2GEO"),
-        "{plain}"
-    );
+    plain.says("the modulus of sand follows API RP 2GEO");
     assert!(!plain.contains("axial"), "{plain}");
     let edition = "model = \"api\"\nedition = \"rp-2geo\"";
     let named = PILE.replacen("model = \"api\"", edition, 1);
     assert_eq!(said(&named), "");
     let given = named.replacen("friction_angle = 33.0", "subgrade_modulus = 2e7", 1);
-    let useless = said(&given);
-    assert!(useless.contains("edition has no effect"), "{useless}");
+    said(&given).says("edition has no effect");
 }
 
 /// Values that the models of a layer do not use are at their lines, and that sand is above the
@@ -367,29 +301,14 @@ fn keys_without_effect_are_named_at_their_lines() {
     };
     assert_eq!(said(PILE), []);
     let angle = "friction_angle = 33.0";
-    let keys = [
-        (
-            "relative_density = 0.6",
-            "the models of this layer do not use it",
-        ),
-        (
-            "shear_modulus = 4e7",
-            "the models of this layer do not use it",
-        ),
-        (
-            "poissons_ratio = 0.3",
-            "the models of this layer do not use it",
-        ),
-        (
-            "shaft_friction = 5e4",
-            "only axial = \"api\" in [ground] uses it",
-        ),
-        (
-            "end_bearing = 5e6",
-            "only axial = \"api\" in [ground] uses it",
-        ),
-    ];
-    for (line, why) in keys {
+    let keys = r#"
+        relative_density = 0.6 | the models of this layer do not use it
+        shear_modulus = 4e7 | the models of this layer do not use it
+        poissons_ratio = 0.3 | the models of this layer do not use it
+        shaft_friction = 5e4 | only axial = "api" in [ground] uses it
+        end_bearing = 5e6 | only axial = "api" in [ground] uses it
+        "#;
+    for [line, why] in rows(keys) {
         let found = said(&PILE.replacen(angle, &format!("{angle}\n{line}"), 1));
         let [(sentence, at)] = &found[..] else {
             panic!("{line}: {found:?}")

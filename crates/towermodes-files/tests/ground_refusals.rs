@@ -3,8 +3,9 @@
 
 use crate::refused;
 
-use refused::{refused_text, rows};
+use refused::refused_text;
 use towermodes_files::tower_from_toml;
+use towermodes_testing::rows;
 
 /// Every file begins with this tower, so that what each test is about begins in line 7.
 const TOWER: &str = "[material]
@@ -136,7 +137,7 @@ fn refused(good: &str, from: &str, to: &str, place: &str, message: &str, hint: &
 /// Mistakes one after the other: what is replaced, by what, place, message, hint.
 fn all_refused(good: &str, table: &str) {
     for [from, to, place, message, hint] in rows(table) {
-        refused(good, &from, &to, &place, &message, &hint);
+        refused(good, from, to, place, message, hint);
     }
 }
 
@@ -164,22 +165,12 @@ fn without_a_mistake_all_are_good() {
 #[test]
 fn matrices_of_another_size() {
     let hint = "six rows of six numbers, in the order x, y, z";
-    refused(
-        STIFFNESS,
-        "  [0, 0, 0, 0, 0, 1e11],\n",
-        "",
-        "9:10",
-        "matrix has 5 rows instead of 6",
-        hint,
-    );
-    refused(
-        STIFFNESS,
-        "[0, 0, 5e9, 0, 0, 0]",
-        "[0, 0, 5e9, 0, 0]",
-        "12:3",
-        "row 3 of matrix has 5 values instead of 6",
-        hint,
-    );
+    let message = "matrix has 5 rows instead of 6";
+    let from = "  [0, 0, 0, 0, 0, 1e11],\n";
+    refused(STIFFNESS, from, "", "9:10", message, hint);
+    let message = "row 3 of matrix has 5 values instead of 6";
+    let from = "[0, 0, 5e9, 0, 0, 0]";
+    refused(STIFFNESS, from, "[0, 0, 5e9, 0, 0]", "12:3", message, hint);
     all_refused(
         STIFFNESS,
         r#"
@@ -201,31 +192,15 @@ fn matrices_that_no_foundation_has() {
         "x, y, z, rotation about x, y, z",
     );
     let indefinite = STIFFNESS.replace("3e11", "3e10");
-    refused(
-        &indefinite,
-        "2e9",
-        "2e9",
-        "9:10",
-        "the stiffness has a negative eigenvalue, -1.20465e9",
-        "square of a coupling term",
-    );
-    refused(
-        STIFFNESS,
-        "0, 0, 5e9",
-        "inf, 0, 5e9",
-        "9:10",
-        "stiffness is inf, not a finite number",
-        "",
-    );
+    let message = "the stiffness has a negative eigenvalue, -1.20465e9";
+    let hint = "square of a coupling term";
+    refused(&indefinite, "2e9", "2e9", "9:10", message, hint);
+    let message = "stiffness is inf, not a finite number";
+    refused(STIFFNESS, "0, 0, 5e9", "inf, 0, 5e9", "9:10", message, "");
     let masses = format!("{STIFFNESS}mass = [{}]\n", "[0, 0, 0, 0, 0, 0], ".repeat(6));
-    refused(
-        &masses,
-        "mass = [[0, ",
-        "mass = [[-1, ",
-        "17:8",
-        "the mass matrix has a negative eigenvalue, -1",
-        "",
-    );
+    let message = "the mass matrix has a negative eigenvalue, -1";
+    let to = "mass = [[-1, ";
+    refused(&masses, "mass = [[0, ", to, "17:8", message, "");
     refused(&masses, "mass = [", "mass = [[0], ", "17:8", "7 rows", "");
 }
 
@@ -249,22 +224,11 @@ fn springs_that_no_base_has() {
 #[test]
 fn towers_that_nothing_holds() {
     let free = SPRINGS.replace("coupling = -4e8\n", "");
-    refused(
-        &free,
-        "= 1e8",
-        "= 0",
-        "8:8",
-        "nothing prevents translation in x and translation in y",
-        "soil",
-    );
-    refused(
-        &free,
-        "= inf",
-        "= 0.0",
-        "8:8",
-        "nothing prevents rotation about z",
-        "type = \"floating\"",
-    );
+    let message = "nothing prevents translation in x and translation in y";
+    refused(&free, "= 1e8", "= 0", "8:8", message, "soil");
+    let message = "nothing prevents rotation about z";
+    let hint = "type = \"floating\"";
+    refused(&free, "= inf", "= 0.0", "8:8", message, hint);
     // Wires hold it laterally.
     let held = free.replace("= 1e8", "= 0");
     assert!(tower_from_toml(&format!("{TOWER}{held}{WIRES}")).is_ok());
@@ -423,14 +387,9 @@ fn water_that_cannot_be() {
 
 #[test]
 fn wires_that_cannot_be() {
-    refused(
-        WIRES,
-        "count = 3",
-        "count = 2",
-        "10:9",
-        "at least three equally spaced guy wires are needed, but the set has 2",
-        "equally spaced",
-    );
+    let message = "at least three equally spaced guy wires are needed, but the set has 2";
+    let words = "equally spaced";
+    refused(WIRES, "count = 3", "count = 2", "10:9", message, words);
     for (count, said) in [
         ("0", "count is 0"),
         ("-3", "count is -3"),
@@ -458,20 +417,9 @@ fn wires_that_cannot_be() {
 #[test]
 fn gravity_that_cannot_be() {
     let gravity = "[gravity]\nacceleration = 9.81\n";
-    refused(
-        gravity,
-        "9.81",
-        "-9.81",
-        "8:16",
-        "the acceleration of gravity is -9.81 m/s2; it must not be negative",
-        "",
-    );
-    refused(
-        gravity,
-        "acceleration",
-        "accelaration",
-        "8:1",
-        "`accelaration` is not a key of [gravity]",
-        "did you mean `acceleration`?",
-    );
+    let message = "the acceleration of gravity is -9.81 m/s2; it must not be negative";
+    refused(gravity, "9.81", "-9.81", "8:16", message, "");
+    let words = "`accelaration` is not a key of [gravity]";
+    let hint = "did you mean `acceleration`?";
+    refused(gravity, "acceleration", "accelaration", "8:1", words, hint);
 }

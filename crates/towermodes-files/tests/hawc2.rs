@@ -1,6 +1,6 @@
 //! Structural files of HAWC2: sections, choices, notes, and every mistake with its place.
 
-use crate::refused::{line_and_column, rows};
+use towermodes_testing::{Says, line_and_column, rows, with};
 
 use std::path::{Path, PathBuf};
 
@@ -48,7 +48,7 @@ fn refused(from: &str, to: &str, place: (usize, usize), words: &str, hint: &str)
 /// Mistakes one after the other: what is replaced, by what, place, message, hint.
 fn all_refused(table: &str) {
     for [from, to, place, message, hint] in rows(table) {
-        refused(&from, &to, line_and_column(&place), &message, &hint);
+        refused(from, to, line_and_column(place), message, hint);
     }
 }
 
@@ -59,8 +59,8 @@ fn refused_text(text: &str, place: (usize, usize), words: &str, hint: &str) {
         panic!("not refused: {words}");
     };
     let first = &mistakes[0];
-    assert!(first.message().contains(words), "{first}");
-    assert!(first.to_string().contains(hint), "{first}");
+    first.message().says(words);
+    first.says(hint);
     assert_eq!(first.line_and_column(text), place, "{first}");
 }
 
@@ -71,10 +71,7 @@ fn has_note(input: &TowerInput, words: &str) -> bool {
 
 #[test]
 fn columns_become_the_sections_of_both_planes() {
-    let options = ReadOptions {
-        tower_base_m: Some(15.0),
-        ..ReadOptions::default()
-    };
+    let options = with!(ReadOptions, tower_base_m = Some(15.0));
     let input = read(GOOD, &options);
     let TowerDescription {
         name, properties, ..
@@ -132,10 +129,7 @@ fn what_was_chosen_and_left_out_is_said() {
 
 #[test]
 fn a_subset_that_is_not_there_is_answered_with_those_that_are() {
-    let options = ReadOptions {
-        hawc2_subset: Some((2, 1)),
-        ..ReadOptions::default()
-    };
+    let options = with!(ReadOptions, hawc2_subset = Some((2, 1)));
     let error = read_hawc2(source(GOOD), &options).expect_err("no such set");
     let words = "tower_st.dat:3:1: set 2, subset 1 is missing (the file has set 1, subset 1; set 1, subset 2)";
     assert_eq!(error.to_string(), words);
@@ -223,13 +217,8 @@ fn mistakes_in_rows_have_their_place() {
         "#,
     );
     let full = format!("0.9 0 0 0{}", " 1".repeat(11));
-    refused(
-        "0.9 0 0 0",
-        &full,
-        (7, 71),
-        "the rows have 30 columns: full 6x6 stiffness matrices",
-        "classic 19",
-    );
+    let words = "the rows have 30 columns: full 6x6 stiffness matrices";
+    refused("0.9 0 0 0", &full, (7, 71), words, "classic 19");
     all_refused(
         r#"
         80.0 3000 | 20.0 3000 | 9:1 | r is not in increasing order: 20 m follows 30 m | distance from the first node
@@ -254,11 +243,7 @@ fn full_matrices_are_refused_once() {
         panic!("full matrices are read");
     };
     assert_eq!(mistakes.len(), 1, "{mistakes:?}");
-    assert!(
-        mistakes[0].message().contains("30 columns"),
-        "{}",
-        mistakes[0]
-    );
+    mistakes[0].message().says("30 columns");
     assert_eq!(mistakes[0].line_and_column(&text).0, 3);
 }
 
@@ -279,11 +264,7 @@ fn what_only_the_tower_shows_has_its_place() {
         panic!("a mistake");
     };
     assert_eq!(mistakes[0].line_and_column(&text), (8, 1));
-    assert!(
-        mistakes[0]
-            .message()
-            .contains("three stations at height 30 m")
-    );
+    mistakes[0].message().says("three stations at height 30 m");
 }
 
 #[test]
@@ -365,12 +346,8 @@ fn real_files_have_the_masses_and_frequencies_of_their_columns() {
         let Some(path) = real(known.path) else { return };
         let source = Source::from_path(&path).expect("the real file");
         let mut input = read_hawc2(source, &ReadOptions::default()).expect("a tower");
-        assert_eq!(
-            input.description.properties.len(),
-            known.rows,
-            "{}",
-            known.path
-        );
+        let found = input.description.properties.len();
+        assert_eq!(found, known.rows, "{}", known.path);
         let base = &input.description.properties[0].properties;
         let shear_n = base.shear_n.expect("shear").fore_aft;
         assert!((shear_n / known.shear_n - 1.0).abs() < 1e-12);
@@ -380,11 +357,8 @@ fn real_files_have_the_masses_and_frequencies_of_their_columns() {
             row.properties.shear_n = None;
         }
         let tower = input.tower().expect("valid");
-        assert!(
-            (tower.mass_kg() / known.mass_kg - 1.0).abs() < 1e-12,
-            "{}",
-            known.path
-        );
+        let holds = (tower.mass_kg() / known.mass_kg - 1.0).abs() < 1e-12;
+        assert!(holds, "{}", known.path);
         assert_eq!(tower.top_m(), known.top_m);
         let options = Options {
             method: Method::Spectral,

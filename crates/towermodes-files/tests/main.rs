@@ -29,6 +29,7 @@ mod rewritten;
 mod round_trips;
 mod settings;
 mod soil_profiles;
+mod sources;
 mod station_tables;
 mod sweep_studies;
 mod toml_write;

@@ -1,7 +1,9 @@
 //! Files of measured frequencies: every mistake with its line and column, damaged files, the
 //! schema.
 
-use towermodes_files::{Diagnostic, ReadError, Source, measured_schema, read_measured, read_tower};
+use crate::sources::source;
+use towermodes_files::{Diagnostic, ReadError, measured_schema, read_measured, read_tower};
+use towermodes_testing::{Says, number, rows};
 
 const RIGHT: &str = r#"
 [calibrate.unknowns]
@@ -16,10 +18,7 @@ shape = [[10.0, 0.1, 0.0], [80.0, 1.0, 0.0]]
 "#;
 
 fn read(text: &str) -> Result<towermodes_files::MeasuredFile, ReadError> {
-    read_measured(&Source {
-        name: "measured.toml".to_owned(),
-        text: text.to_owned(),
-    })
+    read_measured(&source("measured.toml", text))
 }
 
 /// The mistakes of a file that is refused.
@@ -36,10 +35,8 @@ fn everything_is_read() {
     let file = read(RIGHT).expect("a file");
     assert_eq!(file.unknowns[0].prior, Some([1e10, 5e9]));
     assert_eq!(file.unknowns[0].bounds, Some([1e9, 1e12]));
-    assert_eq!(
-        (file.unknowns[1].prior, file.unknowns[1].bounds),
-        (None, None)
-    );
+    assert_eq!(file.unknowns[1].prior, None);
+    assert_eq!(file.unknowns[1].bounds, None);
     let one = &file.measured[0];
     assert_eq!(one.mode.expect("a mode").to_string(), "fore-aft 1");
     assert_eq!((one.frequency_hz, one.deviation_hz), (0.2585, 0.001));
@@ -49,67 +46,29 @@ fn everything_is_read() {
 /// Each change of the right file, and what the message contains.
 #[test]
 fn every_mistake_is_at_its_place_with_what_would_be_right() {
-    for (old, new, line, words) in [
-        (
-            "[1e10, 5e9]",
-            "[1e10, 0.0]",
-            3,
-            "the standard deviation is 0",
-        ),
-        ("[1e10, 5e9]", "[1e10]", 3, "prior"),
-        ("[1e10, 5e9]", "1e10", 3, "a list in brackets"),
-        (
-            "[1e9, 1e12]",
-            "[1e12, 1e9]",
-            3,
-            "the lower limit 1e12 is not below",
-        ),
-        ("bounds =", "bound =", 3, "did you mean `bounds`?"),
-        (
-            "\"rna.mass\" = {}",
-            "\"rna.mass\" = 3",
-            4,
-            "a table in braces",
-        ),
-        ("fore-aft 1", "fore-aft", 7, "write `fore-aft 1`"),
-        ("0.2585", "0.0", 8, "frequency"),
-        ("0.2585", "\"x\"", 8, "a number"),
-        (
-            "deviation = 0.001",
-            "deviaton = 0.001",
-            9,
-            "did you mean `deviation`?",
-        ),
-        ("deviation = 0.001", "", 6, "deviation"),
-        ("0.001", "-0.001", 9, "positive"),
-        (
-            "[10.0, 0.1, 0.0]",
-            "[10.0, 0.1]",
-            10,
-            "height in m, fore-aft displacement",
-        ),
-        (
-            "[[10.0, 0.1, 0.0], [80.0, 1.0, 0.0]]",
-            "[[10.0, 0.0, 0.0]]",
-            10,
-            "other than 0",
-        ),
-        (
-            "[calibrate.unknowns]",
-            "[calibrated.unknowns]",
-            2,
-            "did you mean `calibrate`?",
-        ),
-        ("[[measured]]", "[measured]", 6, "double brackets"),
-        (
-            "\"rna.mass\" = {}",
-            "rna.mass = {}",
-            4,
-            "the name `rna.mass` must be in quotation marks",
-        ),
-        ("0.2585", "nan", 8, "NaN, not a finite number"),
-        ("0.001", "0", 9, "deviation is 0, but must be positive"),
-    ] {
+    let table = r#"
+        [1e10, 5e9] | [1e10, 0.0] | 3 | the standard deviation is 0
+        [1e10, 5e9] | [1e10] | 3 | prior
+        [1e10, 5e9] | 1e10 | 3 | a list in brackets
+        [1e9, 1e12] | [1e12, 1e9] | 3 | the lower limit 1e12 is not below
+        bounds = | bound = | 3 | did you mean `bounds`?
+        "rna.mass" = {} | "rna.mass" = 3 | 4 | a table in braces
+        fore-aft 1 | fore-aft | 7 | write `fore-aft 1`
+        0.2585 | 0.0 | 8 | frequency
+        0.2585 | "x" | 8 | a number
+        deviation = 0.001 | deviaton = 0.001 | 9 | did you mean `deviation`?
+        deviation = 0.001 |  | 6 | deviation
+        0.001 | -0.001 | 9 | positive
+        [10.0, 0.1, 0.0] | [10.0, 0.1] | 10 | height in m, fore-aft displacement
+        [[10.0, 0.1, 0.0], [80.0, 1.0, 0.0]] | [[10.0, 0.0, 0.0]] | 10 | other than 0
+        [calibrate.unknowns] | [calibrated.unknowns] | 2 | did you mean `calibrate`?
+        [[measured]] | [measured] | 6 | double brackets
+        "rna.mass" = {} | rna.mass = {} | 4 | the name `rna.mass` must be in quotation marks
+        0.2585 | nan | 8 | NaN, not a finite number
+        0.001 | 0 | 9 | deviation is 0, but must be positive
+        "#;
+    for [old, new, line, words] in rows(table) {
+        let line = number(line);
         let text = RIGHT.replacen(old, new, 1);
         assert_ne!(text, RIGHT, "{old}");
         let mistakes = mistakes(&text);
@@ -133,10 +92,7 @@ fn a_mode_is_measured_once() {
     let mistakes = mistakes(&format!("{RIGHT}{again}"));
     assert_eq!(mistakes[0].span.start, RIGHT.len());
     let said = mistakes[0].message();
-    assert!(
-        said.contains("the measured mode `fore-aft 1` occurs 2 times"),
-        "{said}"
-    );
+    said.says("the measured mode `fore-aft 1` occurs 2 times");
     let unnamed = again.replace("mode = \"fore-aft 1\"\n", "");
     let file = read(&format!("{RIGHT}{unnamed}{unnamed}")).expect("a file");
     assert_eq!(file.measured.len(), 3);
@@ -144,16 +100,14 @@ fn a_mode_is_measured_once() {
 
 #[test]
 fn other_files_are_recognized() {
-    for (text, words) in [
-        ("", "the file is empty"),
-        ("[tower]\n", "a tower file, not measured frequencies"),
-        (
-            "[sweep]\n",
-            "the study of a sweep, not measured frequencies",
-        ),
-        ("[calibrate]\n", "measured"),
-        ("[[measured]\n", "invalid TOML"),
-    ] {
+    let table = r#"
+         | the file is empty
+        [tower]\n | a tower file, not measured frequencies
+        [sweep]\n | the study of a sweep, not measured frequencies
+        [calibrate]\n | measured
+        [[measured]\n | invalid TOML
+        "#;
+    for [text, words] in rows(table) {
         let error = read(text).expect_err("refused").to_string();
         assert!(error.contains(words), "{text}: {error}");
     }
@@ -163,10 +117,7 @@ fn other_files_are_recognized() {
     std::fs::write(&path, RIGHT).expect("written");
     let error = read_tower(&path).expect_err("no tower").to_string();
     std::fs::remove_dir_all(&folder).expect("removed");
-    assert!(
-        error.contains("measured frequencies, not a tower"),
-        "{error}"
-    );
+    error.says("measured frequencies, not a tower");
 }
 
 /// No text crashes the reader.

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use towermodes::{Change, Options, Solver, Tower, solve};
 use towermodes_files::read_tower;
+use towermodes_testing::{number, rows, with};
 
 fn example(name: &str) -> PathBuf {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -26,10 +27,7 @@ fn assert_named(file: &Path, changes: &[(&str, f64)], expected: &str) {
     }
     let tower = Tower::new(description).expect("a tower");
     let expected: Vec<&str> = expected.split(", ").collect();
-    let options = Options {
-        modes: expected.len(),
-        ..Options::default()
-    };
+    let options = with!(Options, modes = expected.len());
     let solution = solve(&tower, &options).expect("modes");
     let mut solver = Solver::new(options.clone());
     let quick = solver.frequencies(&tower).expect("modes");
@@ -51,22 +49,14 @@ fn assert_named(file: &Path, changes: &[(&str, f64)], expected: &str) {
         assert_eq!(got, name, "{case}");
         let hz: f64 = hz.parse().expect("a frequency");
         // The code of the reference is exact to about 1e-5.
-        assert!(
-            (mode.extrapolated_hz - hz).abs() < 5.1e-5 + 2e-5 * hz,
-            "{case}"
-        );
+        let holds = (mode.extrapolated_hz - hz).abs() < 5.1e-5 + 2e-5 * hz;
+        assert!(holds, "{case}");
         let percent: f64 = percent.parse().expect("a share");
         // Rounding, and 0.4 where two frequencies meet and one is off by 1e-5: 17 for each 0.1 %.
-        assert!(
-            (100.0 * mode.share() - percent).abs() < 1.0,
-            "{case}, {}",
-            mode.share()
-        );
-        assert_eq!(
-            (quick.name(), quick.shares),
-            (mode.name(), mode.shares),
-            "{case}"
-        );
+        let holds = (100.0 * mode.share() - percent).abs() < 1.0;
+        assert!(holds, "{case}, {}", mode.share());
+        let wanted = (quick.name(), quick.shares);
+        assert_eq!(wanted, (mode.name(), mode.shares), "{case}");
     }
 }
 
@@ -146,32 +136,16 @@ fn names_stay_where_all_walls_become_thinner() {
         ("rna.center[2]", 1.1327627906331306),
         ("rna.inertia.xx", 1857812.07),
     ];
-    for (factor, expected) in [
-        (
-            1.0,
-            "FA1 0.3288 64, SS1 0.3291 64, T1 1.6530 99, FA2 3.0183 58, SS2 3.2192 59, FA3 7.9409 53, SS3 8.6058 57",
-        ),
-        (
-            0.7,
-            "FA1 0.2855 60, SS1 0.2859 60, T1 1.4025 99, FA2 2.7736 59, SS2 2.9879 59, FA3 7.4475 52, SS3 8.0612 56",
-        ),
-        (
-            0.65,
-            "FA1 0.2769 60, SS1 0.2773 60, T1 1.3547 99, FA2 2.7201 59, SS2 2.9373 59, FA3 7.3534 51, SS3 7.9549 56",
-        ),
-        (
-            0.6,
-            "FA1 0.2678 59, SS1 0.2681 59, T1 1.3047 99, FA2 2.6614 59, SS2 2.8817 59, FA3 7.2553 51, SS3 7.8434 56",
-        ),
-        (
-            0.55,
-            "FA1 0.2581 59, SS1 0.2584 59, T1 1.2522 99, FA2 2.5967 59, SS2 2.8201 59, FA3 7.1528 51, SS3 7.7264 56",
-        ),
-        (
-            0.5,
-            "FA1 0.2477 58, SS1 0.2480 59, T1 1.1969 99, FA2 2.5249 59, SS2 2.7513 59, FA3 7.0455 50, SS3 7.6037 56",
-        ),
-    ] {
+    let table = r#"
+        1.0 | FA1 0.3288 64, SS1 0.3291 64, T1 1.6530 99, FA2 3.0183 58, SS2 3.2192 59, FA3 7.9409 53, SS3 8.6058 57
+        0.7 | FA1 0.2855 60, SS1 0.2859 60, T1 1.4025 99, FA2 2.7736 59, SS2 2.9879 59, FA3 7.4475 52, SS3 8.0612 56
+        0.65 | FA1 0.2769 60, SS1 0.2773 60, T1 1.3547 99, FA2 2.7201 59, SS2 2.9373 59, FA3 7.3534 51, SS3 7.9549 56
+        0.6 | FA1 0.2678 59, SS1 0.2681 59, T1 1.3047 99, FA2 2.6614 59, SS2 2.8817 59, FA3 7.2553 51, SS3 7.8434 56
+        0.55 | FA1 0.2581 59, SS1 0.2584 59, T1 1.2522 99, FA2 2.5967 59, SS2 2.8201 59, FA3 7.1528 51, SS3 7.7264 56
+        0.5 | FA1 0.2477 58, SS1 0.2480 59, T1 1.1969 99, FA2 2.5249 59, SS2 2.7513 59, FA3 7.0455 50, SS3 7.6037 56
+        "#;
+    for [factor, expected] in rows(table) {
+        let factor = number(factor);
         let changes = [&tower[..], &[("scale(stations[*].wall)", factor)]].concat();
         assert_named(&file, &changes, expected);
     }
@@ -181,40 +155,18 @@ fn names_stay_where_all_walls_become_thinner() {
 #[test]
 fn planes_that_turn_exchange_their_names_at_45_degrees() {
     let file = example("nrel-5mw.toml");
-    for (degrees, expected) in [
-        (
-            0.0,
-            "SS1 0.3196 99, FA1 0.3200 100, T1 1.5400 99, FA2 2.0399 100, SS2 2.1033 100, FA3 4.8633 98, SS3 4.9863 100",
-        ),
-        (
-            30.0,
-            "SS1 0.3196 75, FA1 0.3200 75, T1 1.5400 99, FA2 2.0399 75, SS2 2.1033 75, FA3 4.8633 73, SS3 4.9863 75",
-        ),
-        (
-            44.0,
-            "SS1 0.3196 51, FA1 0.3200 52, T1 1.5400 99, FA2 2.0399 52, SS2 2.1033 52, FA3 4.8633 51, SS3 4.9863 52",
-        ),
-        (
-            44.999,
-            "SS1 0.3196 50, FA1 0.3200 50, T1 1.5400 99, FA2 2.0399 50, SS2 2.1033 50, FA3 4.8633 49, SS3 4.9863 50",
-        ),
-        (
-            45.0,
-            "FA1 0.3196 50, SS1 0.3200 50, T1 1.5400 99, FA2 2.0399 50, SS2 2.1033 50, FA3 4.8633 49, SS3 4.9863 50",
-        ),
-        (
-            45.001,
-            "FA1 0.3196 50, SS1 0.3200 50, T1 1.5400 99, SS2 2.0399 50, FA2 2.1033 50, SS3 4.8633 49, FA3 4.9863 50",
-        ),
-        (
-            46.0,
-            "FA1 0.3196 51, SS1 0.3200 52, T1 1.5400 99, SS2 2.0399 52, FA2 2.1033 52, SS3 4.8633 51, FA3 4.9863 52",
-        ),
-        (
-            90.0,
-            "FA1 0.3196 99, SS1 0.3200 100, T1 1.5400 99, SS2 2.0399 100, FA2 2.1033 100, SS3 4.8633 98, FA3 4.9863 100",
-        ),
-    ] {
+    let table = r#"
+        0.0 | SS1 0.3196 99, FA1 0.3200 100, T1 1.5400 99, FA2 2.0399 100, SS2 2.1033 100, FA3 4.8633 98, SS3 4.9863 100
+        30.0 | SS1 0.3196 75, FA1 0.3200 75, T1 1.5400 99, FA2 2.0399 75, SS2 2.1033 75, FA3 4.8633 73, SS3 4.9863 75
+        44.0 | SS1 0.3196 51, FA1 0.3200 52, T1 1.5400 99, FA2 2.0399 52, SS2 2.1033 52, FA3 4.8633 51, SS3 4.9863 52
+        44.999 | SS1 0.3196 50, FA1 0.3200 50, T1 1.5400 99, FA2 2.0399 50, SS2 2.1033 50, FA3 4.8633 49, SS3 4.9863 50
+        45.0 | FA1 0.3196 50, SS1 0.3200 50, T1 1.5400 99, FA2 2.0399 50, SS2 2.1033 50, FA3 4.8633 49, SS3 4.9863 50
+        45.001 | FA1 0.3196 50, SS1 0.3200 50, T1 1.5400 99, SS2 2.0399 50, FA2 2.1033 50, SS3 4.8633 49, FA3 4.9863 50
+        46.0 | FA1 0.3196 51, SS1 0.3200 52, T1 1.5400 99, SS2 2.0399 52, FA2 2.1033 52, SS3 4.8633 51, FA3 4.9863 52
+        90.0 | FA1 0.3196 99, SS1 0.3200 100, T1 1.5400 99, SS2 2.0399 100, FA2 2.1033 100, SS3 4.8633 98, FA3 4.9863 100
+        "#;
+    for [degrees, expected] in rows(table) {
+        let degrees = number(degrees);
         let angle = f64::to_radians(degrees);
         let zero_or = |value: f64| if value.abs() < 1e-12 { 0.0 } else { value };
         let changes = [
@@ -244,11 +196,7 @@ fn a_floating_tower_has_its_six_rigid_names_first() {
     let file = example("floating.toml");
     let description = read_tower(file).expect("a file").input.description;
     let tower = Tower::new(description).expect("a tower");
-    let options = Options {
-        modes: 9,
-        ..Options::default()
-    };
-    let solution = solve(&tower, &options).expect("modes");
+    let solution = solve(&tower, &with!(Options, modes = 9)).expect("modes");
     let names = solution.modes.iter().map(|mode| mode.name().to_string());
     let expected = "sway surge heave roll pitch yaw side-side-1 fore-aft-1 torsion-1";
     let names: Vec<String> = names.map(|name| name.replace(' ', "-")).collect();

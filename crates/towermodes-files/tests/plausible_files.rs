@@ -1,9 +1,11 @@
 //! Files that are right are not warned of; files with a slip say where it stands.
 
+use crate::sources::source;
 use std::path::{Path, PathBuf};
 
 use towermodes::{Place, Quantity, Warning};
 use towermodes_files::{Input, ReadOptions, SiblingFiles, Source, TowerInput, read_source};
+use towermodes_testing::{Says, with};
 
 use crate::round_trips::towers;
 
@@ -22,10 +24,7 @@ fn files_in(folder: &Path) -> Vec<PathBuf> {
 /// m.
 fn tower_of(path: &Path) -> Option<TowerInput> {
     [None, Some(90.0)].into_iter().find_map(|tower_height_m| {
-        let options = ReadOptions {
-            tower_height_m,
-            ..ReadOptions::default()
-        };
+        let options = with!(ReadOptions, tower_height_m);
         let source = Source::from_path(path).ok()?;
         match read_source(source, &SiblingFiles::of(path), &options).ok()? {
             Input::Tower(tower) => Some(*tower),
@@ -80,10 +79,7 @@ fn towers_of_the_tests_are_not_warned_of() {
 
 /// The input of a text in TOML.
 fn read_text(text: &str) -> TowerInput {
-    let source = Source {
-        name: "tower.toml".into(),
-        text: text.into(),
-    };
+    let source = source("tower.toml", text);
     match read_source(
         source,
         &SiblingFiles::of(Path::new("tower.toml")),
@@ -100,24 +96,19 @@ const MONOPILE: &str = include_str!("../../../examples/monopile.toml");
 /// text stands.
 #[track_caller]
 fn slip(from: &str, to: &str, is_expected: impl Fn(&Warning) -> bool) {
-    assert!(MONOPILE.contains(from), "{from}");
+    MONOPILE.says(from);
     let text = MONOPILE.replacen(from, to, 1);
     let input = read_text(&text);
     let tower = input.tower().expect("a tower");
     let warnings = tower.warnings();
-    assert!(
-        warnings.len() == 1 && is_expected(&warnings[0]),
-        "{warnings:?}"
-    );
+    assert!(warnings.len() == 1, "{warnings:?}");
+    assert!(is_expected(&warnings[0]), "{warnings:?}");
     let line = 1 + text[..text.find(to).expect("it was put there")]
         .matches('\n')
         .count();
     let place = warnings[0].place().expect("a place");
-    assert_eq!(
-        input.line_of(place),
-        Some(("tower.toml", line)),
-        "{place:?}"
-    );
+    let expected = Some(("tower.toml", line));
+    assert_eq!(input.line_of(place), expected, "{place:?}");
 }
 
 #[test]
@@ -128,20 +119,15 @@ fn slips_are_said_with_their_line() {
         "xx = 4.370e4, yy = 2.353e4, zz = 2.542e4, xz = 1.169e3",
         |w| odd(Quantity::RadiusOfBody)(w),
     );
-    slip(
-        "center = [-0.41",
-        "center = [-410.0",
-        odd(Quantity::CentreDistance),
-    );
+    let is_expected = odd(Quantity::CentreDistance);
+    slip("center = [-0.41", "center = [-410.0", is_expected);
     slip("density = 8500.0", "density = 8.5", odd(Quantity::Density));
     slip("level = 0.0 ", "level = 98.0 ", |w| {
         matches!(w, Warning::UnderWater { .. })
     });
-    slip(
-        "xx = 1.5e6, yy = 1.5e6",
-        "xx = 1.5e9, yy = 1.5e9",
-        odd(Quantity::RadiusOfBody),
-    );
+    let is_expected = odd(Quantity::RadiusOfBody);
+    let from = "xx = 1.5e6, yy = 1.5e6";
+    slip(from, "xx = 1.5e9, yy = 1.5e9", is_expected);
 }
 
 #[test]
@@ -150,10 +136,8 @@ fn no_gravity_is_noted() {
     let input = read_text(&text);
     let notes: Vec<String> = input.notes.iter().map(ToString::to_string).collect();
     assert_eq!(notes.len(), 1, "{notes:?}");
-    assert!(
-        notes[0].starts_with("tower.toml:") && notes[0].contains("acceleration = 0 has no effect"),
-        "{notes:?}"
-    );
+    notes[0].begins("tower.toml:");
+    notes[0].says("acceleration = 0 has no effect");
     assert!(read_text(MONOPILE).notes.is_empty());
 }
 

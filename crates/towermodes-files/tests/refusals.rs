@@ -2,8 +2,9 @@
 
 use crate::refused;
 
-use refused::{refused_text, rows};
+use refused::refused_text;
 use towermodes_files::tower_from_toml;
+use towermodes_testing::rows;
 
 /// A file in which each test makes one mistake.
 const GOOD: &str = r#"name = "good"
@@ -46,7 +47,7 @@ fn refused(from: &str, to: &str, place: &str, message: &str, hint: &str) {
 /// Mistakes one after the other: what is replaced, by what, place, message, hint.
 fn all_refused(table: &str) {
     for [from, to, place, message, hint] in rows(table) {
-        refused(&from, &to, &place, &message, &hint);
+        refused(from, to, place, message, hint);
     }
 }
 
@@ -83,13 +84,8 @@ fn nan_infinite_zero_and_negative_properties() {
 
 #[test]
 fn a_wall_thicker_than_the_radius() {
-    refused(
-        "3.87, 0.019",
-        "3.87, 19.0",
-        "17:16",
-        "less than twice the wall thickness 19 m at z = 87.6 m",
-        "0.027",
-    );
+    let message = "less than twice the wall thickness 19 m at z = 87.6 m";
+    refused("3.87, 0.019", "3.87, 19.0", "17:16", message, "0.027");
 }
 
 #[test]
@@ -104,12 +100,8 @@ fn heights_and_their_order() {
     refused_text(&flat, "13:12", "no height", "");
     let one = "[material]\ndensity=1\nyoungs_modulus=1\nshear_modulus=0.4\n[tower]\nstations = [[0.0, 1.0, 0.1]]\n";
     refused_text(one, "6:12", "at least two stations, but has 1", "");
-    refused_text(
-        &one.replace("[[0.0, 1.0, 0.1]]", "[]"),
-        "6:12",
-        "at least two stations, but has 0",
-        "",
-    );
+    let words = "at least two stations, but has 0";
+    refused_text(&one.replace("[[0.0, 1.0, 0.1]]", "[]"), "6:12", words, "");
 }
 
 #[test]
@@ -139,39 +131,20 @@ fn unknown_keys_with_the_nearest_known_one() {
 
 #[test]
 fn keys_by_the_names_of_other_programs() {
-    for (key, name, place, hint) in [
-        ("center", "cg", "21:1", "did you mean `center`?"),
-        (
-            "outfitting_factor",
-            "outfitting",
-            "11:1",
-            "did you mean `outfitting_factor`?",
-        ),
-        ("density", "rho", "3:1", "did you mean `density`?"),
-        (
-            "youngs_modulus",
-            "E",
-            "4:1",
-            "did you mean `youngs_modulus`?",
-        ),
-        ("shear_modulus", "G", "5:1", "did you mean `shear_modulus`?"),
-        (
-            "poissons_ratio",
-            "nu",
-            "9:1",
-            "did you mean `poissons_ratio`?",
-        ),
-        ("mass =", "mass_kg =", "20:1", "did you mean `mass`?"),
-        ("xx", "Ixx", "22:13", "did you mean `xx`?"),
-        ("[rna]", "[nacelle]", "19:2", "did you mean `rna`?"),
-        ("stations", "cans", "13:1", "did you mean `stations`?"),
-        (
-            "\"clamped\"",
-            "\"fixed\"",
-            "27:8",
-            "did you mean `clamped`?",
-        ),
-    ] {
+    let table = r#"
+        center | cg | 21:1 | did you mean `center`?
+        outfitting_factor | outfitting | 11:1 | did you mean `outfitting_factor`?
+        density | rho | 3:1 | did you mean `density`?
+        youngs_modulus | E | 4:1 | did you mean `youngs_modulus`?
+        shear_modulus | G | 5:1 | did you mean `shear_modulus`?
+        poissons_ratio | nu | 9:1 | did you mean `poissons_ratio`?
+        mass = | mass_kg = | 20:1 | did you mean `mass`?
+        xx | Ixx | 22:13 | did you mean `xx`?
+        [rna] | [nacelle] | 19:2 | did you mean `rna`?
+        stations | cans | 13:1 | did you mean `stations`?
+        "clamped" | "fixed" | 27:8 | did you mean `clamped`?
+        "#;
+    for [key, name, place, hint] in rows(table) {
         refused(key, name, place, "", hint);
     }
 }
@@ -231,24 +204,15 @@ fn missing_keys() {
         type = "clamped"\n |  | 26:1 | [foundation] has no `type` | clamped
         "#,
     );
-    refused_text(
-        "name = \"x\"\n",
-        "2:1",
-        "the file has no `material`",
-        "[material]",
-    );
+    let words = "the file has no `material`";
+    refused_text("name = \"x\"\n", "2:1", words, "[material]");
 }
 
 #[test]
 fn shear_modulus_and_poissons_ratio() {
     let both = |ratio: &str| format!("8.08e10\npoissons_ratio = {ratio}");
-    refused(
-        "8.08e10",
-        &both("0.2"),
-        "6:18",
-        "disagree: E/(2(1+nu)) is 8.7500e10 Pa",
-        "give only one",
-    );
+    let message = "disagree: E/(2(1+nu)) is 8.7500e10 Pa";
+    refused("8.08e10", &both("0.2"), "6:18", message, "give only one");
     assert!(tower_from_toml(&GOOD.replacen("8.08e10", &both("0.3"), 1)).is_ok());
     all_refused(
         r#"
@@ -285,12 +249,8 @@ fn materials_of_stations() {
         "#,
     );
     let unnamed = GOOD.replacen("[material]", "[materials.steel]", 1);
-    refused_text(
-        &unnamed,
-        "16:3",
-        "the material of station 3",
-        "\"concrete\" or \"steel\"",
-    );
+    let words = "the material of station 3";
+    refused_text(&unnamed, "16:3", words, "\"concrete\" or \"steel\"");
 }
 
 #[test]
@@ -310,13 +270,8 @@ fn machines_and_masses_that_cannot_be() {
 fn a_rotor_has_blades_and_speeds() {
     let with = |lines: &str, place: &str, message: &str, hint: &str| {
         let rotor = format!("[rotor]\n{lines}");
-        refused(
-            "[foundation]\ntype = \"clamped\"",
-            &rotor,
-            place,
-            message,
-            hint,
-        );
+        let words = "[foundation]\ntype = \"clamped\"";
+        refused(words, &rotor, place, message, hint);
     };
     with("rpm = [6.9, 12.1]", "26:1", "`blades`", "as 3");
     with("blades = 3", "26:1", "`rpm`", "rpm = [6.9, 12.1]");
@@ -326,11 +281,8 @@ fn a_rotor_has_blades_and_speeds() {
         let lines = format!("blades = {count}\nrpm = 12.1");
         with(&lines, "27:10", message, hint);
     };
-    blades(
-        "0",
-        "0 blades; the number must be from 1 to 10",
-        "omit [rotor]",
-    );
+    let words = "0 blades; the number must be from 1 to 10";
+    blades("0", words, "omit [rotor]");
     blades("11", "11 blades; the number must be from 1 to 10", "");
     blades("2.5", "blades is 2.5, but must be a whole number", "");
     blades("-3", "blades is -3", "");
@@ -339,37 +291,22 @@ fn a_rotor_has_blades_and_speeds() {
     let rpm = |value: &str, place: &str, message: &str, hint: &str| {
         with(&format!("blades = 3\nrpm = {value}"), place, message, hint);
     };
-    rpm(
-        "[12.1, 6.9]",
-        "28:7",
-        "12.1 rpm, is above the highest, 6.9 rpm",
-        "[lowest, highest]",
-    );
-    rpm(
-        "[6.9]",
-        "28:7",
-        "rpm has 1 values instead of 2",
-        "one number",
-    );
-    rpm(
-        "[6.9, 9.0, 12.1]",
-        "28:7",
-        "rpm has 3 values instead of 2",
-        "",
-    );
-    rpm("[]", "28:7", "rpm has 0 values instead of 2", "");
-    rpm("[\"a\", 12.1]", "28:8", "the lowest rpm", "");
-    rpm("{ low = 1 }", "28:7", "rpm", "[6.9, 12.1]");
-    rpm("0", "28:7", "the rotor's highest speed", "");
-    rpm("[-1, 12.1]", "28:7", "the rotor's lowest speed", "");
-    rpm("nan", "28:7", "rpm", "");
-    rpm("[6.9, inf]", "28:13", "the highest rpm is inf", "");
-    rpm(
-        "1.1e5",
-        "28:7",
-        "110000 rpm; it must be at most 100000 rpm",
-        "revolutions per minute",
-    );
+    let table = r#"
+        [12.1, 6.9] | 28:7 | 12.1 rpm, is above the highest, 6.9 rpm | [lowest, highest]
+        [6.9] | 28:7 | rpm has 1 values instead of 2 | one number
+        [6.9, 9.0, 12.1] | 28:7 | rpm has 3 values instead of 2 |
+        [] | 28:7 | rpm has 0 values instead of 2 |
+        ["a", 12.1] | 28:8 | the lowest rpm |
+        { low = 1 } | 28:7 | rpm | [6.9, 12.1]
+        0 | 28:7 | the rotor's highest speed |
+        [-1, 12.1] | 28:7 | the rotor's lowest speed |
+        nan | 28:7 | rpm |
+        [6.9, inf] | 28:13 | the highest rpm is inf |
+        1.1e5 | 28:7 | 110000 rpm; it must be at most 100000 rpm | revolutions per minute
+        "#;
+    for [value, place, message, hint] in rows(table) {
+        rpm(value, place, message, hint);
+    }
 }
 
 #[test]
@@ -377,18 +314,10 @@ fn files_that_are_no_tower_at_all() {
     refused_text("", "1:1", "the file is empty", "[material]");
     refused_text("  \n\t\n", "1:1", "the file is empty", "");
     refused_text("# nothing\n", "2:1", "the file has no `material`", "");
-    refused_text(
-        GOOD.split("5.50").next().expect("before"),
-        "15:9",
-        "invalid TOML",
-        "complete",
-    );
-    refused_text(
-        "------- ELASTODYN TOWER INPUT FILE",
-        "1:9",
-        "invalid TOML",
-        "",
-    );
+    let text = GOOD.split("5.50").next().expect("before");
+    refused_text(text, "15:9", "invalid TOML", "complete");
+    let text = "------- ELASTODYN TOWER INPUT FILE";
+    refused_text(text, "1:9", "invalid TOML", "");
     assert!(tower_from_toml("\u{0}\u{1}\u{2}").is_err());
     assert!(tower_from_toml(&"[".repeat(100_000)).is_err());
     assert!(tower_from_toml(&format!("x = {}", "[".repeat(100_000))).is_err());
@@ -423,7 +352,7 @@ fn refused_table(from: &str, to: &str, place: &str, message: &str, hint: &str) {
 
 fn all_refused_table(table: &str) {
     for [from, to, place, message, hint] in rows(table) {
-        refused_table(&from, &to, &place, &message, &hint);
+        refused_table(from, to, place, message, hint);
     }
 }
 

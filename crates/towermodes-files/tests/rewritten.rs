@@ -1,13 +1,15 @@
 //! Tower files whose numbers are changed in the text: every number of every example by itself and
 //! all together, comments kept, and files that must be written anew.
 
+use crate::sources::source;
 use std::path::{Path, PathBuf};
 
 use towermodes::{Change, Parameter, TowerDescription};
 use towermodes_files::{
-    FileFormat, InMemory, Input, ReadOptions, Source, TowerInput, WrittenAnew, read_source,
-    read_tower, rewritten,
+    FileFormat, InMemory, Input, ReadOptions, TowerInput, WrittenAnew, read_source, read_tower,
+    rewritten,
 };
+use towermodes_testing::Says;
 
 const MATRICES: &str = r#"
 [materials.a]
@@ -54,10 +56,7 @@ fn of_text(text: &str) -> TowerInput {
 
 #[track_caller]
 fn read_with(text: &str, files: &InMemory) -> TowerInput {
-    let source = Source {
-        name: "tower.toml".to_owned(),
-        text: text.to_owned(),
-    };
+    let source = source("tower.toml", text);
     match read_source(source, files, &ReadOptions::default()).expect("a file") {
         Input::Tower(input) => *input,
         Input::Blade(_) => panic!("a blade"),
@@ -118,8 +117,7 @@ fn every_number_is_changed_where_it_is_written_and_nowhere_else() {
                 }
                 // One column may be that of both planes, and inertias follow from others.
                 Some(WrittenAnew::Other) => {
-                    let name = parameter.to_string();
-                    assert!(name.starts_with("properties["), "{name}");
+                    parameter.begins("properties[");
                 }
                 Some(reason) => absent.push(reason),
             }
@@ -185,8 +183,8 @@ fn both_entries_of_a_symmetric_matrix_change() {
     entry.apply(&mut changed, -3e9);
     let file = rewritten(&input, &changed);
     assert_eq!(file.anew, None);
-    assert!(file.text.contains("[1e9, 0, 0, 0, -3e9, 0], # x"));
-    assert!(file.text.contains("[-3e9, 0, 0, 0, 1e11, 0],"));
+    file.text.says("[1e9, 0, 0, 0, -3e9, 0], # x");
+    file.text.says("[-3e9, 0, 0, 0, 1e11, 0],");
 }
 
 #[test]
@@ -202,14 +200,10 @@ fn what_the_text_does_not_contain_is_written_anew_with_the_reason() {
         file.anew.map(|reason| reason.to_string())
     };
     let absent = |name: &str| Some(format!("the old file does not contain {name}"));
-    assert_eq!(
-        anew(MATRICES, "rna.inertia.xx", 1e6),
-        absent("rna.inertia.xx")
-    );
-    assert_eq!(
-        anew(MATRICES, "gravity.acceleration", 9.81),
-        absent("gravity.acceleration")
-    );
+    let found = anew(MATRICES, "rna.inertia.xx", 1e6);
+    assert_eq!(found, absent("rna.inertia.xx"));
+    let found = anew(MATRICES, "gravity.acceleration", 9.81);
+    assert_eq!(found, absent("gravity.acceleration"));
     assert_eq!(anew(MATRICES, "rna.mass", 4e5), None);
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
     let cans = read_tower(folder.join("cans.toml")).expect("a tower").input;
@@ -219,10 +213,7 @@ fn what_the_text_does_not_contain_is_written_anew_with_the_reason() {
         .anew
         .expect("a reason")
         .to_string();
-    assert!(
-        reason.contains("stations[0].wall is in another file, "),
-        "{reason}"
-    );
+    reason.says("stations[0].wall is in another file, ");
     changed = cans.description.clone();
     changed.rna.mass_kg *= 1.1;
     assert_eq!(rewritten(&cans, &changed).anew, None);

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use towermodes::Place;
 use towermodes_files::{Setting, TowerInput, read_tower};
+use towermodes_testing::Says;
 
 fn example(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -31,8 +32,7 @@ fn refused(texts: &[&str], words: &str) {
     let before = input.description.clone();
     let settings: Result<Vec<Setting>, _> = texts.iter().map(|text| text.parse()).collect();
     let done = settings.and_then(|settings| input.set(&settings, "--set"));
-    let error = done.expect_err("refused").to_string();
-    assert!(error.contains(words), "{error}");
+    done.expect_err("refused").says(words);
     assert_eq!(input.description, before);
 }
 
@@ -56,10 +56,8 @@ fn all_three_forms_change_the_tower_and_are_noted() {
     for (new, old) in stations {
         assert_eq!(new.wall_thickness_m, 2.0 * old.wall_thickness_m);
     }
-    assert_eq!(
-        input.description.stations[0].outer_diameter_m,
-        old.description.stations[0].outer_diameter_m + 0.5
-    );
+    let expected = old.description.stations[0].outer_diameter_m + 0.5;
+    assert_eq!(input.description.stations[0].outer_diameter_m, expected);
     let notes: Vec<String> = input.notes.iter().map(ToString::to_string).collect();
     assert_eq!(
         notes[old.notes.len()..],
@@ -78,19 +76,15 @@ fn texts_that_are_no_settings() {
     refused(&["rna.mass=heavy"], "is `heavy`, but must be a number");
     refused(&["rna.mass=360 t"], "write the number alone, in SI units");
     refused(&["rna.mass=0,5"], "write a decimal point: 0.5");
-    refused(
-        &["rna.mass=350,000"],
-        "write 350000, or 350.000 if the comma is a decimal comma",
-    );
+    let words = "write 350000, or 350.000 if the comma is a decimal comma";
+    refused(&["rna.mass=350,000"], words);
     refused(&["rna.mass=nan"], "must be a finite number");
     refused(&["rna.mass=1e999"], "must be a finite number");
     refused(&["scale(rna.mass)=inf"], "must be a finite number");
     refused(&["rna.mas=1"], "did you mean `rna.mass`?");
     refused(&["stations[7].wall=0.02"], "index 7 is too large");
-    refused(
-        &["rna.mass=1", "rna.mass=2"],
-        "which `rna.mass` already changes",
-    );
+    let words = "which `rna.mass` already changes";
+    refused(&["rna.mass=1", "rna.mass=2"], words);
 }
 
 /// A rigid spring is a number that is set by a word.
@@ -110,15 +104,11 @@ fn infinity_may_be_set() {
 fn an_impossible_value_is_shown_at_its_setting() {
     let input = set("nrel-5mw.toml", &["rna.mass=1", "stations[1].wall=9"]);
     let error = input.tower().expect_err("no tower").to_string();
-    assert!(error.starts_with("--set:2:18: "), "{error}");
-    assert!(
-        error.contains("less than twice the wall thickness 9 m"),
-        "{error}"
-    );
+    error.begins("--set:2:18: ");
+    error.says("less than twice the wall thickness 9 m");
     // The value that is wrong is that of the file, beside a number that was set.
     let input = set("nrel-5mw.toml", &["stations[1].height=-1"]);
-    let error = input.tower().expect_err("no tower").to_string();
-    assert!(error.starts_with("--set:1:20: "), "{error}");
+    input.tower().expect_err("no tower").begins("--set:1:20: ");
     let wall = Place::Station {
         index: 1,
         key: "height",
@@ -131,11 +121,7 @@ fn an_error_in_the_file_beside_a_setting_says_so() {
     // The second row is below the first, which was raised.
     let input = set("nrel-5mw.toml", &["stations[0].height=90"]);
     let error = input.tower().expect_err("no tower").to_string();
-    assert!(error.contains("nrel-5mw.toml:"), "{error}");
-    assert!(
-        error.contains("the file shows the numbers before --set"),
-        "{error}"
-    );
+    error.says_all("nrel-5mw.toml: & the file shows the numbers before --set");
 }
 
 #[test]

@@ -1,11 +1,13 @@
 //! Layers of soil whose values are in a table in CSV: the same towers as with layers written by
 //! hand, and every mistake at its place.
 
+use crate::sources::source;
 use towermodes::TowerDescription;
 use towermodes_files::{
-    InMemory, Input, ReadError, ReadOptions, Source, TowerInput, description_from_toml,
-    read_source, tower_from_toml, write_toml,
+    InMemory, Input, ReadError, ReadOptions, TowerInput, description_from_toml, read_source,
+    tower_from_toml, write_toml,
 };
+use towermodes_testing::{Says, line_and_column, rows};
 
 /// A pile in sand over clay, which is strongest in its middle.
 const TOWER: &str = "\
@@ -74,10 +76,7 @@ fn by_hand() -> TowerDescription {
 }
 
 fn read_with(tower: &str, table: &str) -> Result<TowerInput, ReadError> {
-    let source = Source {
-        name: "tower.toml".to_owned(),
-        text: tower.to_owned(),
-    };
+    let source = source("tower.toml", tower);
     let cans = "height_m,diameter_m,wall_m\n-36,6,0.06\n10,6,0.06\n87.6,3.87,0.019\n";
     let files = [("clay.csv", table), ("cans.csv", cans)];
     let files = files.map(|(name, text)| (name.to_owned(), text.to_owned()));
@@ -111,11 +110,8 @@ fn refused(tower: &str, table: &str, file: &str, place: (usize, usize), words: &
     };
     let said = mistakes[0].to_string();
     assert_eq!(source_file.name, file, "{said}");
-    assert_eq!(
-        mistakes[0].line_and_column(&source_file.text),
-        place,
-        "{said}"
-    );
+    let found = mistakes[0].line_and_column(&source_file.text);
+    assert_eq!(found, place, "{said}");
     for word in words {
         assert!(said.contains(word), "no `{word}` in: {said}");
     }
@@ -139,10 +135,8 @@ fn refused_tower(old: &str, new: &str, place: (usize, usize), words: &[&str]) {
 fn a_profile_is_the_layers_between_its_rows() {
     let input = read_with(TOWER, CLAY).expect("a tower");
     assert_eq!(input.description, by_hand());
-    assert_eq!(
-        input.files().collect::<Vec<_>>(),
-        ["tower.toml", "clay.csv"]
-    );
+    let found = input.files().collect::<Vec<_>>();
+    assert_eq!(found, ["tower.toml", "clay.csv"]);
     assert!(input.tower().is_ok());
     let (text, notes) = write_toml(&input.description);
     assert!(notes.is_empty() && !text.contains("csv"), "{notes:?}{text}");
@@ -207,13 +201,8 @@ fn a_profile_gives_the_shear_modulus_with_the_keys_of_its_layer() {
     assert_eq!(description(&tower, table), expected.expect("a tower"));
     // The key that belongs to the column is missing: at the name of the table.
     let without = tower.replace("correlation = \"mayne-rix\"\n", "");
-    refused(
-        &without,
-        table,
-        "tower.toml",
-        (19, 1),
-        &["has no `correlation`"],
-    );
+    let file = "tower.toml";
+    refused(&without, table, file, (19, 1), &["has no `correlation`"]);
     let second = tower.replace("top = -14.0", "shear_modulus = 1e7\ntop = -14.0");
     let words = ["`cone_resistance` has no effect beside shear_modulus"];
     refused(&second, table, "tower.toml", (25, 11), &words);
@@ -255,73 +244,22 @@ fn a_profile_beside_a_table_of_stations_keeps_its_places() {
 
 #[test]
 fn headers_of_profiles_that_are_wrong_are_refused() {
-    let cases = [
-        (
-            "su [kPa]",
-            "undrained_strenght [kPa]",
-            (1, 11),
-            "did you mean `undrained_strength`?",
-        ),
-        (
-            "su [kPa]",
-            "undrained_strenght_kpa",
-            (1, 11),
-            "did you mean `undrained_strength`?",
-        ),
-        (
-            "su [kPa]",
-            "water content",
-            (1, 11),
-            "columns are depth or height",
-        ),
-        (
-            "su [kPa]",
-            "friction_angle",
-            (1, 11),
-            "one value for each layer",
-        ),
-        (
-            "su [kPa]",
-            "su",
-            (1, 11),
-            "the unit of the column undrained_strength is missing",
-        ),
-        (
-            "su [kPa]",
-            "su [m]",
-            (1, 11),
-            "there is no unit of pressure `m`",
-        ),
-        ("su [kPa]", "vs [m/s]", (1, 11), "hint"),
-        (
-            "depth [m]",
-            "depth [kPa]",
-            (1, 1),
-            "there is no unit of length `kpa`",
-        ),
-        ("depth [m]", "depth", (1, 1), "write `depth [m]`"),
-        (
-            "depth [m]",
-            "remark",
-            (1, 1),
-            "the column depth or height is missing",
-        ),
-        ("remark", "z [m]", (1, 1), "both a depth and a height"),
-        (
-            "remark",
-            "cu_kpa",
-            (1, 41),
-            "the column undrained_strength occurs 2 times",
-        ),
-        (
-            "remark",
-            "friction_ratio [%]",
-            (1, 41),
-            "expected a column of a soil profile here",
-        ),
-    ];
-    for (old, new, place, words) in cases.into_iter().filter(|case| case.3 != "hint") {
-        refused_table(old, new, place, &[words]);
+    let table = r#"
+        su [kPa] | undrained_strenght [kPa] | 1:11 | did you mean `undrained_strength`?
+        su [kPa] | undrained_strenght_kpa | 1:11 | did you mean `undrained_strength`?
+        su [kPa] | water content | 1:11 | columns are depth or height
+        su [kPa] | friction_angle | 1:11 | one value for each layer
+        su [kPa] | su | 1:11 | the unit of the column undrained_strength is missing
+        su [kPa] | su [m] | 1:11 | there is no unit of pressure `m`
+        depth [m] | depth [kPa] | 1:1 | there is no unit of length `kpa`
+        depth [m] | depth | 1:1 | write `depth [m]`
+        depth [m] | remark | 1:1 | the column depth or height is missing
+        remark | z [m] | 1:1 | both a depth and a height
+        remark | cu_kpa | 1:41 | the column undrained_strength occurs 2 times
+        remark | friction_ratio [%] | 1:41 | expected a column of a soil profile here
+    "#;
+    for [old, new, place, words] in rows(table) {
+        refused_table(old, new, line_and_column(place), &[words]);
     }
     let bare = "depth_m,remark\n10,a\n50,b\n";
     let words = ["a column with a quantity of the soil is missing"];
@@ -329,13 +267,8 @@ fn headers_of_profiles_that_are_wrong_are_refused() {
     let numbers = "10,70\n50,90\n";
     refused(TOWER, numbers, "clay.csv", (1, 1), &["found numbers"]);
     refused(TOWER, "", "clay.csv", (1, 1), &["the file is empty"]);
-    refused(
-        TOWER,
-        "depth_m,su_kpa\n10,70\n",
-        "clay.csv",
-        (2, 6),
-        &["at least two rows"],
-    );
+    let table = "depth_m,su_kpa\n10,70\n";
+    refused(TOWER, table, "clay.csv", (2, 6), &["at least two rows"]);
     let number = "depth_m,n [kPa]\n10,7\n50,9\n";
     refused(
         TOWER,
@@ -348,37 +281,18 @@ fn headers_of_profiles_that_are_wrong_are_refused() {
 
 #[test]
 fn rows_of_profiles_that_are_wrong_are_refused() {
-    let cases = [
-        ("130.5", "nan", (4, 4), "undrained_strength is NaN"),
-        ("130.5", "130 kPa", (4, 4), "must be a number"),
-        ("130.5", "", (4, 4), "undrained_strength is missing"),
-        (
-            "130.5",
-            "-130.5",
-            (4, 4),
-            "is -130.5, but must be zero or positive",
-        ),
-        (
-            "\n30,",
-            "\n21,",
-            (6, 1),
-            "the depth turns back here, after line 5",
-        ),
-        ("\n30,", "\n22,", (6, 1), "the height -24 m occurs 3 times"),
-        (
-            "10,70,30,borehole 3\n14,",
-            "14.5,",
-            (2, 1),
-            "begins below the top of the layer, -14 m, at the height -16.5 m",
-        ),
-        (
-            "40,200,80,\n",
-            "",
-            (6, 1),
-            "ends above the bottom of the layer, -40 m, at the height -32 m",
-        ),
-    ];
-    for (old, new, place, words) in cases {
+    let cases = r#"
+        130.5 | nan | 4:4 | undrained_strength is NaN
+        130.5 | 130 kPa | 4:4 | must be a number
+        130.5 |  | 4:4 | undrained_strength is missing
+        130.5 | -130.5 | 4:4 | is -130.5, but must be zero or positive
+        \n30, | \n21, | 6:1 | the depth turns back here, after line 5
+        \n30, | \n22, | 6:1 | the height -24 m occurs 3 times
+        10,70,30,borehole 3\n14, | 14.5, | 2:1 | begins below the top of the layer, -14 m, at the height -16.5 m
+        40,200,80,\n |  | 6:1 | ends above the bottom of the layer, -40 m, at the height -32 m
+        "#;
+    for [old, new, place, words] in rows(cases) {
+        let place = line_and_column(place);
         refused_table(old, new, place, &[words]);
     }
     let rows: String = (0..1002).map(|i| format!("{i},9\n")).collect();
@@ -416,9 +330,5 @@ fn what_is_wrong_in_the_tower_file_is_shown_there() {
         refused_tower(old, new, place, &[words]);
     }
     let alone = tower_from_toml(TOWER).expect_err("a text has no files beside it");
-    assert!(
-        alone[0].message().contains("a text has no files beside it"),
-        "{}",
-        alone[0]
-    );
+    alone[0].message().says("a text has no files beside it");
 }

@@ -1,17 +1,18 @@
 //! Studies of sweeps: what a study says, every mistake with its line and column, and texts that are
 //! damaged at random.
 
+use crate::sources::source;
 use std::path::Path;
 
 use proptest::prelude::*;
 use towermodes::{Family, Method, ModeName};
 use towermodes_files::{
-    Distribution, ReadError, RotorLock, SamplingKind, Source, SweepModes, SweepRows, SweepStudy,
-    TowerPart, ValueKind, description_from_toml, read_sweep_study, read_tower, sweep_study_schema,
+    Distribution, ReadError, RotorLock, SamplingKind, SweepModes, SweepRows, SweepStudy, TowerPart,
+    ValueKind, description_from_toml, read_sweep_study, read_tower, sweep_study_schema,
 };
+use towermodes_testing::{Says, rows};
 
 use crate::mutations::{any_mutation, mutated};
-use crate::refused::rows;
 
 const GOOD: &str = r#"[sweep]
 base = "tower.toml"
@@ -48,10 +49,7 @@ subset = [1, 2]
 "#;
 
 fn read(text: &str) -> Result<SweepStudy, ReadError> {
-    read_sweep_study(&Source {
-        name: "study.toml".to_owned(),
-        text: text.to_owned(),
-    })
+    read_sweep_study(&source("study.toml", text))
 }
 
 #[test]
@@ -65,10 +63,9 @@ fn a_study_is_what_its_text_says() {
     else {
         panic!("a sampling")
     };
-    assert_eq!(
-        (sampling.kind, sampling.rows, sampling.seed),
-        (SamplingKind::Sobol, 1000, 7)
-    );
+    assert_eq!(sampling.kind, SamplingKind::Sobol);
+    assert_eq!(sampling.rows, 1000);
+    assert_eq!(sampling.seed, 7);
     let names: Vec<&str> = sampling.vary.iter().map(|one| one.name.as_str()).collect();
     // In the order of the lines, not of the alphabet.
     assert_eq!(
@@ -109,22 +106,16 @@ fn a_study_is_what_its_text_says() {
         order: 1,
     };
     assert!(matches!(&results.modes, SweepModes::Named(names) if names[1] == torsion));
-    assert_eq!(
-        (results.segments, results.method),
-        (Some(30), Some(Method::Spectral))
-    );
+    assert_eq!(results.segments, Some(30));
+    assert_eq!(results.method, Some(Method::Spectral));
     assert!(!results.rotary_inertia && !results.inputs);
     let reading = study.reading;
-    assert_eq!(
-        (reading.part, reading.rotor),
-        (TowerPart::Tower, RotorLock::Free)
-    );
+    assert_eq!(reading.part, TowerPart::Tower);
+    assert_eq!(reading.rotor, RotorLock::Free);
     assert_eq!(reading.hawc2_subset, Some((1, 2)));
     assert!(reading.without_gravity && reading.bmodes_quirks && !reading.without_rna);
-    assert_eq!(
-        (reading.tower_height_m, reading.tower_base_m),
-        (Some(87.6), Some(10.0))
-    );
+    assert_eq!(reading.tower_height_m, Some(87.6));
+    assert_eq!(reading.tower_base_m, Some(10.0));
 }
 
 #[test]
@@ -164,31 +155,16 @@ fn correlations_are_those_of_the_text() {
 #[test]
 fn correlations_that_are_wrong() {
     let first = "between = [\"rna.mass\", \"material.density\"]";
-    refused(
-        first,
-        "between = [\"rna.mas\", \"material.density\"]",
-        "12:1",
-        "`rna.mas` is not among the varied numbers (did you mean `rna.mass`?)",
-    );
-    refused(
-        first,
-        "between = \"rna.mass\"",
-        "13:11",
-        "between must be a list",
-    );
-    refused(
-        first,
-        "between = [\"rna.mass\"]",
-        "13:11",
-        "between has 1 names instead of 2",
-    );
-    refused(
-        first,
-        "between = [\"rna.mass\", 3]",
-        "13:24",
-        "must be a text",
-    );
-    refused(first, "", "12:1", "has no `between`");
+    let table = r#"
+        between = ["rna.mas", "material.density"] | 12:1 | `rna.mas` is not among the varied numbers (did you mean `rna.mass`?)
+        between = "rna.mass" | 13:11 | between must be a list
+        between = ["rna.mass"] | 13:11 | between has 1 names instead of 2
+        between = ["rna.mass", 3] | 13:24 | must be a text
+         | 12:1 | has no `between`
+        "#;
+    for [to, place, words] in rows(table) {
+        refused(first, to, place, words);
+    }
     all_refused(
         r#"
         score_coefficient = 0.5 | score_coeficient = 0.5 | 14:1 | did you mean `score_coefficient`?
@@ -248,7 +224,7 @@ fn refused(from: &str, to: &str, place: &str, words: &str) {
 /// Mistakes one after the other: what is replaced, by what, place, words.
 fn all_refused(table: &str) {
     for [from, to, place, words] in rows(table) {
-        refused(&from, &to, &place, &words);
+        refused(from, to, place, words);
     }
 }
 
@@ -258,7 +234,7 @@ fn refused_text(text: &str, place: &str, words: &str) {
     let first = error.lines().next().unwrap_or_default();
     let at = format!("study.toml:{place}: ");
     assert!(first.starts_with(&at), "{first}");
-    assert!(first.contains(words), "{first}");
+    first.says(words);
 }
 
 #[test]
@@ -303,36 +279,16 @@ fn rows_and_seeds() {
 #[test]
 fn distributions() {
     let uniform = "{ uniform = [3.3e5, 3.7e5] }";
-    refused(
-        uniform,
-        "3.5e5",
-        "7:14",
-        "must be a distribution in braces, found a number",
-    );
-    refused(
-        uniform,
-        "[3.3e5, 3.7e5]",
-        "7:14",
-        "{ uniform = [lowest, highest] }",
-    );
-    refused(
-        uniform,
-        "{ unifrm = [1, 2] }",
-        "7:16",
-        "did you mean `uniform`?",
-    );
-    refused(
-        uniform,
-        "{ }",
-        "7:14",
-        "the distribution of `rna.mass` is missing",
-    );
-    refused(
-        uniform,
-        "{ uniform = [1, 2], values = [1] }",
-        "7:43",
-        "`values` has no effect beside `uniform`",
-    );
+    let table = r#"
+        3.5e5 | 7:14 | must be a distribution in braces, found a number
+        [3.3e5, 3.7e5] | 7:14 | { uniform = [lowest, highest] }
+        { unifrm = [1, 2] } | 7:16 | did you mean `uniform`?
+        { } | 7:14 | the distribution of `rna.mass` is missing
+        { uniform = [1, 2], values = [1] } | 7:43 | `values` has no effect beside `uniform`
+        "#;
+    for [to, place, words] in rows(table) {
+        refused(uniform, to, place, words);
+    }
     all_refused(
         r#"
         [3.3e5, 3.7e5] | [3.7e5, 3.3e5] | 7:26 | is not below the upper limit
@@ -357,30 +313,21 @@ fn distributions() {
         "7:46",
         "`truncated` has no effect",
     );
-    refused(
-        "\"rna.mass\" =",
-        "rna.mass =",
-        "7:1",
-        "\"rna.mass\" = { ... }",
-    );
+    let from = "\"rna.mass\" =";
+    refused(from, "rna.mass =", "7:1", "\"rna.mass\" = { ... }");
 }
 
 #[test]
 fn modes() {
     let names = "[\"fore-aft 1\", \"torsion 1\"]";
-    refused(names, "0", "19:9", "modes is 0");
-    refused(
-        names,
-        "\"fore-aft 1\"",
-        "19:9",
-        "modes must be a number or a list of names",
-    );
-    refused(
-        names,
-        "[]",
-        "19:9",
-        "modes has 0 values instead of one or more",
-    );
+    let table = r#"
+        0 | modes is 0
+        "fore-aft 1" | modes must be a number or a list of names
+        [] | modes has 0 values instead of one or more
+        "#;
+    for [to, words] in rows(table) {
+        refused(names, to, "19:9", words);
+    }
     all_refused(
         r#"
         "torsion 1" | "twist 1" | 19:24 | is not the name of a mode
@@ -392,18 +339,11 @@ fn modes() {
 #[test]
 fn other_files() {
     refused_text("", "1:1", "the file is empty");
-    refused_text(
-        "[tower]\nstations = []\n",
-        "1:1",
-        "a tower file, not the study of a sweep",
-    );
+    let words = "a tower file, not the study of a sweep";
+    refused_text("[tower]\nstations = []\n", "1:1", words);
     refused_text("[sweep\n", "1:7", "invalid TOML");
     let study = description_from_toml(GOOD).expect_err("no tower");
-    assert!(
-        study[0].to_string().contains("towermodes sweep FILE"),
-        "{}",
-        study[0]
-    );
+    study[0].says("towermodes sweep FILE");
 }
 
 #[test]
@@ -416,7 +356,7 @@ fn grids() {
         a = { uniform = [1, 2], levels = 1 } | 5:34 | at least 2
         "#;
     for [vary, place, words] in rows(table) {
-        refused_text(&grid(&vary), &place, &words);
+        refused_text(&grid(vary), place, words);
     }
     let large =
         "a = { uniform = [1, 2], levels = 100_000 }\nb = { uniform = [1, 2], levels = 100_000 }";
@@ -434,14 +374,11 @@ fn names_are_found_in_the_base() {
     assert_eq!(good[2].name(), "scale(stations[*].wall)");
     let wrong = GOOD.replace("\"rna.mass\"", "\"rna.mas\"");
     let error = changes(&wrong).expect_err("no such number").to_string();
-    assert!(
-        error.starts_with("study.toml:7:1: `rna.mas` is not a number"),
-        "{error}"
-    );
-    assert!(error.contains("did you mean `rna.mass`?"), "{error}");
+    error.begins("study.toml:7:1: `rna.mas` is not a number");
+    error.says("did you mean `rna.mass`?");
     let twice = GOOD.replace("\"rna.center[2]\"", "\"set(rna.mass)\"");
     let error = changes(&twice).expect_err("set twice").to_string();
-    assert!(error.starts_with("study.toml:11:1: "), "{error}");
+    error.begins("study.toml:11:1: ");
 }
 
 /// A reader that forgets a key would accept the file, and the key would have no effect.

@@ -1,10 +1,11 @@
 //! Turbines whose lists or errors were once wrong: modes of negative energy that counts hide, slow
 //! yaw, errors of coarse meshes.
 
+use crate::sources::source;
 use std::f64::consts::{PI, TAU};
 
 use towermodes::turbine::{Turbine, TurbineMesh, TurbineModel, TurbineModes, TurbinePart};
-use towermodes_files::{InMemory, Input, ReadOptions, Source, read_source};
+use towermodes_files::{InMemory, Input, ReadOptions, read_source};
 
 const EXAMPLE: &str = include_str!("../../../examples/nrel-5mw-turbine.toml");
 const PAIR: &str = include_str!("turbines/negative_pair_omitted.toml");
@@ -24,10 +25,7 @@ const COARSE: [(&str, f64, [f64; 2]); 2] = [
 
 #[track_caller]
 fn turbine(text: &str) -> Turbine {
-    let source = Source {
-        name: "t.toml".to_owned(),
-        text: text.to_owned(),
-    };
+    let source = source("t.toml", text);
     let input = read_source(source, &InMemory::default(), &ReadOptions::default());
     let Ok(Input::Tower(input)) = input else {
         panic!("no tower");

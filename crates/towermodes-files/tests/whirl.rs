@@ -8,6 +8,7 @@ use towermodes::turbine::{Turbine, TurbineMesh, TurbineMode, TurbineModeName, Tu
 use towermodes_analysis::Verdict;
 use towermodes_analysis::whirl::{CoupledCampbell, CoupledOptions, RotorSpeeds, coupled_campbell};
 use towermodes_files::read_tower;
+use towermodes_testing::changed;
 
 fn own(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -38,10 +39,7 @@ fn diagram(
     speeds: RotorSpeeds,
     limit_hz: f64,
 ) -> CoupledCampbell {
-    let options = CoupledOptions {
-        speeds,
-        ..CoupledOptions::up_to(limit_hz)
-    };
+    let options = changed!(CoupledOptions::up_to(limit_hz), speeds);
     coupled_campbell(turbine, rotor, &options, |_| ()).expect("a diagram")
 }
 
@@ -166,10 +164,8 @@ fn modes_that_share_their_energy_with_the_tower_are_judged_as_its_modes() {
         is_of_tower && point.share < 0.6 && (6.9..=12.1).contains(&point.rotor_speed_rpm)
     };
     let points = || found.curves.iter().flat_map(|curve| &curve.points);
-    assert!(
-        points().filter(shared).count() > 0,
-        "no veering in operation"
-    );
+    let holds = points().filter(shared).count() > 0;
+    assert!(holds, "no veering in operation");
     assert!(points().filter(shared).all(|point| point.counts_as_tower()));
     // 3P, 0.345 to 0.605 Hz, crosses it.
     let of_tower = found.campbell.margins.iter().filter(|margin| {

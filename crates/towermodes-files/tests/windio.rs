@@ -1,6 +1,7 @@
 //! Towers of windIO files: both versions, walls and tables, monopiles, assemblies, and what is said
 //! of mistakes.
 
+use crate::sources::source;
 use crate::windio_files;
 
 use towermodes::{
@@ -11,17 +12,12 @@ use towermodes_files::{
     Diagnostic, DiagnosticKind, InMemory, Input, ReadError, ReadOptions, Source, TowerInput,
     TowerPart, read_source, read_windio, write_toml, write_windio,
 };
+use towermodes_testing::{Says, changed, number, rows, with};
 use windio_files::{LAYERED, TABLE, VERSION_1, VERSION_2};
 
 fn read_part(text: &str, part: TowerPart) -> Result<TowerInput, ReadError> {
-    let source = Source {
-        name: "turbine.yaml".to_owned(),
-        text: text.to_owned(),
-    };
-    let options = ReadOptions {
-        part,
-        ..ReadOptions::default()
-    };
+    let source = source("turbine.yaml", text);
+    let options = with!(ReadOptions, part);
     read_windio(source, &options)
 }
 
@@ -62,10 +58,8 @@ fn place(text: &str, needle: &str, moved: usize) -> (usize, usize) {
 
 fn near(value: f64, expected: f64, tolerance: f64) {
     let error = (value - expected).abs();
-    assert!(
-        error <= tolerance * expected.abs(),
-        "{value} instead of {expected}"
-    );
+    let holds = error <= tolerance * expected.abs();
+    assert!(holds, "{value} instead of {expected}");
 }
 
 fn assert_rows(stations: &[Station], expected: &[(f64, f64, f64)]) {
@@ -171,7 +165,7 @@ fn version_1_is_cut_at_the_mudline_without_soil() {
     let input = read(&VERSION_1.replace(", soil_shear_modulus: 140.e+6, soil_poisson: 0.4", ""));
     let expected = [(-20.0, 6.0, 0.05), (10.0, 6.0, 0.05), (90.0, 4.0, 0.02)];
     assert_rows(&input.description.stations, &expected);
-    assert!(missing_parts(&input).contains("below the mudline"));
+    missing_parts(&input).says("below the mudline");
     assert_eq!(input.description.ground, None);
 }
 
@@ -205,27 +199,21 @@ fn why_there_is_no_turning_turbine_is_said() {
     };
     let without = reason(VERSION_1);
     let key = "the blade has no elastic_properties_mb.six_x_six.stiff_matrix";
-    assert!(without.contains(key), "{without}");
+    without.says(key);
     let stiff = VERSION_1.replace(
         "                inertia_matrix:\n                    grid: [0.0, 1.0]",
         "                stiff_matrix: {grid: [0, 1], values: [[1], [1]]}\n                inertia_matrix:\n                    grid: [0.0, 1.0]",
     );
     assert_ne!(stiff, VERSION_1);
     let straight = reason(&stiff);
-    assert!(
-        straight.contains("the stiffness matrices of windIO's blades are not read"),
-        "{straight}"
-    );
-    assert!(straight.starts_with("turbine.yaml:"), "{straight}");
+    straight.says("the stiffness matrices of windIO's blades are not read");
+    straight.begins("turbine.yaml:");
     let curved = reason(&stiff.replace(
         "x: {grid: [0, 1], values: [0, 0]}\n                y",
         "x: {grid: [0, 0.5, 1], values: [0, 0.25, 2]}\n                y",
     ));
     // Half of 2 m less 0.25 m.
-    assert!(
-        curved.contains("the axis of the blade is curved, 0.75 m off"),
-        "{curved}"
-    );
+    curved.says("the axis of the blade is curved, 0.75 m off");
     let monopile = read_part(VERSION_1, TowerPart::Monopile).expect("a monopile");
     assert_eq!(monopile.turbine_missing, None);
 }
@@ -283,24 +271,21 @@ fn what_the_assembly_lacks_is_said() {
         "INCOMPLETE ROTOR-NACELLE ASSEMBLY: 100000 kg"
     ));
     assert!(has_note(&input, "no mass of hub, blades"));
-    assert!(missing_parts(&input).contains("INCOMPLETE"));
+    missing_parts(&input).says("INCOMPLETE");
     assert!(!missing_parts(&input).contains("shear modulus"));
     let drivetrain = "    drivetrain:";
     let start = VERSION_2.find(drivetrain).expect("there");
     let end = VERSION_2.find("materials:").expect("there");
     let bare = format!("{}{}", &VERSION_2[..start], &VERSION_2[end..]);
     assert!(has_note(&read(&bare), "NO ROTOR-NACELLE ASSEMBLY"));
-    assert!(missing_parts(&read(&bare)).contains("NO ROTOR-NACELLE ASSEMBLY"));
+    missing_parts(&read(&bare)).says("NO ROTOR-NACELLE ASSEMBLY");
     // The mark keeps resonance from being judged, in this file and in the tower file of it.
     let marked = |text: &str| read(text).description.missing_parts;
     let lacks = vec![MissingPart::Hub, MissingPart::Blades];
     assert_eq!(marked(VERSION_2), lacks);
     let (tower_file, _) = write_toml(&input.description);
-    let source = Source {
-        name: "t.toml".to_owned(),
-        text: tower_file,
-    };
-    let again = read_source(source, &InMemory::default(), &ReadOptions::default());
+    let written = source("t.toml", tower_file);
+    let again = read_source(written, &InMemory::default(), &ReadOptions::default());
     let Input::Tower(again) = again.expect("a tower") else {
         panic!("a blade");
     };
@@ -311,15 +296,9 @@ fn what_the_assembly_lacks_is_said() {
     let all = vec![MissingPart::Nacelle, MissingPart::Hub, MissingPart::Blades];
     assert_eq!(marked(&hub), all);
     assert_eq!(marked(&bare), []);
-    let options = ReadOptions {
-        without_rna: true,
-        ..ReadOptions::default()
-    };
-    let source = Source {
-        name: "t.yaml".to_owned(),
-        text: VERSION_2.to_owned(),
-    };
-    let alone = read_windio(source, &options).expect("a tower");
+    let options = with!(ReadOptions, without_rna = true);
+    let text = source("t.yaml", VERSION_2);
+    let alone = read_windio(text, &options).expect("a tower");
     assert_eq!(alone.description.missing_parts, []);
     assert_eq!(marked(VERSION_1), []);
     // An inertia that no body has.
@@ -340,22 +319,13 @@ fn layers_are_summed_from_outside_in() {
     let (steel_a, concrete_a) = (ring(3.0, 2.95, 2), ring(2.95, 2.65, 2));
     let (steel_i, concrete_i) = (ring(3.0, 2.95, 4) / 4.0, ring(2.95, 2.65, 4) / 4.0);
     let first = &rows[0].properties;
-    near(
-        first.mass_kg_per_m,
-        1.05 * (8000.0 * steel_a + 2500.0 * concrete_a),
-        1e-12,
-    );
-    near(
-        first.bending_n_m2.fore_aft,
-        2e11 * steel_i + 4e10 * concrete_i,
-        1e-12,
-    );
+    let expected = 1.05 * (8000.0 * steel_a + 2500.0 * concrete_a);
+    near(first.mass_kg_per_m, expected, 1e-12);
+    let expected = 2e11 * steel_i + 4e10 * concrete_i;
+    near(first.bending_n_m2.fore_aft, expected, 1e-12);
     near(first.axial_n, 2e11 * steel_a + 4e10 * concrete_a, 1e-12);
-    near(
-        first.torsion_n_m2,
-        2.0 * (8e10 * steel_i + 16e9 * concrete_i),
-        1e-12,
-    );
+    let expected = 2.0 * (8e10 * steel_i + 16e9 * concrete_i);
+    near(first.torsion_n_m2, expected, 1e-12);
     let inertia = 1.05 * (8000.0 * steel_i + 2500.0 * concrete_i);
     near(first.rotary_inertia_kg_m.side_side, inertia, 1e-12);
     near(first.polar_inertia_kg_m, 2.0 * inertia, 1e-12);
@@ -431,20 +401,15 @@ fn tables_are_read_where_there_are_no_layers() {
         .collect();
     let input = read(&bending_only.join("\n"));
     let row = input.description.properties[0].properties;
-    assert_eq!(
-        (row.torsion_n_m2, row.axial_n),
-        (f64::INFINITY, f64::INFINITY)
-    );
+    assert_eq!(row.torsion_n_m2, f64::INFINITY);
+    assert_eq!(row.axial_n, f64::INFINITY);
     assert!(has_note(
         &input,
         "the elastic properties have no GJ: the tower is rigid in torsion"
     ));
     let (line, column, message) = mistake(&TABLE.replace("5000.0, 3000.0", "5000.0, -3000.0"));
-    assert_eq!(
-        (line, column),
-        place(TABLE, "5000.0, 3000.0", 8),
-        "{message}"
-    );
+    let expected = place(TABLE, "5000.0, 3000.0", 8);
+    assert_eq!((line, column), expected, "{message}");
 }
 
 #[test]
@@ -473,10 +438,8 @@ fn tables_of_version_1_are_read() {
     let row = input.description.properties[1].properties;
     assert_eq!(input.description.properties[1].height_m, 80.0);
     assert_eq!(row.mass_kg_per_m, 5e3);
-    assert_eq!(
-        (row.bending_n_m2.fore_aft, row.bending_n_m2.side_side),
-        (4e11, 5e11)
-    );
+    assert_eq!(row.bending_n_m2.fore_aft, 4e11);
+    assert_eq!(row.bending_n_m2.side_side, 5e11);
     assert_eq!((row.torsion_n_m2, row.axial_n), (3e11, 3e10));
     let rotary = row.rotary_inertia_kg_m;
     assert_eq!((rotary.fore_aft, rotary.side_side), (10.0, 20.0));
@@ -525,146 +488,48 @@ fn mistakes_are_shown_where_they_are() {
         assert_eq!((line, column), place(&text, at, moved), "{to}: {message}");
         assert!(message.contains(words), "{to}: {message}");
     };
-    check(
-        "[6.0, 4.0]",
-        "[6.0, -4.0]",
-        "-4.0",
-        0,
-        "outer diameter is -4 m",
-    );
-    check(
-        "[6.0, 4.0]",
-        "[6.0, .nan]",
-        ".nan",
-        0,
-        "not a finite number",
-    );
-    check(
-        "[6.0, 4.0]",
-        "[6.0, 4.0, 3.0]",
-        "[6.0, 4.0",
-        0,
-        "has 3 values instead of 2 as its grid",
-    );
-    check(
-        "[6.0, 4.0]",
-        "[6.0, four]",
-        "four",
-        0,
-        "must be a number, found `four`",
-    );
-    check(
-        "[0.0, 0.25, 1.0]",
-        "[0.0, 0.25, 0.9]",
-        "0.9]",
-        0,
-        "is 0.9, but must be 1",
-    );
-    check(
-        "[0.0, 0.25, 1.0]",
-        "[0.1, 0.25, 1.0]",
-        "0.1,",
-        0,
-        "is 0.1, but must be 0",
-    );
-    check(
-        "[0.0, 0.5, 0.5, 1.0]",
-        "[0.0, 0.5, 0.4, 1.0]",
-        "0.4, 1.0",
-        0,
-        "0.4 follows 0.5",
-    );
-    check(
-        "[10, 30.0, 90.0]",
-        "[10, 95.0, 90.0]",
-        "90.0]",
-        0,
-        "is not in increasing order",
-    );
-    check(
-        "[10, 30.0, 90.0]",
-        "[5, 30.0, 90.0]",
-        "5, 30",
-        0,
-        "5 m below the top of the monopile",
-    );
-    check(
-        "[10, 30.0, 90.0]",
-        "[12, 30.0, 90.0]",
-        "12, 30",
-        0,
-        "2 m above the top of the monopile",
-    );
-    check(
-        "material: steel",
-        "material: stel",
-        "stel",
-        0,
-        "there is no material `stel`",
-    );
-    check(
-        "0.04, 0.04, 0.03, 0.02",
-        "0.04, 0.04, 0.03, 0.0",
-        "0.0]",
-        0,
-        "wall thickness",
-    );
-    check(
-        "0.04, 0.04, 0.03, 0.02",
-        "2.54, 2.54, 0.03, 0.02",
-        "2.54, 0",
-        6,
-        "less than twice",
-    );
-    check("rho: 8000", "rho: -8000", "-8000", 0, "density is -8000");
-    check("nu: 0.25", "nu: 0.5", "0.5\n", 0, "Poisson's ratio");
-    check("    nu: 0.25", "", "name: steel", 0, "has no `G`");
-    check(
-        "outfitting_factor: 1.1",
-        "outfitting_factor: x",
-        "x\n",
-        0,
-        "outfitting factor",
-    );
-    check(
-        "mass: 100000",
-        "mass: -1",
-        "-1\n",
-        0,
-        "must be non-negative",
-    );
-    check(
-        "transition_piece_mass: 5e4",
-        "transition_piece_mass: -5",
-        "-5\n",
-        0,
-        "mass is -5 kg",
-    );
+    let table = r#"
+        [6.0, 4.0] | [6.0, -4.0] | -4.0 | 0 | outer diameter is -4 m
+        [6.0, 4.0] | [6.0, .nan] | .nan | 0 | not a finite number
+        [6.0, 4.0] | [6.0, 4.0, 3.0] | [6.0, 4.0 | 0 | has 3 values instead of 2 as its grid
+        [6.0, 4.0] | [6.0, four] | four | 0 | must be a number, found `four`
+        [0.0, 0.25, 1.0] | [0.0, 0.25, 0.9] | 0.9] | 0 | is 0.9, but must be 1
+        [0.0, 0.25, 1.0] | [0.1, 0.25, 1.0] | 0.1, | 0 | is 0.1, but must be 0
+        [0.0, 0.5, 0.5, 1.0] | [0.0, 0.5, 0.4, 1.0] | 0.4, 1.0 | 0 | 0.4 follows 0.5
+        [10, 30.0, 90.0] | [10, 95.0, 90.0] | 90.0] | 0 | is not in increasing order
+        [10, 30.0, 90.0] | [5, 30.0, 90.0] | 5, 30 | 0 | 5 m below the top of the monopile
+        [10, 30.0, 90.0] | [12, 30.0, 90.0] | 12, 30 | 0 | 2 m above the top of the monopile
+        material: steel | material: stel | stel | 0 | there is no material `stel`
+        0.04, 0.04, 0.03, 0.02 | 0.04, 0.04, 0.03, 0.0 | 0.0] | 0 | wall thickness
+        0.04, 0.04, 0.03, 0.02 | 2.54, 2.54, 0.03, 0.02 | 2.54, 0 | 6 | less than twice
+        rho: 8000 | rho: -8000 | -8000 | 0 | density is -8000
+        nu: 0.25 | nu: 0.5 | 0.5\n | 0 | Poisson's ratio
+        ␣␣␣␣nu: 0.25 |  | name: steel | 0 | has no `G`
+        outfitting_factor: 1.1 | outfitting_factor: x | x\n | 0 | outfitting factor
+        mass: 100000 | mass: -1 | -1\n | 0 | must be non-negative
+        transition_piece_mass: 5e4 | transition_piece_mass: -5 | -5\n | 0 | mass is -5 kg
+        "#;
+    for [from, to, at, moved, words] in rows(table) {
+        check(from, to, at, number(moved), words);
+    }
 }
 
 #[test]
 fn files_that_are_no_turbine_are_refused() {
     let message = |text: &str| mistake(text).2;
-    assert!(message("").contains("empty"));
-    assert!(message("[1, 2]").contains("the file is a list"));
-    assert!(message("a: b: c").contains("invalid YAML"));
-    assert!(message("name: x\n").contains("no `tower`"));
-    assert!(message("components: {tower: 3}").contains("no `reference_axis`"));
+    message("").says("empty");
+    message("[1, 2]").says("the file is a list");
+    message("a: b: c").says("invalid YAML");
+    message("name: x\n").says("no `tower`");
+    message("components: {tower: 3}").says("no `reference_axis`");
     let cut = &VERSION_2[..VERSION_2.find("30.0, 90.0").expect("there")];
     let (line, _, text) = mistake(cut);
-    assert!(text.contains("invalid YAML"), "{text}");
+    text.says("invalid YAML");
     // The bracket that is not closed, or the end.
-    assert!(
-        line >= 1 && line <= cut.lines().count() + 1,
-        "{line}: {text}"
-    );
+    assert!(line >= 1, "{line}: {text}");
+    assert!(line <= cut.lines().count() + 1, "{line}: {text}");
     let no_monopile = read_part(VERSION_1_AS_2, TowerPart::Monopile);
-    assert!(
-        no_monopile
-            .expect_err("none")
-            .to_string()
-            .contains("no `monopile`")
-    );
+    no_monopile.expect_err("none").says("no `monopile`");
 }
 
 #[test]
@@ -688,7 +553,7 @@ fn anchors_may_be_defined_again_and_names_may_be_numbers() {
     // With a byte order mark and Windows line ends the places are still right.
     let windows = format!("\u{feff}{}", text.replace('\n', "\r\n")).replace("4.0]}", "-4.0]}");
     let (line, _, message) = mistake(&windows);
-    assert!(message.contains("outer diameter is -4 m"), "{message}");
+    message.says("outer diameter is -4 m");
     assert_eq!(line, place(&windows, "-4.0", 0).0);
 }
 
@@ -710,7 +575,7 @@ fn bombs_do_not_explode() {
     assert!(read_part(&deep, TowerPart::All).is_err());
     let layer = "              - {name: wall, material: 7, thickness: {grid: [0, 1], values: [0.05, 0.02]}}\n";
     let many = VERSION_1_AS_2.replace(layer, &layer.repeat(5000));
-    assert!(mistake(&many).2.contains("5000 layers"));
+    mistake(&many).2.says("5000 layers");
     let wide = VERSION_1_AS_2.replace("[6.0, 4.0]", &format!("[{}]", "6.0, ".repeat(300_000)));
     assert!(read_part(&wide, TowerPart::All).is_err());
 }
@@ -768,11 +633,7 @@ fn tubes() -> TowerDescription {
                 yz: -5.0,
             },
         },
-        point_masses: vec![PointMass {
-            height_m: 33.3,
-            mass_kg: 1234.5,
-            ..PointMass::default()
-        }],
+        point_masses: vec![with!(PointMass, height_m = 33.3, mass_kg = 1234.5)],
         ..TowerDescription::default()
     }
 }
@@ -808,13 +669,9 @@ fn several_materials_are_written_as_layers_and_read_again() {
         .push(Material::from_shear_modulus(2500.0, 4e10, 1.6e10));
     description.stations[2].material = 1;
     // A change of material without a step of the tube.
-    description.stations.insert(
-        3,
-        Station {
-            material: 0,
-            ..Station::new(50.0, 4.5, 0.02)
-        },
-    );
+    description
+        .stations
+        .insert(3, changed!(Station::new(50.0, 4.5, 0.02), material = 0));
     let (input, _) = written(&description);
     assert_eq!(input.description.stations.len(), 5);
     for (again, station) in input.description.stations.iter().zip(&description.stations) {
@@ -874,21 +731,13 @@ fn what_cannot_be_written_is_said() {
     let tower = Tower::new(description.clone()).expect("a tower");
     let (_, notes) = write_windio(&tower, &description).expect("a file");
     let all: String = notes.iter().map(ToString::to_string).collect();
-    for word in [
-        "gravity",
-        "wires",
-        "inertias of point masses",
-        "steps",
-        "drag",
-    ] {
-        assert!(all.contains(word), "{word}: {all}");
-    }
+    all.says_all("gravity & wires & inertias of point masses & steps & drag");
     let mut description = tubes();
     let above = 33.3_f64.next_up();
     description.stations[2].height_m = above;
     let tower = Tower::new(description.clone()).expect("a tower");
     let error = write_windio(&tower, &description).expect_err("too close");
-    assert!(error.to_string().contains("too close"));
+    error.says("too close");
 }
 
 /// The rotor of a file with other parts, and what is said of it.
@@ -918,7 +767,7 @@ fn too_many_blades_are_wrong_where_they_stand() {
     let (line, column) = place(&text, "number_of_blades: 11", 18);
     let (at_line, at_column, message) = mistake(&text);
     assert_eq!((at_line, at_column), (line, column));
-    assert!(message.contains("from 1 to 10"), "{message}");
+    message.says("from 1 to 10");
 }
 
 /// Up to the rated speed; what shuts the machine down is no speed of operation.
@@ -932,24 +781,19 @@ fn speeds_of_version_2_are_in_rpm() {
         [5.0, 7.5],
     );
     assert_eq!(notes.len(), 1);
-    assert!(notes[0].contains("max_rotor_speed = 9 rpm is a protection limit"));
+    notes[0].says("max_rotor_speed = 9 rpm is a protection limit");
     // A single speed is no range.
-    for (control, said) in [
-        (
-            "{rated_rotor_speed: 7.5}",
-            "no min_rotor_speed: the operating speeds are unknown",
-        ),
-        (
-            "{min_rotor_speed: 0, rated_rotor_speed: 7.5}",
-            "min_rotor_speed is 0, the default",
-        ),
-    ] {
+    let table = r#"
+        {rated_rotor_speed: 7.5} | no min_rotor_speed: the operating speeds are unknown
+        {min_rotor_speed: 0, rated_rotor_speed: 7.5} | min_rotor_speed is 0, the default
+        "#;
+    for [control, said] in rows(table) {
         let (rotor, notes) = rotor_of(&with(control));
         assert!(rotor.is_none() && notes[0].contains(said), "{notes:?}");
     }
     let unsaid = format!("{VERSION_2}control: {{min_rotor_speed: 5, rated_rotor_speed: 7.5}}\n");
     let notes = assert_rotor(&unsaid, 3, [5.0, 7.5]);
-    assert!(notes[0].contains("no number_of_blades: 3 is assumed"));
+    notes[0].says("no number_of_blades: 3 is assumed");
     for none in ["{}", "{min_rotor_speed: 5}", "{rated_rotor_speed: 0}"] {
         assert_eq!(rotor_of(&with(none)), (None, Vec::new()), "{none}");
         assert_eq!(read(&with(none)).blades, Some(2), "{none}");
@@ -959,13 +803,8 @@ fn speeds_of_version_2_are_in_rpm() {
     let input = read(&unsaid);
     assert_eq!(input.blades, None);
     // Told apart from the others: it matters only where nobody says another number.
-    assert_eq!(
-        (
-            input.rotor_notes.blades.len(),
-            input.rotor_notes.others.len()
-        ),
-        (1, 0)
-    );
+    assert_eq!(input.rotor_notes.blades.len(), 1);
+    assert_eq!(input.rotor_notes.others.len(), 0);
 }
 
 /// 0.8 rad/s is 7.6394 rpm; with 240 m the tips have 96 m/s, and 7.6 rad/s would be 912 m/s.
@@ -981,16 +820,11 @@ fn speeds_of_version_1_are_in_the_unit_that_the_tips_allow() {
     let radians = "{VS_minspd: 0.5, VS_maxspd: 0.8}";
     let notes = assert_rotor(&with(diameter, radians), 3, [0.5 * factor, 0.8 * factor]);
     assert_eq!(notes.len(), 1, "{notes:?}");
-    assert!(
-        notes[0].contains("the rated speed may be lower"),
-        "{notes:?}"
-    );
+    notes[0].says("the rated speed may be lower");
     let turns = "{VS_minspd: 5.0, VS_maxspd: 7.6}";
     let notes = assert_rotor(&with(diameter, turns), 3, [5.0, 7.6]);
-    assert!(
-        notes[0].contains("read in rpm") && notes[0].contains("912 m/s"),
-        "{notes:?}"
-    );
+    notes[0].says("read in rpm");
+    notes[0].says("912 m/s");
     // 150 m/s is at 1.25 rad/s.
     assert_rotor(
         &with(diameter, "{VS_minspd: 1, VS_maxspd: 1.25}"),
@@ -1003,20 +837,15 @@ fn speeds_of_version_1_are_in_the_unit_that_the_tips_allow() {
         [1.0, 1.26],
     );
     let notes = assert_rotor(&with("", radians), 3, [0.5 * factor, 0.8 * factor]);
-    assert!(
-        notes[0].contains("rotor_diameter, which would show it, is missing"),
-        "{notes:?}"
-    );
+    notes[0].says("rotor_diameter, which would show it, is missing");
     // So do files that say version 2 and have the older keys.
     let newer = format!(
         "{VERSION_2}assembly: {{number_of_blades: 3, rotor_diameter: 240}}\ncontrol: {{torque: {turns}}}\n"
     );
     assert_rotor(&newer, 3, [5.0, 7.6]);
     let (rotor, notes) = rotor_of(&with(diameter, "{VS_maxspd: 0.8}"));
-    assert!(
-        rotor.is_none() && notes[0].contains("no VS_minspd"),
-        "{notes:?}"
-    );
+    assert!(rotor.is_none(), "{notes:?}");
+    notes[0].says("no VS_minspd");
 }
 
 #[test]
@@ -1025,57 +854,38 @@ fn speeds_that_no_rotor_has_are_refused_where_they_stand() {
         let blades = "assembly: {number_of_blades: 3}\n";
         format!("{VERSION_2}{blades}control: {control}\n")
     };
-    for (control, needle, message) in [
-        (
-            "{min_rotor_speed: 9, rated_rotor_speed: 7.5}",
-            "7.5}",
-            "lowest rotor speed, 9 rpm, is above the highest, 7.5 rpm",
-        ),
-        ("{rated_rotor_speed: -7.5}", "-7.5", "highest speed"),
-        ("{rated_rotor_speed: fast}", "fast", "highest rotor speed"),
-        (
-            "{min_rotor_speed: {}, rated_rotor_speed: 7}",
-            "{}, rated",
-            "lowest rotor speed",
-        ),
-    ] {
+    let table = r#"
+        {min_rotor_speed: 9, rated_rotor_speed: 7.5} | 7.5} | lowest rotor speed, 9 rpm, is above the highest, 7.5 rpm
+        {rated_rotor_speed: -7.5} | -7.5 | highest speed
+        {rated_rotor_speed: fast} | fast | highest rotor speed
+        {min_rotor_speed: {}, rated_rotor_speed: 7} | {}, rated | lowest rotor speed
+        "#;
+    for [control, needle, message] in rows(table) {
         let text = with(control);
         let (line, column, said) = mistake(&text);
         assert_eq!((line, column), place(&text, needle, 0), "{said}");
-        assert!(said.contains(message), "{said}");
+        said.says(message);
     }
 }
 
 #[test]
 fn real_rotors_are_those_of_their_machines() {
-    for (path, part, range_rpm) in [
-        // 7.56 rpm is rated; 0.5236 and 0.7917 rad/s are 5 and 7.56 rpm.
-        (
-            "windio/v2/IEA-15-240-RWT.yaml",
-            TowerPart::All,
-            [5.000_011_69, 7.559_987_12],
-        ),
-        ("windio/v1/IEA-15-240-RWT.yaml", TowerPart::All, [5.0, 7.56]),
-        // 0.6283 and 0.9094 rad/s.
-        (
-            "openfast/iea10/IEA-10-198-RWT.yaml",
-            TowerPart::All,
-            [6.0, 8.684],
-        ),
-        // In rpm, against the schema.
-        (
-            "openfast/nrel5mw_land/nrel5mw.yaml",
-            TowerPart::All,
-            [6.9, 12.1],
-        ),
-    ] {
-        let Some(input) = real_part(path, part) else {
+    // 7.56 rpm is rated; 0.5236 and 0.7917 rad/s are 5 and 7.56 rpm, 0.6283 and 0.9094 rad/s 6 and
+    // 8.684 rpm; the last in rpm, against the schema.
+    let table = r#"
+        windio/v2/IEA-15-240-RWT.yaml | 5.00001169 | 7.55998712
+        windio/v1/IEA-15-240-RWT.yaml | 5.0 | 7.56
+        openfast/iea10/IEA-10-198-RWT.yaml | 6.0 | 8.684
+        openfast/nrel5mw_land/nrel5mw.yaml | 6.9 | 12.1
+    "#;
+    for [path, lowest_rpm, highest_rpm] in rows(table) {
+        let Some(input) = real_part(path, TowerPart::All) else {
             return;
         };
         let rotor = input.description.rotor.expect(path);
         assert_eq!(rotor.blades, 3);
-        near(rotor.lowest_rpm, range_rpm[0], 1e-5);
-        near(rotor.highest_rpm, range_rpm[1], 1e-4);
+        near(rotor.lowest_rpm, number(lowest_rpm), 1e-5);
+        near(rotor.highest_rpm, number(highest_rpm), 1e-4);
     }
 }
 
@@ -1090,10 +900,7 @@ fn real(path: &str) -> Option<Source> {
 }
 
 fn real_part(path: &str, part: TowerPart) -> Option<TowerInput> {
-    let options = ReadOptions {
-        part,
-        ..ReadOptions::default()
-    };
+    let options = with!(ReadOptions, part);
     real(path).map(|source| read_windio(source, &options).expect("a tower"))
 }
 
@@ -1156,65 +963,33 @@ fn the_15_mw_assembly_is_that_of_its_parts() {
 
 #[test]
 fn other_real_files_are_read() {
-    let all = [
-        (
-            "openfast/iea10/IEA-10-198-RWT.yaml",
-            TowerPart::All,
-            // The tip of its monopile, in the soil of the file.
-            -72.6,
-            115.63,
-        ),
-        (
-            "openfast/nrel5mw_land/nrel5mw.yaml",
-            TowerPart::All,
-            0.0,
-            87.6974416,
-        ),
-        (
-            "openfast/nrel5mw_land/nrel5mw_tower.yaml",
-            TowerPart::All,
-            0.0,
-            87.6974416,
-        ),
-        (
-            "openfast/nrel5mw_oc3hywind/nrel5mw-spar_oc3.yaml",
-            TowerPart::All,
-            10.0,
-            87.6,
-        ),
-        (
-            "openfast/nrel5mw_oc3monopile/nrel5mw_monopile.yaml",
-            TowerPart::Monopile,
-            -55.0,
-            10.0,
-        ),
-        (
-            "windio/v1/IEA-15-240-RWT.yaml",
-            TowerPart::All,
-            -75.0,
-            144.386,
-        ),
-        (
-            "windio/v2/IEA-15-240-RWT.yaml",
-            TowerPart::All,
-            -75.0,
-            144.386,
-        ),
-    ];
-    for (path, part, base_m, top_m) in all {
+    // The first begins at the tip of its monopile, in the soil of the file.
+    let table = r#"
+        openfast/iea10/IEA-10-198-RWT.yaml | -72.6 | 115.63
+        openfast/nrel5mw_land/nrel5mw.yaml | 0.0 | 87.6974416
+        openfast/nrel5mw_land/nrel5mw_tower.yaml | 0.0 | 87.6974416
+        openfast/nrel5mw_oc3hywind/nrel5mw-spar_oc3.yaml | 10.0 | 87.6
+        openfast/nrel5mw_oc3monopile/nrel5mw_monopile.yaml | -55.0 | 10.0
+        windio/v1/IEA-15-240-RWT.yaml | -75.0 | 144.386
+        windio/v2/IEA-15-240-RWT.yaml | -75.0 | 144.386
+    "#;
+    for [path, base_m, top_m] in rows(table) {
+        let is_monopile = path.ends_with("monopile.yaml");
+        let part = if is_monopile {
+            TowerPart::Monopile
+        } else {
+            TowerPart::All
+        };
         let Some(input) = real_part(path, part) else {
             return;
         };
         let tower = input.tower().expect("a tower");
-        assert_eq!((tower.base_m(), tower.top_m()), (base_m, top_m), "{path}");
+        let expected = (number(base_m), number(top_m));
+        assert_eq!((tower.base_m(), tower.top_m()), expected, "{path}");
     }
     // Its tower begins 10 m below the top of its monopile.
     let path = "openfast/nrel5mw_oc3monopile/nrel5mw_monopile.yaml";
     let source = real(path).expect("set");
     let error = read_windio(source, &ReadOptions::default()).expect_err("an overlap");
-    assert!(
-        error
-            .to_string()
-            .contains("10 m below the top of the monopile")
-    );
+    error.says("10 m below the top of the monopile");
 }

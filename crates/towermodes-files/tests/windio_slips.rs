@@ -1,17 +1,16 @@
 //! Slips in windIO files that a reader could pass over: misspelled keys, angles in the other unit,
 //! tables that are not used, masses by another name.
 
+use crate::sources::source;
 use crate::windio_files;
 
 use towermodes::{MissingPart, Options, solve};
 use towermodes_files::{ReadError, ReadOptions, Source, TowerInput, TowerPart, read_windio};
+use towermodes_testing::{Says, with};
 use windio_files::{LAYERED, VERSION_1, VERSION_2};
 
 fn read_with(text: &str, options: &ReadOptions) -> Result<TowerInput, ReadError> {
-    let source = Source {
-        name: "turbine.yaml".to_owned(),
-        text: text.to_owned(),
-    };
+    let source = source("turbine.yaml", text);
     read_windio(source, options)
 }
 
@@ -93,27 +92,18 @@ fn keys_of_the_format_that_are_not_read_are_not_noted() {
         "transition_piece_mass: 5e4\n        transition_piece_cost: 1e5\n        my_own_key: 3",
     );
     assert!(notes(&text, "is not read").is_empty());
-    let (text, _) = with(
-        VERSION_1,
-        "yaw_mass: 200",
-        "yaw_mass: 200\n            system_inertia_tt: [1, 1, 1, 0, 0, 0]",
-    );
+    let new = "yaw_mass: 200\n            system_inertia_tt: [1, 1, 1, 0, 0, 0]";
+    let (text, _) = with(VERSION_1, "yaw_mass: 200", new);
     for text in [&text, LAYERED, windio_files::TABLE] {
-        assert!(
-            notes(text, "is not read").is_empty(),
-            "{:?}",
-            read(text).notes
-        );
+        let holds = notes(text, "is not read").is_empty();
+        assert!(holds, "{:?}", read(text).notes);
     }
 }
 
 #[test]
 fn keys_of_a_part_that_is_not_wanted_are_not_noted() {
     let (text, _) = with(VERSION_2, "transition_piece_mass", "transition_peice_mass");
-    let options = ReadOptions {
-        part: TowerPart::Tower,
-        ..ReadOptions::default()
-    };
+    let options = with!(ReadOptions, part = TowerPart::Tower);
     let input = read_with(&text, &options).expect("a tower");
     assert!(
         !input
@@ -135,7 +125,7 @@ fn angles_in_the_other_unit_are_noted() {
         assert!(noted(VERSION_1, key, "0.34").is_empty());
         assert_eq!(noted(VERSION_1, key, "0.36").len(), 1);
         let said = noted(VERSION_1, key, "6");
-        assert!(said[0].1.contains("6 degrees are 0.10472 rad"), "{said:?}");
+        said[0].1.says("6 degrees are 0.10472 rad");
     }
     let later = |value: &str| {
         let shaft = format!(
@@ -148,7 +138,7 @@ fn angles_in_the_other_unit_are_noted() {
     for good in ["6.0", "0.0", "0.2", "20", "-5"] {
         assert!(later(good).is_empty(), "{good}");
     }
-    assert!(later("0.1047")[0].1.contains("are 5.99887 degrees"));
+    later("0.1047")[0].1.says("are 5.99887 degrees");
     assert_eq!(later("20.1").len(), 1);
 }
 
@@ -160,10 +150,7 @@ fn angles_that_no_unit_makes_possible_are_refused() {
         panic!("{error}");
     };
     let said = mistakes[0].to_string();
-    assert!(
-        said.contains("uptilt is 6000 rad") && said.contains("0.10472"),
-        "{said}"
-    );
+    said.says_all("uptilt is 6000 rad & 0.10472");
     assert_eq!(mistakes[0].line_and_column(&text).0, line);
 }
 
@@ -184,20 +171,12 @@ const BROKEN_TABLE: &str = "elastic_properties:
 
 #[test]
 fn a_table_that_is_not_used_may_be_broken() {
-    let (text, line) = with(
-        LAYERED,
-        "outfitting_factor: 1.05\n",
-        &format!("outfitting_factor: 1.05\n            {BROKEN_TABLE}"),
-    );
+    let new = format!("outfitting_factor: 1.05\n            {BROKEN_TABLE}");
+    let (text, line) = with(LAYERED, "outfitting_factor: 1.05\n", &new);
     let found = notes(&text, "elastic properties of the tower cannot be read");
     assert_eq!(found.len(), 1, "{:?}", read(&text).notes);
     assert_eq!(found[0].0, line + 2);
-    assert!(
-        found[0]
-            .1
-            .contains("has 7 values instead of 11 as its grid"),
-        "{found:?}"
-    );
+    found[0].1.says("has 7 values instead of 11 as its grid");
     assert_eq!(read(&text).description, read(LAYERED).description);
 }
 
@@ -211,7 +190,7 @@ fn a_table_that_is_needed_may_not() {
         &LAYERED[to..]
     );
     let error = read_with(&text, &ReadOptions::default()).expect_err("no table");
-    assert!(error.to_string().contains("11 as its grid"), "{error}");
+    error.says("11 as its grid");
 }
 
 #[test]
@@ -223,11 +202,8 @@ fn the_mass_above_the_yaw_system_is_the_nacelles() {
     let found = notes(&text, "above_yaw_mass = 1000 kg and no system_mass");
     assert_eq!(found[0].0, line);
     // The mass of the whole nacelle has the yaw system in it already.
-    let (text, _) = with(
-        VERSION_1,
-        "system_mass: 1000\n",
-        "system_mass: 1200\n            above_yaw_mass: 1000\n",
-    );
+    let new = "system_mass: 1200\n            above_yaw_mass: 1000\n";
+    let (text, _) = with(VERSION_1, "system_mass: 1000\n", new);
     assert_eq!(rna(&text), expected);
     assert_eq!(
         notes(
@@ -309,10 +285,8 @@ fn a_whole_assembly_stands_for_its_parts() {
     assert_eq!([inertia.xx, inertia.yy, inertia.zz], [100.0, 200.0, 300.0]);
     assert_eq!([inertia.xy, inertia.xz, inertia.yz], [0.0, 0.0, 0.0]);
     assert!(notes(&text, "INCOMPLETE").is_empty());
-    assert_eq!(
-        notes(&text, "the inertia of RNA is about the tower top").len(),
-        1
-    );
+    let found = notes(&text, "the inertia of RNA is about the tower top").len();
+    assert_eq!(found, 1);
 }
 
 #[test]

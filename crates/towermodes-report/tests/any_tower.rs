@@ -5,10 +5,10 @@ use crate::pictures;
 use pictures::{check, steel};
 use proptest::prelude::*;
 use towermodes::{
-    Foundation, FoundationSprings, HalfSpace, Options, PointMass, Rna, Station, Tower,
-    TowerDescription, Water, Wires, solve,
+    Foundation, HalfSpace, Options, PointMass, Rna, Station, Tower, TowerDescription, Water, solve,
 };
 use towermodes_report::figures;
+use towermodes_testing::{parts, with};
 
 /// Towers of any size with anything on them.
 fn any_tower() -> impl Strategy<Value = TowerDescription> {
@@ -50,18 +50,11 @@ fn any_tower() -> impl Strategy<Value = TowerDescription> {
                 mass_kg: 10.0_f64.powf(mass),
                 ..PointMass::default()
             });
-            let wires = wires.into_iter().map(|(share, angle_deg)| Wires {
-                height_m: at(share),
-                count: 3,
-                stiffness_n_per_m: 1e4,
-                angle_deg,
-            });
+            let wires = wires
+                .into_iter()
+                .map(|(share, angle_deg)| parts::wires(at(share), 3, 1e4, angle_deg));
             let (has_rna, mass, x, y, z) = rna;
-            let rna = Rna {
-                mass_kg: 10.0_f64.powf(mass),
-                center_m: [x, y, z],
-                ..Rna::default()
-            };
+            let rna = with!(Rna, mass_kg = 10.0_f64.powf(mass), center_m = [x, y, z]);
             TowerDescription {
                 point_masses: point_masses.collect(),
                 wires: wires.collect(),
@@ -74,13 +67,7 @@ fn any_tower() -> impl Strategy<Value = TowerDescription> {
                     flooded: level > 0.5,
                 }),
                 foundation: match foundation {
-                    0 => Foundation::Springs(FoundationSprings {
-                        lateral_n_per_m: 1e9,
-                        rocking_n_m: 1e11,
-                        coupling_n: 0.0,
-                        vertical_n_per_m: f64::INFINITY,
-                        torsion_n_m: 1e11,
-                    }),
+                    0 => Foundation::Springs(parts::springs(1e9, 1e11, 0.0, f64::INFINITY, 1e11)),
                     1 => Foundation::HalfSpace(HalfSpace {
                         radius_m: 0.1 * (top_m - base_m),
                         embedment_m: 0.05 * (top_m - base_m),

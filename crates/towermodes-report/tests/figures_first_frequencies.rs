@@ -7,14 +7,7 @@ use towermodes::Rotor;
 use towermodes_analysis::resonance::{Campbell, CampbellOptions, campbell};
 use towermodes_report::figures::first_frequencies;
 use towermodes_report::svg::{Figure, Look};
-
-fn rotor(blades: usize, lowest_rpm: f64, highest_rpm: f64) -> Rotor {
-    Rotor {
-        blades,
-        lowest_rpm,
-        highest_rpm,
-    }
-}
+use towermodes_testing::{rotor, with};
 
 fn diagram(name: &str, rotor: &Rotor, options: &CampbellOptions) -> Campbell {
     let (_, tower, solution) = example(name, 8);
@@ -61,10 +54,7 @@ fn labels_are_apart_whatever_the_rotor() {
 #[test]
 fn only_what_was_looked_at_is_on_the_bar() {
     let with = |multiples: &[usize]| {
-        let options = CampbellOptions {
-            multiples: multiples.to_vec(),
-            ..CampbellOptions::default()
-        };
+        let options = with!(CampbellOptions, multiples = multiples.to_vec());
         first_frequencies(&diagram("nrel-5mw.toml", &rotor(3, 6.9, 12.1), &options))
     };
     assert_eq!(with(&[6]), None);
@@ -80,10 +70,7 @@ fn only_what_was_looked_at_is_on_the_bar() {
 /// 0.25 Hz and 0.5 to 0.75 Hz free.
 #[test]
 fn ranges_are_those_of_hand() {
-    let options = CampbellOptions {
-        margin: 0.2,
-        ..CampbellOptions::default()
-    };
+    let options = with!(CampbellOptions, margin = 0.2);
     let diagram = diagram("reference-tower.toml", &rotor(3, 12.0, 12.0), &options);
     let figure = first_frequencies(&diagram).expect("a bar");
     let rows = &figure.table.rows;

@@ -7,6 +7,7 @@ use towermodes_report::figures::{
     self, ModeColumn, SweepBand, SweepBands, SweepColumns, VariedColumn, ViolatedShare,
 };
 use towermodes_report::svg::{Figure, Look};
+use towermodes_testing::Says;
 
 const LABELS: [&str; 3] = [
     "1st side-side bending",
@@ -102,10 +103,8 @@ fn more_varied_numbers_give_histograms_with_quantiles() {
     // Uniform between 1 and 2 Hz: the median is 1.5 Hz within twice the spacing of the rows.
     let words = figure.description.split("50 % of the rows below ").nth(1);
     let median = words.and_then(|words| words.split(' ').next()?.parse::<f64>().ok());
-    assert!(
-        median.is_some_and(|hz| (hz - 1.5).abs() < 2e-3),
-        "{median:?}"
-    );
+    let holds = median.is_some_and(|hz| (hz - 1.5).abs() < 2e-3);
+    assert!(holds, "{median:?}");
     let total: f64 = figure
         .table
         .rows
@@ -150,18 +149,17 @@ fn a_thinned_curve_has_both_ends_and_the_number_of_all_rows() {
     };
     let figure = figures::sweep(&of_rows(40_001));
     let words = "against a, 40001 rows. Each curve shows 2000 of these rows.";
-    assert!(figure.description.contains(words), "{}", figure.description);
+    figure.description.says(words);
     assert!(!figure.description.contains("at random"));
     let of_first = figure.table.rows.iter().filter(|row| row[0] == LABELS[0]);
     let values: Vec<&str> = of_first.map(|row| row[1].as_str()).collect();
-    assert_eq!(
-        (values.len(), values[0], values[1999]),
-        (2000, "0", "40000")
-    );
+    assert_eq!(values.len(), 2000);
+    assert_eq!(values[0], "0");
+    assert_eq!(values[1999], "40000");
     // The rows are a selection of those of the sweep.
     let figure = figures::sweep(&of_rows(4_000_000));
     let words = "The picture shows 40001 rows, selected at random from 4000000.";
-    assert!(figure.description.contains(words), "{}", figure.description);
+    figure.description.says(words);
 }
 
 /// The margin of 3P, which cuts a histogram, and that of 1P, which is far away.
@@ -200,7 +198,7 @@ fn histograms_show_the_margins_of_the_rotor() {
     let figure = checked(&columns(true));
     let remark = "probability of a distance below 5 %: 1P below 0.38 %, 3P 50.0 % (46.9 to 53.1 %)";
     assert!(has(&figure, remark), "{:?}", figure.labels());
-    assert!(figure.description.contains(remark));
+    figure.description.says(remark);
     assert!(has(&figure, "within 5 % of 1P or 3P in operation"));
     // In the field of each mode that is near: the first, and the second at 0.6 to 0.66 Hz.
     let names = figure

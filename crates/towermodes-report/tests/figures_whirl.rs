@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use towermodes::turbine::{Turbine, TurbineMesh, TurbineModel, TurbineModes};
 use towermodes_report::figures::{AnimatedWhirl, WhirlAnimation, whirl, whirl_animation};
+use towermodes_testing::Says;
 
 use super::pictures::{check, input};
 
@@ -37,7 +38,7 @@ fn a_list_without_modes_has_a_picture() {
     let (turbine, mut modes) = solved(0.0);
     modes.modes.clear();
     let figure = whirl(&turbine, &modes);
-    assert!(figure.description.contains("none"));
+    figure.description.says("none");
     let animation = whirl_animation(&turbine, &modes);
     assert!(animation.modes.is_empty() && animation.span_m.is_empty());
 }

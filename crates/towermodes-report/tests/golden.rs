@@ -9,12 +9,12 @@ use std::fs;
 use std::path::Path;
 
 use pictures::{EXAMPLES, check, check_labels, example, input};
-use towermodes::Rotor;
 use towermodes::{Method, Options, Solver, solve};
 use towermodes_analysis::resonance::{CampbellOptions, campbell};
 use towermodes_analysis::study::{self, ColumnSpec, Fineness, converge};
 use towermodes_report::figures;
 use towermodes_report::svg::{Figure, Heading, Look};
+use towermodes_testing::{rotor, with};
 
 /// Largest difference of two numbers of a picture, in pixels.
 const TOLERANCE: f64 = 0.05;
@@ -74,11 +74,8 @@ fn assert_alike(file: &str, golden: &str, svg: &str) {
             assert_eq!(said(golden), said(svg), "{file}:{}", line + 1);
         }
         for (golden, number) in golden_numbers.iter().zip(&numbers) {
-            assert!(
-                (golden - number).abs() <= TOLERANCE,
-                "{file}:{}: {golden} became {number}",
-                line + 1
-            );
+            let holds = (golden - number).abs() <= TOLERANCE;
+            assert!(holds, "{file}:{}: {golden} became {number}", line + 1);
         }
     }
 }
@@ -133,18 +130,12 @@ fn diagrams_of_a_rotor() {
     for (name, [lowest_rpm, highest_rpm]) in rotors {
         let (input, tower) = input(name);
         let solution = solve(&tower, &Options::default()).expect("its modes");
-        let rotor = Rotor {
-            blades: 3,
-            lowest_rpm,
-            highest_rpm,
-        };
+        let rotor = rotor(3, lowest_rpm, highest_rpm);
         let (blade, options) = (input.blade.as_ref(), CampbellOptions::default());
         let campbell = campbell(&tower, &solution, blade, &rotor, &options).expect("a diagram");
         let figure = figures::campbell(&campbell);
-        compare(
-            &format!("campbell-{}", name.replace(['.', '/'], "-")),
-            &figure,
-        );
+        let file = format!("campbell-{}", name.replace(['.', '/'], "-"));
+        compare(&file, &figure);
     }
 }
 
@@ -153,10 +144,7 @@ fn studies_of_methods() {
     let (_, tower) = input("nrel-5mw.toml");
     let segments = [10, 20, 40, 80].map(Fineness::Segments);
     for method in [Method::Rmje, Method::RmjeExact] {
-        let options = Options {
-            method,
-            ..Options::default()
-        };
+        let options = with!(Options, method);
         let study = converge(&tower, &segments, &mut Solver::new(options.clone()), |_| ())
             .expect("solvable");
         let figure = figures::convergence(&study);

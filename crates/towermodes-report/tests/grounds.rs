@@ -4,13 +4,14 @@ use crate::pictures;
 
 use pictures::{look, plain, steel};
 use towermodes::{
-    AddedMassRow, BeamFormula, CircularFooting, FloatingPlatform, FootingFormula, Foundation,
-    FoundationSprings, HalfSpace, Inertia, Monopile, PileFormula, PileTube, RectangularFooting,
-    ReferredMatrix, Rna, SoilProfile, SoilRow, SoilSpring, SoilStiffness, Station,
-    StiffnessFoundation, SuctionCaisson, Tower, TowerDescription, Water, WinklerPile, Wires,
+    BeamFormula, CircularFooting, FloatingPlatform, FootingFormula, Foundation, FoundationSprings,
+    Inertia, Monopile, PileFormula, PileTube, RectangularFooting, ReferredMatrix, Rna, SoilProfile,
+    SoilRow, SoilSpring, SoilStiffness, StiffnessFoundation, SuctionCaisson, Tower,
+    TowerDescription, WinklerPile,
 };
 use towermodes_report::figures;
 use towermodes_report::svg::Look;
+use towermodes_testing::{Says, changed, parts, stations, with};
 
 const PILE: PileTube = PileTube {
     diameter_m: 7.0,
@@ -88,13 +89,7 @@ fn caisson(skirt_length_m: f64) -> Foundation {
 #[test]
 fn every_foundation() {
     let springs = |lateral, rocking, vertical, torsion| {
-        Foundation::Springs(FoundationSprings {
-            lateral_n_per_m: lateral,
-            rocking_n_m: rocking,
-            coupling_n: 0.0,
-            vertical_n_per_m: vertical,
-            torsion_n_m: torsion,
-        })
+        Foundation::Springs(parts::springs(lateral, rocking, 0.0, vertical, torsion))
     };
     let inf = f64::INFINITY;
     let mut matrices = StiffnessFoundation::default();
@@ -103,12 +98,7 @@ fn every_foundation() {
         matrices.inertia[i][i] = 1e5;
     }
     let half_space = |radius_m, embedment_m| {
-        Foundation::HalfSpace(HalfSpace {
-            radius_m,
-            embedment_m,
-            shear_modulus_pa: 4e7,
-            poissons_ratio: 0.35,
-        })
+        Foundation::HalfSpace(parts::half_space(radius_m, embedment_m, 4e7, 0.35))
     };
     for (what, foundation) in [
         (
@@ -131,10 +121,7 @@ fn every_foundation() {
         ("monopile", monopile()),
         ("pile on springs", winkler_pile()),
     ] {
-        let description = TowerDescription {
-            foundation,
-            ..plain()
-        };
+        let description = changed!(plain(), foundation);
         look(what, &description, 8);
     }
 }
@@ -153,20 +140,9 @@ fn a_barge_whose_centre_is_above_the_base() {
         let platform = FloatingPlatform {
             mass_kg: 5e6,
             center_m: [30.0, 0.0, z_m],
-            inertia_kg_m2: Inertia {
-                xx: 1e10,
-                yy: 1e10,
-                zz: 1e10,
-                ..Inertia::default()
-            },
-            hydrostatic: ReferredMatrix {
-                height_m: surface_m,
-                ..hydrostatic
-            },
-            mooring: ReferredMatrix {
-                height_m: -100.0,
-                ..hydrostatic
-            },
+            inertia_kg_m2: with!(Inertia, xx = 1e10, yy = 1e10, zz = 1e10),
+            hydrostatic: changed!(hydrostatic, height_m = surface_m),
+            mooring: changed!(hydrostatic, height_m = -100.0),
             ..FloatingPlatform::default()
         };
         let description = TowerDescription {
@@ -201,48 +177,22 @@ fn much_around_a_tower() {
             1e7 + 2e6 * f64::from(k),
         )
     });
-    let wires = |height_m: f64| Wires {
-        height_m,
-        count: 4,
-        stiffness_n_per_m: 1.234_567e6,
-        angle_deg: 60.0,
-    };
+    let wires = |height_m: f64| parts::wires(height_m, 4, 1.234_567e6, 60.0);
     let description = TowerDescription {
         name: "North <sea> & \"more\"".to_owned(),
         soil: soil.collect(),
-        water: Some(Water {
-            level_m: 12.0,
-            bed_m: Some(0.0),
-            density_kg_per_m3: 1025.0,
-            added_mass_coefficient: 1.0,
-            flooded: false,
-        }),
+        water: Some(parts::water(12.0, Some(0.0), 1025.0, 1.0, false)),
         added_mass: vec![vec![
-            AddedMassRow {
-                height_m: 0.0,
-                mass_kg_per_m: 900.0,
-            },
-            AddedMassRow {
-                height_m: 12.0,
-                mass_kg_per_m: 900.0,
-            },
+            parts::added_mass_row(0.0, 900.0),
+            parts::added_mass_row(12.0, 900.0),
         ]],
         wires: (1..10).map(|k| wires(20.0 + 5.0 * f64::from(k))).collect(),
-        foundation: Foundation::Springs(FoundationSprings {
-            lateral_n_per_m: 1e8,
-            rocking_n_m: 1e10,
-            coupling_n: -1e8,
-            vertical_n_per_m: 1e9,
-            torsion_n_m: 1e9,
-        }),
+        foundation: Foundation::Springs(parts::springs(1e8, 1e10, -1e8, 1e9, 1e9)),
         rna: Rna::point(100e3),
-        ..steel(vec![
-            Station::new(-30.0, 6.0, 0.05),
-            Station::new(87.6, 3.87, 0.019),
-        ])
+        ..steel(stations(&[(-30.0, 6.0, 0.05), (87.6, 3.87, 0.019)]))
     };
     look("much around", &description, 15);
     let tower = Tower::new(description.clone()).expect("a tower");
     let svg = figures::tower(&description, &tower).to_svg(Look::Standalone);
-    assert!(svg.contains("North &lt;sea&gt; &amp; &quot;more&quot;"));
+    svg.says("North &lt;sea&gt; &amp; &quot;more&quot;");
 }

@@ -5,10 +5,11 @@ use std::f64::consts::{PI, TAU};
 use std::sync::OnceLock;
 
 use towermodes::{
-    FloatingPlatform, Foundation, Inertia, Material, Mode, Options, ReferredMatrix, Rna, Solution,
-    Station, Tower, TowerDescription, solve,
+    FloatingPlatform, Foundation, Inertia, Mode, Options, ReferredMatrix, Rna, Solution, Station,
+    Tower, TowerDescription, solve,
 };
 use towermodes_report::terminal::shapes;
+use towermodes_testing::{Says, changed, stations, tube, with};
 
 /// Characters of a diagram, and from one to the next.
 const COLUMNS: usize = 16;
@@ -16,20 +17,12 @@ const PITCH: usize = 18;
 
 /// So slender that it is the beam of the textbooks.
 fn pole() -> TowerDescription {
-    TowerDescription {
-        materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-        stations: vec![Station::new(0.0, 1.0, 0.01), Station::new(100.0, 1.0, 0.01)],
-        ..TowerDescription::default()
-    }
+    tube(&[(0.0, 1.0, 0.01), (100.0, 1.0, 0.01)])
 }
 
 fn solved(description: TowerDescription, modes: usize) -> (Tower, Solution) {
     let tower = Tower::new(description).expect("a valid tower");
-    let options = Options {
-        modes,
-        rotary_inertia: false,
-        ..Options::default()
-    };
+    let options = with!(Options, modes, rotary_inertia = false);
     let solution = solve(&tower, &options).expect("solved");
     (tower, solution)
 }
@@ -104,10 +97,8 @@ fn dots_lie_on_the_shapes_of_a_cantilever() {
             let reach = 0.5 * (above - here).abs().max((below - here).abs()) + 1.01;
             for (x, _) in in_row.filter(|(x, _)| !is_axis(*x)) {
                 let distance = (*x as f64 - here).abs();
-                assert!(
-                    distance <= reach,
-                    "mode {mode}, row {y}: {distance}\n{text}"
-                );
+                let holds = distance <= reach;
+                assert!(holds, "mode {mode}, row {y}: {distance}\n{text}");
             }
         }
     }
@@ -125,22 +116,13 @@ fn equal_planes_are_drawn_once_and_named() {
     let mass_kg_per_m = 8500.0 * PI / 4.0 * (1.0 - 0.98_f64.powi(2));
     let stiffness = (2.1e11 * inertia_m4 / mass_kg_per_m).sqrt();
     let hz = 1.875_104_07_f64.powi(2) * stiffness / (TAU * 1e4);
-    assert!(text.contains(&format!(" {hz:.5} Hz")), "{hz}\n{text}");
+    text.says(&format!(" {hz:.5} Hz"));
 }
 
 #[test]
 fn different_planes_are_drawn_each() {
-    let inertia_kg_m2 = Inertia {
-        xx: 1e5,
-        ..Inertia::default()
-    };
-    let uneven = TowerDescription {
-        rna: Rna {
-            inertia_kg_m2,
-            ..Rna::point(1000.0)
-        },
-        ..pole()
-    };
+    let inertia_kg_m2 = with!(Inertia, xx = 1e5);
+    let uneven = changed!(pole(), rna = changed!(Rna::point(1000.0), inertia_kg_m2));
     let text = picture(uneven, 4);
     assert!(!text.contains(" and"), "{text}");
     assert!(text.contains("1st fore-aft") && text.contains("1st side-side"));
@@ -153,10 +135,9 @@ fn torsion_is_a_rotation_and_says_so() {
         ..pole()
     };
     let text = picture(stub, 4);
-    assert!(text.contains("1st torsion"), "{text}");
-    assert!(text.contains("rotation about z"), "{text}");
-    assert!(text.starts_with(" 5.0 m ┤"), "{text}");
-    assert!(text.contains("\u{2212}5.0   ┤"), "{text}");
+    text.says_all("1st torsion & rotation about z");
+    text.begins(" 5.0 m ┤");
+    text.says("\u{2212}5.0   ┤");
     // sin(π/2 s), the shape of a shaft held at one end, at its middle: 15 + 15/√2.
     let panel = text
         .lines()
@@ -164,10 +145,8 @@ fn torsion_is_a_rotation_and_says_so() {
         .and_then(|line| line.find("torsion"))
         .map_or(0, |at| (at - left(&text)) / PITCH);
     let middle = dots(&text, panel);
-    assert!(
-        middle.contains(&(26, 25)) || middle.contains(&(25, 25)),
-        "{text}"
-    );
+    let holds = middle.contains(&(26, 25)) || middle.contains(&(25, 25));
+    assert!(holds, "{text}");
 }
 
 /// An RNA beside the tower in y, so slow in yaw that fore-aft bending and torsion move together;
@@ -175,18 +154,10 @@ fn torsion_is_a_rotation_and_says_so() {
 #[test]
 fn a_coupled_mode_shows_the_motions_it_has() {
     let beside = TowerDescription {
-        stations: vec![
-            Station::new(0.0, 6.0, 0.027),
-            Station::new(87.6, 3.87, 0.019),
-        ],
+        stations: stations(&[(0.0, 6.0, 0.027), (87.6, 3.87, 0.019)]),
         rna: Rna {
             center_m: [0.0, 6.0, 0.0],
-            inertia_kg_m2: Inertia {
-                xx: 3.5e8,
-                yy: 3.5e8,
-                zz: 6.9e8,
-                ..Inertia::default()
-            },
+            inertia_kg_m2: with!(Inertia, xx = 3.5e8, yy = 3.5e8, zz = 6.9e8),
             ..Rna::point(350e3)
         },
         ..pole()
@@ -195,11 +166,8 @@ fn a_coupled_mode_shows_the_motions_it_has() {
     let coupled = |mode: &Mode| mode.is_coupled();
     assert!(solution.modes.iter().any(coupled), "nothing is coupled");
     let text = shapes(&tower, &solution, 100);
-    assert!(text.contains("x line, rotation"), "{text}");
-    assert!(
-        text.contains("z dots") && !text.contains("y dots"),
-        "{text}"
-    );
+    text.says_all("x line, rotation & z dots");
+    assert!(!text.contains("y dots"), "{text}");
 }
 
 #[test]
@@ -210,11 +178,7 @@ fn no_picture_is_wider_than_the_terminal() {
         assert!(widest.unwrap_or(0) <= width, "{width}:\n{text}");
         assert_eq!(text.is_empty(), width < 30, "{width}");
     }
-    assert!(
-        floating(100).contains("surge and sway"),
-        "{}",
-        floating(100)
-    );
+    floating(100).says("surge and sway");
 }
 
 /// A floating tower, solved once.
@@ -229,12 +193,7 @@ fn floating(width: usize) -> String {
         };
         let platform = FloatingPlatform {
             mass_kg: 1e7,
-            inertia_kg_m2: Inertia {
-                xx: 1e10,
-                yy: 1e10,
-                zz: 1e10,
-                ..Inertia::default()
-            },
+            inertia_kg_m2: with!(Inertia, xx = 1e10, yy = 1e10, zz = 1e10),
             hydrostatic: diagonal(1e6),
             mooring: diagonal(1e8),
             ..FloatingPlatform::default()

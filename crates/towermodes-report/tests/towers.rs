@@ -5,10 +5,11 @@ use crate::pictures;
 
 use pictures::{EXAMPLES, check, example, keep, look, plain, solved, steel};
 use towermodes::{
-    Family, Inertia, Mode, Options, PointMass, Rna, Station, Tower, TowerDescription, Wires, solve,
+    Family, Inertia, Mode, Options, PointMass, Rna, Station, Tower, TowerDescription, solve,
 };
 use towermodes_report::figures;
 use towermodes_report::svg::Look;
+use towermodes_testing::{Says, parts, stations, with};
 
 #[test]
 fn any_number_of_modes() {
@@ -39,30 +40,15 @@ fn few_and_many_stations() {
 
 #[test]
 fn thin_walls_high_towers_small_towers() {
-    let thin = vec![
-        Station::new(0.0, 6.0, 0.001),
-        Station::new(300.0, 4.0, 0.001),
-    ];
+    let thin = stations(&[(0.0, 6.0, 0.001), (300.0, 4.0, 0.001)]);
     look("300 m of 1 mm", &steel(thin), 10);
-    let small = vec![
-        Station::new(0.0, 0.05, 0.002),
-        Station::new(0.8, 0.04, 0.002),
-    ];
+    let small = stations(&[(0.0, 0.05, 0.002), (0.8, 0.04, 0.002)]);
     look("0.8 m", &steel(small), 6);
-    let squat = vec![
-        Station::new(0.0, 12.0, 0.05),
-        Station::new(10.0, 12.0, 0.05),
-    ];
+    let squat = stations(&[(0.0, 12.0, 0.05), (10.0, 12.0, 0.05)]);
     look("10 m wide", &steel(squat), 8);
-    let deep = vec![
-        Station::new(-60.0, 9.0, 0.09),
-        Station::new(120.0, 5.0, 0.03),
-    ];
+    let deep = stations(&[(-60.0, 9.0, 0.09), (120.0, 5.0, 0.03)]);
     look("base at minus 60", &steel(deep), 8);
-    let rod = vec![
-        Station::new(1e6, 1.0, 0.5),
-        Station::new(1e6 + 30.0, 1.0, 0.5),
-    ];
+    let rod = stations(&[(1e6, 1.0, 0.5), (1e6 + 30.0, 1.0, 0.5)]);
     look("a rod far up", &steel(rod), 4);
 }
 
@@ -79,12 +65,7 @@ fn rnas_that_hang_over() {
             rna: Rna {
                 mass_kg: 200e3,
                 center_m,
-                inertia_kg_m2: Inertia {
-                    xx: 2e7,
-                    yy: 1e7,
-                    zz: 1.5e7,
-                    ..Inertia::default()
-                },
+                inertia_kg_m2: with!(Inertia, xx = 2e7, yy = 1e7, zz = 1.5e7),
             },
             ..plain()
         };
@@ -141,22 +122,15 @@ fn coupled_modes_have_the_panels_in_which_they_move() {
                 mass_kg: 350e3,
                 center_m,
                 // So much about z that torsion is as slow as bending.
-                inertia_kg_m2: Inertia {
-                    xx: 3.5e8,
-                    yy: 3.5e8,
-                    zz: 6.9e8,
-                    ..Inertia::default()
-                },
+                inertia_kg_m2: with!(Inertia, xx = 3.5e8, yy = 3.5e8, zz = 6.9e8),
             },
             ..plain()
         };
         let tower = Tower::new(description.clone()).expect("a tower");
         let solution = solved(&tower, 10);
         let coupled = |mode: &Mode| mode.is_coupled();
-        assert!(
-            solution.modes.iter().any(coupled),
-            "{center_m:?} couples nothing"
-        );
+        let holds = solution.modes.iter().any(coupled);
+        assert!(holds, "{center_m:?} couples nothing");
         let figure = figures::shapes(&description, &tower, &solution);
         check(moving, &figure);
         let says = |text: &str| figure.labels().iter().any(|label| label.text == text);
@@ -170,16 +144,9 @@ fn coupled_modes_have_the_panels_in_which_they_move() {
 
 #[test]
 fn the_table_has_the_shapes_of_a_uniform_cantilever() {
-    let uniform = steel(vec![
-        Station::new(0.0, 1.0, 0.01),
-        Station::new(100.0, 1.0, 0.01),
-    ]);
+    let uniform = steel(stations(&[(0.0, 1.0, 0.01), (100.0, 1.0, 0.01)]));
     let tower = Tower::new(uniform.clone()).expect("a tower");
-    let options = Options {
-        modes: 20,
-        rotary_inertia: false,
-        ..Options::default()
-    };
+    let options = with!(Options, modes = 20, rotary_inertia = false);
     let solution = solve(&tower, &options).expect("its modes");
     let figure = figures::shapes(&uniform, &tower, &solution);
     let half = figure
@@ -210,10 +177,8 @@ fn the_table_has_the_shapes_of_a_uniform_cantilever() {
         .iter()
         .filter(|mode| mode.family == Family::ForeAft)
         .count();
-    assert!(
-        texts.contains(&format!("{} more", bending - 6).as_str()),
-        "{texts:?}"
-    );
+    let more = format!("{} more", bending - 6);
+    assert!(texts.contains(&more.as_str()), "{texts:?}");
 }
 
 #[test]
@@ -237,17 +202,8 @@ fn tower_of(description: &TowerDescription) -> Tower {
 #[test]
 fn wires_beyond_the_picture_are_cut_and_what_is_left_out_is_named() {
     let mut description = plain();
-    description.wires = vec![Wires {
-        height_m: 80.0,
-        count: 3,
-        angle_deg: 20.0,
-        stiffness_n_per_m: 1e6,
-    }];
-    let masses = (0..100).map(|k| PointMass {
-        height_m: 0.8 * f64::from(k),
-        mass_kg: 10.0,
-        ..PointMass::default()
-    });
+    description.wires = vec![parts::wires(80.0, 3, 1e6, 20.0)];
+    let masses = (0..100).map(|k| with!(PointMass, height_m = 0.8 * f64::from(k), mass_kg = 10.0));
     description.point_masses = masses.collect();
     let tower = Tower::new(description.clone()).expect("a tower");
     let figure = figures::tower(&description, &tower);
@@ -259,9 +215,7 @@ fn wires_beyond_the_picture_are_cut_and_what_is_left_out_is_named() {
         .iter()
         .find(|text| text.starts_with("Heights to scale"));
     let note = note.expect("a note");
-    assert!(
-        note.contains("Masses at ") && note.contains(" more heights"),
-        "{note}"
-    );
+    note.says("Masses at ");
+    note.says(" more heights");
     assert!(!note.contains("table"));
 }

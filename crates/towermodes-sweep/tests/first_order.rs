@@ -3,11 +3,12 @@
 
 use std::ops::ControlFlow;
 
-use towermodes::{Rna, Solver, TowerDescription};
+use towermodes::{Rna, Solver};
 use towermodes_files::{
     Correlation, Distribution, Sampling, SamplingKind, SweepModes, SweepResults, Varied,
 };
 use towermodes_sweep::{Base, Draw, FirstOrderError, NoScatter, Scatter, Statistics, Sweep, run};
+use towermodes_testing::{Close, Says, assert_matches, changed};
 
 use crate::towers::{lowest, solved, sweep, tower};
 
@@ -134,10 +135,8 @@ fn small_scatter_is_that_of_random_rows_within_their_confidence() {
         let rows = ROWS as f64;
         let error_hz = sample.deviation / rows.sqrt();
         let mean_hz = scatter.mean_hz + scatter.mean_shift_hz.expect("a shift");
-        assert!(
-            (mean_hz - sample.mean).abs() < 4.0 * error_hz,
-            "{scatter:?} {sample:?}"
-        );
+        let holds = (mean_hz - sample.mean).abs() < 4.0 * error_hz;
+        assert!(holds, "{scatter:?} {sample:?}");
         // The deviation of the deviation of n normal values is σ/√(2n): 0.5 %.
         let ratio = scatter.deviation_hz / sample.deviation;
         assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
@@ -145,10 +144,7 @@ fn small_scatter_is_that_of_random_rows_within_their_confidence() {
         // Not 0 and not 1, where every answer would do.
         assert!((0.01..0.99).contains(&share), "{share}");
         let error = (share * (1.0 - share) / rows).sqrt();
-        assert!(
-            (probability - share).abs() < 4.0 * error,
-            "{probability} {share}"
-        );
+        probability.within(share, 4.0 * error);
     }
 }
 
@@ -164,29 +160,17 @@ fn large_scatter_differs_by_the_curvature() {
     let (scatter, sample, _) = both(&sampling, &sweep);
     let error_hz = sample.deviation / (ROWS as f64).sqrt();
     let difference_hz = sample.mean - scatter.mean_hz;
-    assert!(
-        difference_hz.abs() > 6.0 * error_hz,
-        "{difference_hz} {error_hz}"
-    );
+    let holds = difference_hz.abs() > 6.0 * error_hz;
+    assert!(holds, "{difference_hz} {error_hz}");
     let second_hz = second_order_hz(&sampling, &sweep, VARIATION);
-    assert!(
-        (difference_hz - second_hz).abs() < 4.0 * error_hz,
-        "{difference_hz} {second_hz}"
-    );
+    difference_hz.within(second_hz, 4.0 * error_hz);
     let shift_hz = scatter.mean_shift_hz.expect("a shift");
-    assert!(
-        (shift_hz / second_hz - 1.0).abs() < 0.05,
-        "{shift_hz} {second_hz}"
-    );
+    shift_hz.close_to(second_hz, 0.05);
 }
 
 /// A clamped tower without anything on it and without gravity has f ∝ √(E/ρ).
 fn bare() -> Sweep {
-    let description = TowerDescription {
-        rna: Rna::point(0.0),
-        gravity_m_per_s2: 0.0,
-        ..tower(0.0)
-    };
+    let description = changed!(tower(0.0), rna = Rna::point(0.0), gravity_m_per_s2 = 0.0);
     let results = SweepResults {
         modes: SweepModes::Lowest(2),
         rotary_inertia: true,
@@ -218,17 +202,12 @@ fn a_product_of_powers_has_the_closed_form() {
     let first = bare
         .first_order(&sampling, Some(&check), Solver::default())
         .expect("first order");
-    assert_eq!(
-        (first.inputs[1].mean, first.inputs[1].deviation),
-        (0.9, 0.9 * r)
-    );
+    assert_eq!(first.inputs[1].mean, 0.9);
+    assert_eq!(first.inputs[1].deviation, 0.9 * r);
     for mode in &first.modes {
         let scatter = mode.scatter.as_ref().expect("derivatives");
         let close = |found: f64, expected: f64, tolerance: f64| {
-            assert!(
-                (found / expected - 1.0).abs() < tolerance,
-                "{found} {expected}"
-            );
+            found.close_to(expected, tolerance);
         };
         // The derivative has its own mesh, with a border at each station.
         close(scatter.hz_per_unit[0], 0.5 * scatter.mean_hz / 1.1, 1e-5);
@@ -272,15 +251,9 @@ fn a_large_shift_of_the_mean_is_a_doubt() {
     assert_eq!(said.len(), 2, "{said:?}");
     let shift = 0.5 * (1.4_f64.powf(-0.5) + 0.6_f64.powf(-0.5)) - 1.0;
     let percent = format!("{:.0} % of its standard deviation", 100.0 * shift / 0.2);
-    assert!(
-        said[0].starts_with("fore-aft 1: the curvature moves the mean by 0.0"),
-        "{said:?}"
-    );
+    said[0].begins("fore-aft 1: the curvature moves the mean by 0.0");
     assert!(said[0].contains(&percent), "{said:?} {percent}");
-    assert!(
-        said[0].ends_with("not to be trusted; solve rows"),
-        "{said:?}"
-    );
+    said[0].ends("not to be trusted; solve rows");
 }
 
 /// The exact mean and deviation of the lognormal frequency of the same tower, of which the first
@@ -313,11 +286,7 @@ fn random_rows_of_a_product_of_powers_have_the_exact_mean() {
         .clone()
         .expect("rows");
     let error_hz = deviation_hz / (ROWS as f64).sqrt();
-    assert!(
-        (sample.mean - mean_hz).abs() < 4.0 * error_hz,
-        "{} {mean_hz}",
-        sample.mean
-    );
+    sample.mean.within(mean_hz, 4.0 * error_hz);
     assert!((sample.deviation / deviation_hz - 1.0).abs() < 0.03);
     // The first order is wrong by many standard errors, in mean and deviation.
     assert!((sample.mean - scatter.mean_hz).abs() > 10.0 * error_hz);
@@ -333,42 +302,28 @@ fn refused(sweep: &Sweep, sampling: &Sampling) -> FirstOrderError {
 #[test]
 fn what_has_no_first_order_is_refused() {
     let names = ["material.youngs_modulus", "scale(material.youngs_modulus)"];
-    let twice = sampling(
-        10,
-        vec![
-            varied(names[0], normal(2.1e11, 1e9)),
-            varied(names[1], normal(1.0, 0.01)),
-        ],
-        Vec::new(),
-    );
+    let vary = vec![
+        varied(names[0], normal(2.1e11, 1e9)),
+        varied(names[1], normal(1.0, 0.01)),
+    ];
+    let twice = sampling(10, vary, Vec::new());
     let error = refused(&lowest(&names, 1), &twice);
     assert!(matches!(error, FirstOrderError::Overlap { .. }), "{error}");
     let mass = |distribution| sampling(10, vec![varied("rna.mass", distribution)], Vec::new());
     let error = refused(&lowest(&["rna.mass"], 1), &mass(normal(-1e6, 1.0)));
-    assert!(
-        error
-            .to_string()
-            .contains("the tower at the mean values: rna.mass: "),
-        "{error}"
-    );
+    error.says("the tower at the mean values: rna.mass: ");
     let mut grid = mass(Distribution::Values(vec![3e5, 4e5]));
     (grid.kind, grid.rows) = (SamplingKind::Grid, 2);
-    assert_eq!(
+    assert_matches!(
         refused(&lowest(&["rna.mass"], 1), &grid),
         FirstOrderError::Grid
     );
     let other = refused(&lowest(&["rna.center[2]"], 1), &mass(normal(3.5e5, 1e3)));
     assert_eq!(other, FirstOrderError::OtherChanges);
-    let factor = sampling(
-        10,
-        vec![varied("scale(rna.mass)", normal(0.0, 0.1))],
-        Vec::new(),
-    );
+    let vary = vec![varied("scale(rna.mass)", normal(0.0, 0.1))];
+    let factor = sampling(10, vary, Vec::new());
     let error = refused(&lowest(&["scale(rna.mass)"], 1), &factor);
-    assert!(
-        matches!(error, FirstOrderError::ZeroFactor { .. }),
-        "{error}"
-    );
+    assert_matches!(error, FirstOrderError::ZeroFactor { .. });
 }
 
 /// A machine beside the axis splits equal bending planes by as much in both directions.

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use towermodes::{Change, Method, Options, Tower, solve};
 use towermodes_files::{Distribution, Sampling, SamplingKind, SweepModes, SweepResults, Varied};
 use towermodes_sweep::{Base, Columns, Draw, RunError, Sweep, SweepError, run};
+use towermodes_testing::{Says, number, rows, with};
 
 use crate::towers::{example, lowest, names, solved, sweep, tower};
 
@@ -22,11 +23,7 @@ fn a_row_is_the_changed_tower() {
             station.wall_thickness_m *= walls[row];
         }
         let tower = Tower::new(description).expect("a tower");
-        let options = Options {
-            segments: Some(20),
-            modes: 4,
-            ..Options::default()
-        };
+        let options = with!(Options, segments = Some(20), modes = 4);
         let solution = solve(&tower, &options).expect("a solution");
         for (index, name) in sweep.modes().iter().enumerate() {
             let mode = solution.mode(name.family, name.order).expect("a mode");
@@ -49,15 +46,12 @@ fn unusual_input_that_the_base_does_not_have_is_a_warning() {
         let rows: Vec<u64> = warnings.first.iter().map(|(row, _)| *row).collect();
         assert_eq!(rows, [1, 4, 7, 10, 13]);
         let sentence = &warnings.first[0].1;
-        assert!(sentence.starts_with("material.density: "), "{sentence}");
-        assert!(sentence.contains("7.85 kg/m3"), "{sentence}");
+        sentence.begins("material.density: ");
+        sentence.says("7.85 kg/m3");
     }
     let mut light = tower(4e7);
     light.materials[0].density_kg_per_m3 = 7.85;
-    let results = SweepResults {
-        modes: SweepModes::Lowest(1),
-        ..SweepResults::default()
-    };
+    let results = with!(SweepResults, modes = SweepModes::Lowest(1));
     let of_light = self::sweep(Base::from(light), &["rna.mass"], &results);
     assert_eq!(solved(&of_light, &[&[3e5]], 1).warnings.rows, 0);
 }
@@ -134,20 +128,15 @@ fn a_row_that_fails_is_a_row_with_its_sentence() {
 #[test]
 fn columns_stay_with_their_modes_where_frequencies_cross() {
     let wanted = names(&["torsion 1", "fore-aft 2"]);
-    let results = SweepResults {
-        modes: SweepModes::Named(wanted),
-        ..SweepResults::default()
-    };
+    let results = with!(SweepResults, modes = SweepModes::Named(wanted));
     let sweep = sweep(Base::from(tower(4e7)), &["rna.inertia.zz"], &results);
     let inertias: Vec<f64> = (0..40).map(|i| 2e6 * 1.09_f64.powi(i)).collect();
     let results = solved(&sweep, &[&inertias], 1);
     assert!(results.failures.is_empty());
     let torsion: Vec<f64> = results.frequencies_hz(0).collect();
     let bending: Vec<f64> = results.frequencies_hz(1).collect();
-    assert!(
-        torsion[0] > bending[0] && torsion[39] < bending[39],
-        "they cross"
-    );
+    assert!(torsion[0] > bending[0], "they cross");
+    assert!(torsion[39] < bending[39], "they cross");
     for row in 1..40 {
         // f² is about inversely proportional to the inertia, less so where the tower's own matters.
         let ratio = torsion[row - 1] / torsion[row];
@@ -161,10 +150,7 @@ fn columns_stay_with_their_modes_where_frequencies_cross() {
 #[test]
 fn a_mode_that_is_far_above_is_missing_with_a_sentence() {
     let wanted = names(&["fore-aft 1", "torsion 1"]);
-    let results = SweepResults {
-        modes: SweepModes::Named(wanted),
-        ..SweepResults::default()
-    };
+    let results = with!(SweepResults, modes = SweepModes::Named(wanted));
     let changes = ["rna.inertia.zz", "material.shear_modulus"];
     let sweep = sweep(Base::from(tower(4e7)), &changes, &results);
     let asked = sweep.options().modes;
@@ -184,10 +170,7 @@ fn a_sweep_that_cannot_begin_says_why() {
         let parsed = Change::parse_all(names.iter().copied(), &base().description);
         parsed.expect("changes")
     };
-    let with = |modes| SweepResults {
-        modes,
-        ..SweepResults::default()
-    };
+    let with = |modes| with!(SweepResults, modes);
     let refused =
         |base, changes, modes| Sweep::new(base, changes, &with(modes)).expect_err("refused");
     let nothing = refused(base(), Vec::new(), SweepModes::Lowest(4));
@@ -207,7 +190,7 @@ fn a_sweep_that_cannot_begin_says_why() {
     let sentence = surge.to_string();
     let expected =
         "`surge` is not among the lowest 64 modes of the base; they are fore-aft 1, side-side 1, ";
-    assert!(sentence.starts_with(expected), "{sentence}");
+    sentence.begins(expected);
     let mut no_tower = base();
     no_tower.description.stations.clear();
     let refused_base = refused(no_tower, mass.clone(), SweepModes::Lowest(4));
@@ -255,30 +238,16 @@ fn rows_need_a_value_for_each_change() {
 /// The message on a row names numbers as columns do: with indices from 0.
 #[test]
 fn sentences_name_numbers_as_columns_do() {
-    for (column, value, expected) in [
-        (
-            "scale(stations[1].wall)",
-            -1.0,
-            "stations[1].wall: wall thickness is -0.023 m",
-        ),
-        (
-            "stations[2].wall",
-            9.0,
-            "stations[2].wall: outer diameter 3.87 m is less than twice",
-        ),
-        (
-            "stations[1].height",
-            99.0,
-            "stations[2].height: height 87.6 m is below",
-        ),
-        (
-            "material.density",
-            -1.0,
-            "material.density: density is -1 kg",
-        ),
-        ("rna.mass", -1.0, "rna.mass: mass is -1 kg"),
-        ("rotor.rpm[0]", -1.0, "rotor.rpm[0]: "),
-    ] {
+    let table = r#"
+        scale(stations[1].wall) | -1.0 | stations[1].wall: wall thickness is -0.023 m
+        stations[2].wall | 9.0 | stations[2].wall: outer diameter 3.87 m is less than twice
+        stations[1].height | 99.0 | stations[2].height: height 87.6 m is below
+        material.density | -1.0 | material.density: density is -1 kg
+        rna.mass | -1.0 | rna.mass: mass is -1 kg
+        rotor.rpm[0] | -1.0 | rotor.rpm[0]:␣
+        "#;
+    for [column, value, expected] in rows(table) {
+        let value = number(value);
         let results = solved(&lowest(&[column], 2), &[&[value]], 1);
         let (_, sentence) = results.failures.first().expect("a row that failed");
         assert!(sentence.starts_with(expected), "{column}: {sentence}");
@@ -298,20 +267,13 @@ fn a_row_keeps_its_modes_when_more_cannot_be_computed() {
     let results = solved(&sweep, &[&[1e-12], &[1e-6]], 1);
     let (_, sentence) = results.failures.first().expect("a row that failed");
     let expected = "torsion 1 is not among the lowest ";
-    assert!(sentence.starts_with(expected), "{sentence}");
-    assert!(
-        sentence.contains(" modes; more could not be computed: "),
-        "{sentence}"
-    );
+    sentence.begins(expected);
+    sentence.says(" modes; more could not be computed: ");
     let mut description = tower(4e9);
     description.materials[0].density_kg_per_m3 = 1e-12;
     description.rna.inertia_kg_m2.zz = 1e-6;
     let tower = Tower::new(description).expect("a tower");
-    let options = Options {
-        segments: Some(20),
-        modes: sweep.options().modes,
-        ..Options::default()
-    };
+    let options = with!(Options, segments = Some(20), modes = sweep.options().modes);
     let solution = solve(&tower, &options).expect("the modes that the row has");
     assert_eq!(results.frequency_hz[0], solution.modes[0].extrapolated_hz);
     assert!(results.certified[0] && results.frequency_hz[1].is_nan());

@@ -1,8 +1,9 @@
 //! Modes by name in towers whose modes share motions: no row jumps.
 
-use towermodes::{Foundation, HalfSpace, Inertia, Material, Rna, Station, TowerDescription};
+use towermodes::{Foundation, HalfSpace, TowerDescription};
 use towermodes_files::{SweepModes, SweepResults};
 use towermodes_sweep::Base;
+use towermodes_testing::{Says, rna, tube, with};
 
 use crate::towers::{names, solved, sweep};
 
@@ -10,28 +11,21 @@ use crate::towers::{names, solved, sweep};
 /// side-side.
 fn diagonal() -> TowerDescription {
     TowerDescription {
-        materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-        stations: vec![
-            Station::new(0.0, 2.3471260020305875, 0.010958313450165002),
-            Station::new(49.53559244020355, 2.4349226576197367, 0.024189505),
-        ],
-        rna: Rna {
-            mass_kg: 60797.7672878385,
-            center_m: [-2.3081601903870776, 2.134455263341553, 1.1327627906331306],
-            inertia_kg_m2: Inertia {
-                xx: 1857812.07,
-                yy: 1926672.3162498744,
-                zz: 2450530.2387451925,
-                ..Inertia::default()
-            },
-        },
+        rna: rna(
+            60797.7672878385,
+            [-2.3081601903870776, 2.134455263341553, 1.1327627906331306],
+            [1857812.07, 1926672.3162498744, 2450530.2387451925],
+        ),
         foundation: Foundation::HalfSpace(HalfSpace {
             radius_m: 3.407524943751656,
             embedment_m: 1.8134946910317558,
             shear_modulus_pa: 1.5417479256070977e8,
             poissons_ratio: 0.39976976444280454,
         }),
-        ..TowerDescription::default()
+        ..tube(&[
+            (0.0, 2.3471260020305875, 0.010958313450165002),
+            (49.53559244020355, 2.4349226576197367, 0.024189505),
+        ])
     }
 }
 
@@ -39,22 +33,12 @@ fn diagonal() -> TowerDescription {
 /// about the vertical axis is 0.629 times that of the drawing.
 fn crossing() -> TowerDescription {
     TowerDescription {
-        materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-        stations: vec![
-            Station::new(0.0, 6.0, 0.0351),
-            Station::new(87.6, 3.87, 0.0247),
-        ],
-        rna: Rna {
-            mass_kg: 350e3,
-            center_m: [-0.41, 0.0, 1.966427],
-            inertia_kg_m2: Inertia {
-                xx: 37634182.0,
-                yy: 24376664.3,
-                zz: 22613929.0,
-                ..Inertia::default()
-            },
-        },
-        ..TowerDescription::default()
+        rna: rna(
+            350e3,
+            [-0.41, 0.0, 1.966427],
+            [37634182.0, 24376664.3, 22613929.0],
+        ),
+        ..tube(&[(0.0, 6.0, 0.0351), (87.6, 3.87, 0.0247)])
     }
 }
 
@@ -79,10 +63,7 @@ fn no_row_jumps_where_modes_share_their_motions() {
         (crossing(), "scale(rna.inertia.zz)", [0.9, 0.5]),
     ];
     for (description, change, [from, to]) in cases {
-        let results = SweepResults {
-            modes: SweepModes::Named(names(&named)),
-            ..SweepResults::default()
-        };
+        let results = with!(SweepResults, modes = SweepModes::Named(names(&named)));
         let sweep = sweep(Base::from(description), &[change], &results);
         let rows = 400;
         let at = |row: usize| from + (to - from) * row as f64 / (rows - 1) as f64;
@@ -105,6 +86,6 @@ fn no_row_jumps_where_modes_share_their_motions() {
         }
         assert!(results.shared.rows > 0, "{change}");
         let (_, sentence) = &results.shared.first[0];
-        assert!(sentence.contains(" share modes "), "{sentence}");
+        sentence.says(" share modes ");
     }
 }

@@ -10,6 +10,7 @@ use towermodes_sweep::{
     Base, Draw, RunError, Slice, SliceError, SliceFormat, Slices, Sweep, SweepSource, Table,
     rows_within, run,
 };
+use towermodes_testing::{Says, changed, with};
 
 use crate::towers::{Folder, lowest, sweep, tower};
 
@@ -147,10 +148,8 @@ fn bytes_do_not_depend_on_threads_or_slices() {
     for &format in FORMATS {
         let alone = bytes(of, 0..690, format, 1);
         for threads in [2, 3, 4000] {
-            assert!(
-                alone == bytes(of, 0..690, format, threads),
-                "{threads} threads"
-            );
+            let holds = alone == bytes(of, 0..690, format, threads);
+            assert!(holds, "{threads} threads");
         }
     }
     let rows = |text: Vec<u8>| {
@@ -188,10 +187,7 @@ fn a_run_ends_where_nothing_can_be_written() {
     for threads in [1, 3] {
         for &format in FORMATS {
             for room in [0, 10_000] {
-                let slice = Slice {
-                    format,
-                    ..Slice::all(&sweep, &source)
-                };
+                let slice = changed!(Slice::all(&sweep, &source), format);
                 let go_on = &mut |_| ControlFlow::Continue(());
                 let error = slice.write(Full(room), threads, go_on).expect_err("full");
                 let SliceError::Output(error) = error else {
@@ -234,18 +230,15 @@ fn slices_of_another_sweep_are_refused_with_what_differs() {
         let (_, other_seed) = sampled(2);
         let sentence = refusal(&sweep, &other_seed, &paths);
         let expected = "0-100 is a slice of another sweep: the values of the rows differ";
-        assert!(sentence.ends_with(expected), "{sentence}");
+        sentence.ends(expected);
         let fewer_modes = lowest(&CHANGES, 2);
         let sentence = refusal(&fewer_modes, &source, &paths);
-        assert!(
-            sentence.ends_with(": the modes or options differ"),
-            "{sentence}"
-        );
+        sentence.ends(": the modes or options differ");
         let mut base = Base::from(tower(4e7));
         base.description.stations[0].outer_diameter_m = 6.000_000_000_000_001;
         let other = crate::towers::sweep(base, &CHANGES, &SweepResults::default());
         let sentence = refusal(&other, &source, &paths);
-        assert!(sentence.ends_with(": the tower differs"), "{sentence}");
+        sentence.ends(": the tower differs");
     }
     // Another version of the program, and more rows.
     let folder = Folder::new();
@@ -256,14 +249,8 @@ fn slices_of_another_sweep_are_refused_with_what_differs() {
     let path = folder.path("other");
     fs::write(&path, other.replace("of 690", "of 700")).expect("written");
     let sentence = refusal(&sweep, &source, &[path]);
-    assert!(
-        sentence.contains("towermodes 0.0.1 wrote it, this is "),
-        "{sentence}"
-    );
-    assert!(
-        sentence.ends_with("its sweep has 700 rows, this one 690"),
-        "{sentence}"
-    );
+    sentence.says("towermodes 0.0.1 wrote it, this is ");
+    sentence.ends("its sweep has 700 rows, this one 690");
 }
 
 #[test]
@@ -286,10 +273,7 @@ fn missing_rows_are_named_and_rows_in_two_slices_refused() {
     assert_eq!(missing(&slices, 680..690), [(680, 690)]);
     let twice = written(&folder, of, &[csv(300..310), csv(305..320)]);
     let error = Slices::open(&sweep, &source, &twice).expect_err("refused");
-    assert!(
-        error.to_string().contains("both have the rows 305..310"),
-        "{error}"
-    );
+    error.says("both have the rows 305..310");
     let none = Slices::open(&sweep, &source, &[]).expect("no slices");
     assert_eq!(missing(&none, 0..690), [(0, 690)]);
 }
@@ -331,7 +315,7 @@ fn a_slice_that_is_not_whole_is_refused() {
         let error = error.expect_err("not whole").to_string();
         let is_named = error.contains("slice.csv is not whole: ");
         assert!(is_named && error.contains(expected), "{error}");
-        assert!(error.ends_with("--rows 100..200"), "{error}");
+        error.ends("--rows 100..200");
     }
     for text in ["", "row,rna.mass\n", "# notes\nrow\n"] {
         fs::write(&path, text).expect("written");
@@ -346,8 +330,7 @@ fn a_slice_that_is_not_whole_is_refused() {
         let whole = bytes((&sweep, &source), 0..100, SliceFormat::Parquet, 1);
         fs::write(&path, &whole[..cut]).expect("written");
         let error = Slices::open(&sweep, &source, std::slice::from_ref(&path));
-        let error = error.expect_err("cut").to_string();
-        assert!(error.contains("slice.csv: "), "{error}");
+        error.expect_err("cut").says("slice.csv: ");
     }
 }
 
@@ -393,10 +376,7 @@ fn as_csv(draw: &Draw) -> String {
 #[test]
 fn inputs_are_left_out_on_request() {
     let (_, source) = sampled(1);
-    let results = SweepResults {
-        inputs: false,
-        ..SweepResults::default()
-    };
+    let results = with!(SweepResults, inputs = false);
     let sweep = sweep(Base::from(tower(4e7)), &CHANGES, &results);
     for &format in FORMATS {
         let folder = Folder::new();
@@ -414,10 +394,7 @@ fn rows_and_values_of_other_sweeps_are_refused() {
     let (sweep, source) = sampled(1);
     let go_on = &mut |_| ControlFlow::Continue(());
     for rows in [0..691, 690..691, 5..5] {
-        let slice = Slice {
-            rows,
-            ..Slice::all(&sweep, &source)
-        };
+        let slice = changed!(Slice::all(&sweep, &source), rows);
         let error = slice.write(Vec::new(), 1, go_on).expect_err("refused");
         assert!(matches!(error, SliceError::NoSuchRows { count: 690, .. }));
     }
@@ -431,9 +408,6 @@ fn rows_and_values_of_other_sweeps_are_refused() {
         let sweep = lowest(changes, 2);
         let error = Slice::all(&sweep, &source).write(Vec::new(), 1, go_on);
         let error = error.expect_err("refused").to_string();
-        assert!(
-            error.contains("those of rna.mass, stations[1].wall"),
-            "{error}"
-        );
+        error.says("those of rna.mass, stations[1].wall");
     }
 }

@@ -4,13 +4,13 @@ use std::fs::File;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
-use towermodes::Rotor;
 use towermodes_analysis::resonance::CampbellOptions;
 use towermodes_files::{Distribution, Sampling, SamplingKind, Varied};
 use towermodes_sweep::{
     MarginCheck, MarginSummary, QUANTILES, Results, RowRemarks, Slice, Slices, Sweep, SweepSource,
     run,
 };
+use towermodes_testing::rotor;
 
 use crate::towers::{Folder, lowest, names};
 
@@ -60,10 +60,9 @@ fn statistics_are_those_of_numpy() {
     }
     assert_eq!(QUANTILES, [0.001, 0.01, 0.05, 0.5, 0.95, 0.99, 0.999]);
     let mass = summary.mass_kg.expect("masses");
-    assert_eq!(
-        (mass.mean, mass.deviation, mass.quantiles[3]),
-        (2e5, 0.0, 2e5)
-    );
+    assert_eq!(mass.mean, 2e5);
+    assert_eq!(mass.deviation, 0.0);
+    assert_eq!(mass.quantiles[3], 2e5);
 }
 
 #[test]
@@ -72,22 +71,17 @@ fn few_values_and_none_have_statistics_too() {
         .frequency_hz
         .clone()
         .expect("a value");
-    assert_eq!(
-        (one.mean, one.deviation, one.quantiles),
-        (0.3, 0.0, [0.3; 7])
-    );
+    assert_eq!(one.mean, 0.3);
+    assert_eq!(one.deviation, 0.0);
+    assert_eq!(one.quantiles, [0.3; 7]);
     let two = results(&[0.3, f64::NAN, 0.5]).summary(None).modes[0]
         .frequency_hz
         .clone();
     let two = two.expect("values");
-    assert_eq!(
-        (two.count, two.quantiles[3], two.min, two.max),
-        (2, 0.4, 0.3, 0.5)
-    );
-    assert_eq!(
-        results(&[f64::NAN]).summary(None).modes[0].frequency_hz,
-        None
-    );
+    let expected = (two.count, two.quantiles[3], two.min, two.max);
+    assert_eq!(expected, (2, 0.4, 0.3, 0.5));
+    let none = results(&[f64::NAN]).summary(None);
+    assert_eq!(none.modes[0].frequency_hz, None);
     assert_eq!(results(&[]).summary(None).rows, 0);
 }
 
@@ -95,11 +89,7 @@ fn few_values_and_none_have_statistics_too() {
 /// errors of 1e-6 Hz included.
 #[test]
 fn violated_margins_are_counted() {
-    let rotor = Rotor {
-        blades: 3,
-        lowest_rpm: 6.9,
-        highest_rpm: 12.1,
-    };
+    let rotor = rotor(3, 6.9, 12.1);
     let check = MarginCheck::new(rotor, &CampbellOptions::default());
     let frequencies = [
         0.1,
@@ -199,10 +189,8 @@ fn slices_have_the_summary_of_the_results_in_memory() {
     let SweepSource::Sampled { draw, .. } = &source else {
         unreachable!("a sample")
     };
-    assert!(
-        !of_slices.rows_are_independent,
-        "a Latin hypercube is more even"
-    );
+    let holds = !of_slices.rows_are_independent;
+    assert!(holds, "a Latin hypercube is more even");
     let in_memory = run(&sweep, draw, 1, &mut |_| ControlFlow::Continue(()));
     let in_memory = in_memory.expect("results");
     assert_eq!(of_slices, in_memory.summary(check.as_ref()));

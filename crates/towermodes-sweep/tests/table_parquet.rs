@@ -10,6 +10,7 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type as SchemaType;
 
 use towermodes_sweep::{Table, TableError};
+use towermodes_testing::Says;
 
 use crate::towers::{Folder, tower};
 
@@ -163,11 +164,8 @@ fn any_range_of_rows_is_read_across_row_groups() {
             let values = table.read(first as u64..end as u64).expect("values");
             let expected =
                 (first..end).flat_map(|row| [number(row), 0.5, row as f64, -(row as f64)]);
-            assert_eq!(
-                values,
-                expected.collect::<Vec<f64>>(),
-                "{group} {first} {end}"
-            );
+            let wanted = expected.collect::<Vec<f64>>();
+            assert_eq!(values, wanted, "{group} {first} {end}");
         }
     }
 }
@@ -175,51 +173,23 @@ fn any_range_of_rows_is_read_across_row_groups() {
 #[test]
 fn mistakes_are_shown_with_row_and_column() {
     let mass = |values: &[Option<f64>]| ("rna.mass", Values::Double(values.to_vec()));
-    let cases: Vec<(Vec<Column>, usize, &str)> = vec![
-        (
-            vec![mass(&[Some(1.0), None, Some(2.0)])],
-            3,
-            "row 1 (counted from 0), column `rna.mass`: the cell is null; it must be a number",
-        ),
-        (
-            vec![mass(&[Some(1.0), Some(f64::NAN)])],
-            2,
-            "row 1 (counted from 0), column `rna.mass`: the value is NaN",
-        ),
-        (
-            vec![("rna.mass", Values::Text(vec!["1", "2"]))],
-            2,
-            "column `rna.mass` has the type BYTE_ARRAY (String)",
-        ),
-        (
-            vec![("rna.mass", Values::Bool(vec![true]))],
-            1,
-            "column `rna.mass` has the type BOOLEAN",
-        ),
-        (
-            vec![("rna.mass", Values::Timestamp(vec![1]))],
-            1,
-            "column `rna.mass` has the type INT64 (Timestamp)",
-        ),
-        (
-            vec![mass(&[Some(1.0)]), ("row", Values::Long(vec![0]))],
-            1,
-            "column 2: `row` is not a number of this tower",
-        ),
-        (
-            vec![mass(&[])],
-            0,
-            "has no rows below the names of its columns",
-        ),
-    ];
-    for (columns, rows, expected) in cases {
-        let content = file(&columns, rows, 10, Compression::SNAPPY);
-        let sentence = opened(&content, &[])
-            .map(|_| ())
-            .expect_err("refused")
-            .to_string();
-        assert!(sentence.contains(expected), "{sentence}\n{expected}");
-    }
+    let mistake = |columns: &[Column], rows| {
+        let content = file(columns, rows, 10, Compression::SNAPPY);
+        opened(&content, &[]).map(|_| ()).expect_err("refused")
+    };
+    mistake(&[mass(&[Some(1.0), None, Some(2.0)])], 3)
+        .says("row 1 (counted from 0), column `rna.mass`: the cell is null; it must be a number");
+    mistake(&[mass(&[Some(1.0), Some(f64::NAN)])], 2)
+        .says("row 1 (counted from 0), column `rna.mass`: the value is NaN");
+    mistake(&[("rna.mass", Values::Text(vec!["1", "2"]))], 2)
+        .says("column `rna.mass` has the type BYTE_ARRAY (String)");
+    mistake(&[("rna.mass", Values::Bool(vec![true]))], 1)
+        .says("column `rna.mass` has the type BOOLEAN");
+    mistake(&[("rna.mass", Values::Timestamp(vec![1]))], 1)
+        .says("column `rna.mass` has the type INT64 (Timestamp)");
+    mistake(&[mass(&[Some(1.0)]), ("row", Values::Long(vec![0]))], 1)
+        .says("column 2: `row` is not a number of this tower");
+    mistake(&[mass(&[])], 0).says("has no rows below the names of its columns");
 }
 
 /// 1000 files with a byte changed, or cut: an error or numbers, and never a panic.

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use towermodes_sweep::{Table, TableProblem};
+use towermodes_testing::{Says, rows};
 
 use crate::towers::{Folder, tower};
 
@@ -59,13 +60,13 @@ fn a_stray_quotation_mark_does_not_take_rows_away() {
     }
     text += "370000,south\"\n";
     let expected = "line 3: a cell begins with a quotation mark that is not closed";
-    assert!(refused(&text).starts_with(expected));
+    refused(&text).begins(expected);
     // 80 MB of text in a cell are not read into the memory.
     let large = format!("rna.mass,#site\n1,\"{}\"\n", "x".repeat(80 << 20));
-    assert!(refused(&large).starts_with("line 2 is longer than 64 MiB"));
+    refused(&large).begins("line 2 is longer than 64 MiB");
     // A mistake above is found first.
     let above = text.replacen("350000", "wrong", 1);
-    assert!(refused(&above).starts_with("line 2"), "{}", refused(&above));
+    refused(&above).begins("line 2");
 }
 
 #[test]
@@ -93,110 +94,52 @@ fn any_range_of_rows_is_read() {
 #[test]
 fn mistakes_are_shown_with_line_and_column_and_what_is_right() {
     let unknown = "`rna.mas` is not a number of this tower: did you mean `rna.mass`?";
-    for (text, expected) in [
-        ("", "has no columns; "),
-        ("\n\n", "has no columns; "),
-        ("rna.mass\n", "has no rows below the names of its columns"),
-        (
-            "3.5e5,1\n",
-            "the first line begins with the number `3.5e5`; it must name the numbers",
-        ),
-        ("rna.mas,rna.mass\n1,2\n", &format!("column 1: {unknown}")),
-        (
-            "row,rna.mass\n1,2\n",
-            "column 1: `row` is not a number of this tower",
-        ),
-        (
-            "rna.mass,a,b,c\n1,2,3,4\n",
-            "column 2: `a` is not a number of this tower",
-        ),
-        ("rna.mass,\n1,2\n", "column 2 has no name"),
-        (
-            "rna.mass,rna.mass\n1,2\n",
-            "columns 1 and 2 have the same name `rna.mass`",
-        ),
-        (
-            "stations[*].wall,stations[1].wall\n1,2\n",
-            "`stations[1].wall` sets stations[1].wall",
-        ),
-        ("#a,#b\n1,2\n", "all columns are left out"),
-        (
-            "rna.mass,stations[1].wall\nkg,m\n3e5,0.02\n",
-            "line 2 has no numbers but `kg`; if these are units",
-        ),
-        (
-            "rna.mass,stations[1].wall\n3e5,0.02\n3e5,\n",
-            "line 3, column `stations[1].wall`: the cell is empty",
-        ),
-        (
-            "rna.mass\n3e5\nabc\n",
-            "line 3, column `rna.mass`: `abc` is not a number",
-        ),
-        (
-            "rna.mass\n3e5\nNaN\n",
-            "line 3, column `rna.mass`: the value is NaN; it must be a finite number",
-        ),
-        (
-            "rna.mass\n3e5\n-inf\n",
-            "line 3, column `rna.mass`: the value is -inf",
-        ),
-        (
-            "rna.mass\n1e999\n",
-            "line 2, column `rna.mass`: the value is inf",
-        ),
-        (
-            "rna.mass;stations[1].wall\n3e5;0,02\n",
-            "line 2, column `stations[1].wall`: `0,02` has a decimal comma; write `0.02`",
-        ),
-        (
-            "rna.mass;stations[1].wall\n350,000;0.02\n",
-            "line 2, column `rna.mass`: `350,000` has a comma; write `350000` if it separates thousands, \
-             `350.000` if it is a decimal comma",
-        ),
-        (
-            "rna.mass,stations[1].wall\n3e5\n",
-            "line 2 has 1 cells, but the first line has 2",
-        ),
-        (
-            "rna.mass\n3e5,2\n",
-            "line 2 has 2 cells, but the first line has 1",
-        ),
-        ("rna.mass\n3e5\n\n3e5\n", "line 3 is empty"),
-        ("rna.mass\r\n3e5\r\n\r\n\r\n3e5\r\n", "line 3 is empty"),
-        ("rna.mass\n3e5\n\n3e5\nabc\n", "line 3 is empty"),
-        ("\nrna.mass\n3e5\n", "line 1 is empty"),
-        ("rna.mass\n3e5\nabc\n\n3e5\n", "line 3, column `rna.mass`"),
-        (
-            "rna.mass,#site\n3e5,\"a\r\rb\"\n\n3e5,c\n",
-            "line 5 is empty",
-        ),
-        (
-            "rna.mass,#site\n350000,\"north\n360000,b\n370000,c\n",
-            "line 2: a cell begins with a quotation mark that is not closed in the next 100 lines; close it or remove it",
-        ),
+    let table = r#"
+        | has no columns;␣
+        \n\n | has no columns;␣
+        rna.mass\n | has no rows below the names of its columns
+        3.5e5,1\n | the first line begins with the number `3.5e5`; it must name the numbers
+        row,rna.mass\n1,2\n | column 1: `row` is not a number of this tower
+        rna.mass,a,b,c\n1,2,3,4\n | column 2: `a` is not a number of this tower
+        rna.mass,\n1,2\n | column 2 has no name
+        rna.mass,rna.mass\n1,2\n | columns 1 and 2 have the same name `rna.mass`
+        stations[*].wall,stations[1].wall\n1,2\n | `stations[1].wall` sets stations[1].wall
+        #a,#b\n1,2\n | all columns are left out
+        rna.mass,stations[1].wall\nkg,m\n3e5,0.02\n | line 2 has no numbers but `kg`; if these are units
+        rna.mass,stations[1].wall\n3e5,0.02\n3e5,\n | line 3, column `stations[1].wall`: the cell is empty
+        rna.mass\n3e5\nabc\n | line 3, column `rna.mass`: `abc` is not a number
+        rna.mass\n3e5\nNaN\n | line 3, column `rna.mass`: the value is NaN; it must be a finite number
+        rna.mass\n3e5\n-inf\n | line 3, column `rna.mass`: the value is -inf
+        rna.mass\n1e999\n | line 2, column `rna.mass`: the value is inf
+        rna.mass;stations[1].wall\n3e5;0,02\n | line 2, column `stations[1].wall`: `0,02` has a decimal comma; write `0.02`
+        rna.mass;stations[1].wall\n350,000;0.02\n | line 2, column `rna.mass`: `350,000` has a comma; write `350000` if it separates thousands, `350.000` if it is a decimal comma
+        rna.mass,stations[1].wall\n3e5\n | line 2 has 1 cells, but the first line has 2
+        rna.mass\n3e5,2\n | line 2 has 2 cells, but the first line has 1
+        rna.mass\n3e5\n\n3e5\n | line 3 is empty
+        rna.mass\r\n3e5\r\n\r\n\r\n3e5\r\n | line 3 is empty
+        rna.mass\n3e5\n\n3e5\nabc\n | line 3 is empty
+        \nrna.mass\n3e5\n | line 1 is empty
+        rna.mass\n3e5\nabc\n\n3e5\n | line 3, column `rna.mass`
+        rna.mass,#site\n3e5,"a\r\rb"\n\n3e5,c\n | line 5 is empty
+        rna.mass,#site\n350000,"north\n360000,b\n370000,c\n | line 2: a cell begins with a quotation mark that is not closed in the next 100 lines; close it or remove it
+        #n,rna.mass\n"a\nb",3e5\nc,x\n | line 4, column `rna.mass`: `x` is not a number
+        add(stations[0].height, stations[1].height)\n1\n | column 1: `add(stations[0].height` is not a change
+    "#;
+    let format = "is an Arrow file, not a table in CSV or Parquet; save it as Parquet";
+    let others = [
+        ("rna.mas,rna.mass\n1,2\n", &*format!("column 1: {unknown}")),
         (
             "\u{feff}\"rna.mass\n3e5\n",
             "line 1: a cell begins with a quotation mark",
         ),
-        (
-            "#n,rna.mass\n\"a\nb\",3e5\nc,x\n",
-            "line 4, column `rna.mass`: `x` is not a number",
-        ),
-        (
-            "add(stations[0].height, stations[1].height)\n1\n",
-            "column 1: `add(stations[0].height` is not a change",
-        ),
-        (
-            "ARROW1\0\0",
-            "is an Arrow file, not a table in CSV or Parquet; save it as Parquet",
-        ),
+        ("ARROW1\0\0", format),
         ("PK\u{3}\u{4}", "is a spreadsheet or a ZIP archive"),
-    ] {
-        let sentence = refused(text);
-        assert!(
-            sentence.starts_with(expected),
-            "{text:?}\n{sentence}\n{expected}"
-        );
+    ];
+    for (text, expected) in rows(table)
+        .map(|[text, expected]| (text, expected))
+        .chain(others)
+    {
+        refused(text).begins(expected);
     }
 }
 
@@ -207,31 +150,18 @@ fn columns_are_left_out_by_name() {
     assert_eq!(table.changes().len(), 1);
     assert_eq!(table.read(0..1).expect("values"), [3e5]);
     let sentence = opened(text, &["rows"]).map(|_| ()).expect_err("refused");
-    assert!(
-        sentence.starts_with("has no column `rows` to ignore; its columns are `row`, `rna.mass`")
-    );
+    sentence.begins("has no column `rows` to ignore; its columns are `row`, `rna.mass`");
     let sentence = opened(text, &["row"]).map(|_| ()).expect_err("refused");
-    assert!(
-        sentence.starts_with("column 3: `fore_aft_1_hz` is not a number of this tower"),
-        "{sentence}"
-    );
+    sentence.begins("column 3: `fore_aft_1_hz` is not a number of this tower");
 }
 
 #[test]
 fn a_million_columns_are_refused_with_their_number() {
     let mut text: String = (0..1_000_000).map(|i| format!("c{i},")).collect();
     text.push_str("rna.mass\n");
-    let sentence = refused(&text);
-    assert!(
-        sentence.starts_with("has 1000001 columns; the limit is 10000"),
-        "{sentence}"
-    );
+    refused(&text).begins("has 1000001 columns; the limit is 10000");
     let several: String = (0..9000).map(|i| format!("c{i},")).collect();
-    let sentence = refused(&format!("{several}rna.mass\n"));
-    assert!(
-        sentence.contains("8999 other columns are not either"),
-        "{sentence}"
-    );
+    refused(&format!("{several}rna.mass\n")).says("8999 other columns are not either");
 }
 
 #[test]
@@ -240,7 +170,7 @@ fn what_is_no_file_is_refused() {
     let open = |path: PathBuf| Table::open(&path, &tower(4e7), &[]).expect_err("refused");
     let missing = open(folder.path("none.csv"));
     assert!(matches!(*missing.problem, TableProblem::Io(_)));
-    assert!(missing.to_string().contains("none.csv"));
+    missing.says("none.csv");
     let is_a_folder = open(folder.path("."));
     assert!(matches!(
         *is_a_folder.problem,
@@ -264,7 +194,7 @@ fn names_that_are_not_text_are_refused() {
     let sentence = opened(b"rna.mass,\xff\xfe\n1,2\n", &[])
         .map(|_| ())
         .expect_err("refused");
-    assert!(sentence.starts_with("the names of the columns are not UTF-8"));
+    sentence.begins("the names of the columns are not UTF-8");
 }
 
 /// A table that another program writes while the sweep runs.

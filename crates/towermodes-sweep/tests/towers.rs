@@ -5,9 +5,10 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use towermodes::{Change, Inertia, Material, ModeName, Rna, Rotor, Station, TowerDescription};
+use towermodes::{Change, Inertia, ModeName, Rna, TowerDescription};
 use towermodes_files::{SweepModes, SweepResults, TowerInput, read_tower};
 use towermodes_sweep::{Base, Columns, Results, Sweep, run};
+use towermodes_testing::{changed, rotor, tube, with};
 
 /// The reference tower with a rotor-nacelle assembly of 350 t that turns about the tower's axis
 /// with an inertia, kg m².
@@ -19,22 +20,9 @@ pub(crate) fn tower(inertia_kg_m2: f64) -> TowerDescription {
         ..Inertia::default()
     };
     TowerDescription {
-        materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-        stations: vec![
-            Station::new(0.0, 6.0, 0.027),
-            Station::new(40.0, 5.0, 0.023),
-            Station::new(87.6, 3.87, 0.019),
-        ],
-        rna: Rna {
-            inertia_kg_m2,
-            ..Rna::point(350e3)
-        },
-        rotor: Some(Rotor {
-            blades: 3,
-            lowest_rpm: 6.9,
-            highest_rpm: 12.1,
-        }),
-        ..TowerDescription::default()
+        rna: changed!(Rna::point(350e3), inertia_kg_m2),
+        rotor: Some(rotor(3, 6.9, 12.1)),
+        ..tube(&[(0.0, 6.0, 0.027), (40.0, 5.0, 0.023), (87.6, 3.87, 0.019)])
     }
 }
 
@@ -50,10 +38,7 @@ pub(crate) fn sweep(base: Base, changes: &[&str], results: &SweepResults) -> Swe
 
 /// A sweep of [`tower`] with the lowest modes.
 pub(crate) fn lowest(changes: &[&str], modes: usize) -> Sweep {
-    let results = SweepResults {
-        modes: SweepModes::Lowest(modes),
-        ..SweepResults::default()
-    };
+    let results = with!(SweepResults, modes = SweepModes::Lowest(modes));
     sweep(Base::from(tower(4e7)), changes, &results)
 }
 

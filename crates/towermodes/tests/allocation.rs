@@ -7,7 +7,8 @@ use towermodes::internal::chain::Chains;
 use towermodes::internal::eigen::{EigenWorkspace, lowest};
 use towermodes::internal::elements::{Borders, Mesh, Recipe, assemble_chains};
 use towermodes::internal::subsystem::{Eigenproblem, SubsystemPencil};
-use towermodes::{Options, Solver, Tower, TowerDescription};
+use towermodes::{Options, Solver, Tower};
+use towermodes_testing::{changed, with};
 use towers::{
     elliptic, floater, monopile, reference, reference_350t, reference_eccentric,
     reference_on_springs,
@@ -79,10 +80,7 @@ fn frequencies_of_a_changed_tower_allocate_nothing() {
         elliptic(),
         monopile(),
         floater(),
-        TowerDescription {
-            gravity_m_per_s2: 9.81,
-            ..reference_on_springs()
-        },
+        changed!(reference_on_springs(), gravity_m_per_s2 = 9.81),
     ];
     for base in bases {
         let changed = |factor: f64| {
@@ -93,11 +91,7 @@ fn frequencies_of_a_changed_tower_allocate_nothing() {
             Tower::new(description).expect("a valid tower")
         };
         let towers = [1.0, 0.97, 1.02].map(changed);
-        let options = Options {
-            modes: 4,
-            segments: Some(40),
-            ..Options::default()
-        };
+        let options = with!(Options, modes = 4, segments = Some(40));
         let mut solver = Solver::new(options);
         let mut solve = || {
             for tower in &towers {

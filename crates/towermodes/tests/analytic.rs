@@ -10,7 +10,8 @@ use towermodes::internal::eigen::{EigenWorkspace, lowest};
 use towermodes::internal::elements::{Borders, Mesh};
 use towermodes::internal::subsystem::{Eigenproblem, MatrixKind, SubsystemPencil};
 use towermodes::tower::{Motion, Motions, Piece, compliance};
-use towermodes::{EigenError, Family, Method, Options, Plane, Shear, Tower, TowerDescription};
+use towermodes::{EigenError, Family, Method, Options, Plane, Shear, Tower};
+use towermodes_testing::{assert_matches, changed, with};
 use towermodes_verify::{Case, Run, manual};
 use towers::{Uniform, assert_close, extrapolated, frequencies, reference, solved};
 
@@ -38,11 +39,8 @@ fn check_beams(method: Method, segments: usize, allowance: f64, has: impl Fn(&Ca
         for row in case.run() {
             let (got, difference) = (row.shown(), row.shown_difference());
             let (case, what) = (&row.case, &row.what);
-            assert!(
-                row.passes(),
-                "{}, {case}, {what}: {got}, {difference}",
-                row.method
-            );
+            let holds = row.passes();
+            assert!(holds, "{}, {case}, {what}: {got}, {difference}", row.method);
             checked += 1;
         }
     }
@@ -77,14 +75,8 @@ fn bmodes_has_the_frequencies_of_euler_bernoulli_beams() {
 fn cowpers_coefficient_of_thin_walls_is_that_of_a_thin_tube() {
     // Cowper's value of the tower's own walls is within 1e-4 of the thin tube's, and matters less
     // than that.
-    let own = TowerDescription {
-        shear: Shear::Cowper,
-        ..reference()
-    };
-    let options = Options {
-        method: Method::Spectral,
-        ..Options::default()
-    };
+    let own = changed!(reference(), shear = Shear::Cowper);
+    let options = with!(Options, method = Method::Spectral);
     let expected = [0.885502299, 4.214341967, 10.477621612];
     let got = frequencies(&solved(&own, &options), Family::ForeAft);
     for (got, expected) in got.iter().zip(expected) {
@@ -180,23 +172,15 @@ fn a_weight_on_top_lowers_the_frequencies_and_buckles_the_column_at_its_critical
     let cases = [(0.5, 1.39354322), (1.0, 1.20617729), (2.0, 0.683975487)];
     for (gamma, lambda) in cases {
         let got = with_weight(gamma, 1).expect("stable");
-        assert_close(
-            got[0],
-            beam.frequency_hz(lambda),
-            1e-7,
-            &format!("γ = {gamma}"),
-        );
+        let expected = beam.frequency_hz(lambda);
+        assert_close(got[0], expected, 1e-7, &format!("γ = {gamma}"));
     }
     let second = with_weight(0.5, 2).expect("stable")[1];
-    assert_close(
-        second,
-        beam.frequency_hz(16.04030475),
-        1e-8,
-        "γ = 0.5, second",
-    );
+    let expected = beam.frequency_hz(16.04030475);
+    assert_close(second, expected, 1e-8, "γ = 0.5, second");
     let critical = std::f64::consts::PI.powi(2) / 4.0;
     assert!(with_weight(critical * 0.9999, 1).is_ok());
-    assert_eq!(
+    assert_matches!(
         with_weight(critical * 1.0001, 1),
         Err(EigenError::Unstable { negative: 1 })
     );
@@ -204,13 +188,7 @@ fn a_weight_on_top_lowers_the_frequencies_and_buckles_the_column_at_its_critical
 
 #[test]
 fn frequencies_are_those_of_the_method_not_extrapolated() {
-    let solution = solved(
-        &reference(),
-        &Options {
-            segments: Some(100),
-            ..Options::default()
-        },
-    );
+    let solution = solved(&reference(), &with!(Options, segments = Some(100)));
     let plain = frequencies(&solution, Family::ForeAft)[1];
     assert!((plain - 4.353_484_2).abs() < 1e-6, "{plain}");
     assert!((extrapolated(&solution, Family::ForeAft)[1] - 4.353_711_86).abs() < 1e-6);

@@ -10,9 +10,9 @@ use towermodes::internal::elements::{Borders, Mesh};
 use towermodes::internal::subsystem::{Eigenproblem, SubsystemPencil};
 use towermodes::tower::{Properties, Section};
 use towermodes::{
-    Family, Foundation, FoundationSprings, Method, Options, Planes, SoilRow, SoilStiffness, Tower,
-    TowerDescription,
+    Family, Foundation, Method, Options, Planes, SoilRow, SoilStiffness, Tower, TowerDescription,
 };
+use towermodes_testing::{parts, with};
 use towers::{assert_close, elliptic, frequencies, reference, reference_350t, rich, solved};
 
 fn spectral(degree: usize) -> BeamRecipe {
@@ -56,13 +56,7 @@ fn counts_and_solves_equal_those_of_dense_matrices() {
             },
         };
         tower.soil = vec![vec![soil(0.0), soil(30.0)]];
-        tower.foundation = Foundation::Springs(FoundationSprings {
-            lateral_n_per_m: 1e8,
-            rocking_n_m: 1e11,
-            coupling_n: 0.0,
-            vertical_n_per_m: f64::INFINITY,
-            torsion_n_m: 1e10,
-        });
+        tower.foundation = Foundation::Springs(parts::springs(1e8, 1e11, 0.0, f64::INFINITY, 1e10));
         towers.push(("tied", tower.clone()));
     }
     for (name, description) in towers {
@@ -110,11 +104,7 @@ fn the_spectral_error_falls_exponentially_with_the_degree() {
 
 #[test]
 fn a_hundred_thousand_elements_of_bmodes_keep_their_digits() {
-    let options = Options {
-        method: Method::Bmodes,
-        segments: Some(100_000),
-        ..Options::default()
-    };
+    let options = with!(Options, method = Method::Bmodes, segments = Some(100_000));
     let got = frequencies(&solved(&reference(), &options), Family::ForeAft);
     // The order is 2, so what is left is 1e-4 of what 1000 elements leave: 1e-10.
     let expected = [0.892169154365, 4.378139643592, 11.400647435166];
@@ -140,11 +130,7 @@ fn as_plane(pick: impl Fn(Planes<f64>) -> f64) -> TowerDescription {
 fn each_plane_of_a_table_is_solved_as_if_the_other_were_not_there() {
     let (fore_aft, side_side) = (as_plane(|p| p.fore_aft), as_plane(|p| p.side_side));
     for method in Method::ALL {
-        let options = Options {
-            method,
-            modes: 9,
-            ..Options::default()
-        };
+        let options = with!(Options, method, modes = 9);
         let together = solved(&elliptic(), &options);
         for (alone, family) in [(&fore_aft, Family::ForeAft), (&side_side, Family::SideSide)] {
             let got = frequencies(&together, family);
@@ -214,12 +200,7 @@ fn a_cone_that_ends_in_a_point_carries_its_tip_mass_on_a_soft_tip() {
         rna: towermodes::Rna::point(1.0),
         ..TowerDescription::default()
     };
-    let with = |method, segments| Options {
-        method,
-        segments,
-        modes: 4,
-        ..Options::default()
-    };
+    let with = |method, segments| with!(Options, method, segments, modes = 4);
     let spectral = solved(&description, &with(Method::Spectral, None));
     let got = frequencies(&spectral, Family::ForeAft);
     // Deflection of a cone's tip by a unit force: 64 L³/(3 π E d₀³ d₁); all the mass that moves is
@@ -250,12 +231,7 @@ fn bmodes_sees_every_piece() {
         towermodes::Station::new(87.6 * s, 6.0 - 2.0 * s, wall)
     };
     description.stations = (0..=300).map(station).collect();
-    let with = |segments| Options {
-        method: Method::Bmodes,
-        segments,
-        modes: 2,
-        ..Options::default()
-    };
+    let with = |segments| with!(Options, method = Method::Bmodes, segments, modes = 2);
     // Every piece has two elements.
     let seen = solved(&description, &with(None));
     assert_eq!((seen.segments, seen.warnings.len()), (600, 0));
@@ -286,12 +262,7 @@ fn a_table_whose_shear_stiffness_grows_a_millionfold() {
         for (row, shear) in description.properties.iter_mut().zip(shears) {
             row.properties.shear_n = Some(Planes::both(shear));
         }
-        let with = |method, segments| Options {
-            method,
-            segments,
-            modes: 4,
-            ..Options::default()
-        };
+        let with = |method, segments| with!(Options, method, segments, modes = 4);
         let spectral = solved(&description, &with(Method::Spectral, None));
         assert!(spectral.segments < 20, "{}", spectral.segments);
         let chain = solved(&description, &with(Method::RmjeExact, Some(40_000)));

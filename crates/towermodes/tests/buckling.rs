@@ -2,22 +2,16 @@
 
 use crate::towers;
 
-use towermodes::{Method, Options, Solution, SolveError, Tower, TowerDescription, Warning, solve};
+use towermodes::{Method, Options, Solution, SolveError, Tower, Warning, solve};
+use towermodes_testing::{Says, changed, with};
 use towers::{assert_close, reference_350t};
 
 fn options(method: Method) -> Options {
-    Options {
-        method,
-        points: 2,
-        ..Options::default()
-    }
+    with!(Options, method, points = 2)
 }
 
 fn under(gravity_m_per_s2: f64, method: Method) -> Result<Solution, SolveError> {
-    let tower = Tower::new(TowerDescription {
-        gravity_m_per_s2,
-        ..reference_350t()
-    });
+    let tower = Tower::new(changed!(reference_350t(), gravity_m_per_s2));
     solve(&tower.expect("a valid tower"), &options(method))
 }
 
@@ -67,22 +61,20 @@ fn a_tower_that_just_buckles_is_told_by_how_much() {
         };
         assert!((1.0 - load_factor - beyond).abs() < 1e-2 * beyond);
         let text = error.to_string();
-        assert!(text.contains("close to the buckling limit"), "{text}");
+        text.says("close to the buckling limit");
         let shown = if beyond == 1e-6 {
             "0.9999990"
         } else {
             "0.999001"
         };
-        assert!(text.contains(shown), "{text}");
+        text.says(shown);
     }
     // Far beyond, nothing is close.
     let text = under(500.0, Method::Spectral)
         .expect_err("it buckles")
         .to_string();
-    assert!(
-        text.contains("buckles") && !text.contains("close to buckling"),
-        "{text}"
-    );
+    text.says("buckles");
+    assert!(!text.contains("close to buckling"), "{text}");
 }
 
 /// On few segments a tower can buckle that stands as a beam.

@@ -6,6 +6,7 @@ use towermodes::{
     Family, Inertia, Options, Planes, Properties, PropertyStation, Rna, SolveError, Solver, Tower,
     TowerDescription, Warning, solve,
 };
+use towermodes_testing::with;
 
 const LENGTH_M: f64 = 80.0;
 const BENDING_N_M2: f64 = 2e11;
@@ -92,18 +93,11 @@ fn a_tower_without_mass_has_the_modes_of_its_machine() {
 fn what_is_certain_is_listed_without_a_warning() {
     let is_short = |warning: &Warning| matches!(warning, Warning::OnlyCertain { .. });
     for (mass_kg_per_m, modes) in [(1e-9, 4), (1e-9, 1), (1e3, 8)] {
-        let options = Options {
-            modes,
-            ..Options::default()
-        };
-        let (found, warnings) = hz_of(&tower(mass_kg_per_m), &options);
+        let (found, warnings) = hz_of(&tower(mass_kg_per_m), &with!(Options, modes));
         assert_eq!(found.len(), modes);
         assert!(!warnings.iter().any(is_short), "{warnings:?}");
     }
-    let none = Options {
-        modes: 0,
-        ..Options::default()
-    };
+    let none = with!(Options, modes = 0);
     let error = Solver::new(none).solve_certain(&tower(1e3));
     assert_eq!(error, Err(SolveError::NoModes));
 }

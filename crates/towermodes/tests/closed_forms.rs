@@ -1,7 +1,5 @@
 //! Foundations by closed form: published digits, exact limits, and the pile that they stand for.
 
-use std::f64::consts::SQRT_2;
-
 use crate::towers;
 
 use towermodes::{
@@ -9,6 +7,7 @@ use towermodes::{
     PileBehaviour, PileFormula, PileTube, Place, Problem, Rna, SoilProfile, SoilRow, SoilSpring,
     SoilStiffness, Solver, Station, Tower, TowerDescription, Warning, WinklerPile,
 };
+use towermodes_testing::{Says, assert_matches, changed, number, numbers, rows, tube, with};
 use towers::{all_frequencies, assert_close, solved};
 
 /// A solid pile with EI = 1 for E = 64/π, in springs z^m; its length is the reduced one.
@@ -39,62 +38,20 @@ fn factors(exponent: f64, length: f64) -> [f64; 3] {
 /// shortest piles are left out: so many elements lose their digits there.)
 #[test]
 fn piles_on_springs_have_the_stiffness_of_a_finite_element_analysis() {
-    let table = [
-        (
-            0.0,
-            [SQRT_2, 1.0, SQRT_2],
-            [
-                [1.295, 0.989, 1.204],
-                [1.319, 0.970, 1.388],
-                [1.382, 0.975, 1.393],
-            ],
-        ),
-        (
-            0.5,
-            [1.165, 0.986, 1.454],
-            [
-                [1.022, 0.965, 1.269],
-                [1.062, 0.939, 1.422],
-                [1.141, 0.965, 1.434],
-            ],
-        ),
-        (
-            0.6,
-            [1.139, 0.987, 1.463],
-            [
-                [0.991, 0.963, 1.282],
-                [1.035, 0.937, 1.429],
-                [1.118, 0.968, 1.443],
-            ],
-        ),
-        (
-            1.0,
-            [1.0777, 0.9992, 1.4988],
-            [
-                [0.908, 0.966, 1.339],
-                [0.973, 0.940, 1.459],
-                [1.064, 0.986, 1.484],
-            ],
-        ),
-        (
-            2.0,
-            [1.065, 1.063, 1.591],
-            [
-                [0.832, 0.999, 1.474],
-                [0.978, 1.001, 1.544],
-                [1.064, 1.061, 1.588],
-            ],
-        ),
-    ];
-    for (m, long, short) in table {
-        near(factors(m, 8.0), long, 6e-4, &format!("m = {m}, long"));
+    let table = "
+        0.0 | 1.4142135623730951 1.0 1.4142135623730951 | 1.295 0.989 1.204 | 1.319 0.970 1.388 | 1.382 0.975 1.393
+        0.5 | 1.165 0.986 1.454 | 1.022 0.965 1.269 | 1.062 0.939 1.422 | 1.141 0.965 1.434
+        0.6 | 1.139 0.987 1.463 | 0.991 0.963 1.282 | 1.035 0.937 1.429 | 1.118 0.968 1.443
+        1.0 | 1.0777 0.9992 1.4988 | 0.908 0.966 1.339 | 0.973 0.940 1.459 | 1.064 0.986 1.484
+        2.0 | 1.065 1.063 1.591 | 0.832 0.999 1.474 | 0.978 1.001 1.544 | 1.064 1.061 1.588
+    ";
+    for [m, long, short @ ..] in rows::<5>(table) {
+        let exponent = number(m);
+        let case = format!("m = {m}, long");
+        near(factors(exponent, 8.0), numbers(long), 6e-4, &case);
         for (length, expected) in [2.0, 3.0, 4.0].into_iter().zip(short) {
-            near(
-                factors(m, length),
-                expected,
-                2e-3,
-                &format!("m = {m}, {length}"),
-            );
+            let case = format!("m = {m}, {length}");
+            near(factors(exponent, length), numbers(expected), 2e-3, &case);
         }
     }
 }
@@ -136,10 +93,8 @@ fn by_polynomials(m: f64, length: f64) -> [f64; 3] {
 
 fn near(got: [f64; 3], expected: [f64; 3], most: f64, case: &str) {
     for (got, expected) in got.into_iter().zip(expected) {
-        assert!(
-            (got - expected).abs() < most,
-            "{case}: {got} for {expected}"
-        );
+        let holds = (got - expected).abs() < most;
+        assert!(holds, "{case}: {got} for {expected}");
     }
 }
 
@@ -208,22 +163,15 @@ fn digits(head: HeadStiffness, expected: [f64; 3], most: f64, case: &str) {
 /// Yu & Amdahl (2023), table 9, whose digits leave the factor of Poisson's ratio out: that of 0.25.
 #[test]
 fn shadlou_and_bhattacharya_have_the_published_digits() {
-    let quarter = Monopile {
-        soil_poissons_ratio: 0.25,
-        ..dtu()
-    };
+    let quarter = changed!(dtu(), soil_poissons_ratio = 0.25);
     digits(quarter.head(), [1.31e9, -18.7e9, 469e9], 2e-3, "flexible");
     // A pile that hardly bends.
     let mut stiff = quarter;
     stiff.tube.youngs_modulus_pa *= 1e6;
     assert_eq!(stiff.form(), PileBehaviour::Rigid);
     digits(stiff.head(), [2.25e9, -47.7e9, 1700e9], 3e-3, "rigid");
-    digits(
-        dtu().head(),
-        [1.349e9, -19.29e9, 482.9e9],
-        5e-4,
-        "with the factor",
-    );
+    let expected = [1.349e9, -19.29e9, 482.9e9];
+    digits(dtu().head(), expected, 5e-4, "with the factor");
     // A factor of the whole matrix: 1 + 0.6 × 0.05.
     let factor = dtu().head().lateral_n_per_m / quarter.head().lateral_n_per_m;
     assert_close(factor, 1.03, 1e-12, "the factor");
@@ -249,18 +197,10 @@ fn a_pile_is_rigid_flexible_or_neither() {
 #[test]
 fn formulas_for_flexible_piles() {
     let by = |formula| Monopile { formula, ..dtu() }.head();
-    digits(
-        by(PileFormula::En1998),
-        [1.14e9, -13.7e9, 456e9],
-        1e-2,
-        "EN 1998-5",
-    );
-    digits(
-        by(PileFormula::Randolph),
-        [1.14e9, -15.3e9, 489e9],
-        1e-2,
-        "Randolph",
-    );
+    let expected = [1.14e9, -13.7e9, 456e9];
+    digits(by(PileFormula::En1998), expected, 1e-2, "EN 1998-5");
+    let expected = [1.14e9, -15.3e9, 489e9];
+    digits(by(PileFormula::Randolph), expected, 1e-2, "Randolph");
 }
 
 /// Randolph in soil that grows with depth, by fixed-point iteration for the critical length.
@@ -298,10 +238,7 @@ fn randolph_in_linear_soil() {
 fn carter_and_kulhawy_have_two_forms() {
     for slenderness in [1.0, 2.0, 4.0, 10.0] {
         let (d, nu) = (9.0, 0.3);
-        let mut pile = Monopile {
-            formula: PileFormula::CarterKulhawy,
-            ..dtu()
-        };
+        let mut pile = changed!(dtu(), formula = PileFormula::CarterKulhawy);
         pile.tube.embedded_length_m = slenderness * d;
         let l = slenderness * d;
         let g_star = 3e7 / (2.0 * (1.0 + nu)) * (1.0 + 0.75 * nu);
@@ -319,10 +256,7 @@ fn carter_and_kulhawy_have_two_forms() {
 /// rigid form is an upper bound everywhere.
 #[test]
 fn poulos_and_davis_are_near_the_exact_beam() {
-    let by = |formula, m, length| WinklerPile {
-        formula,
-        ..unit_pile(m, length)
-    };
+    let by = |formula, m, length| changed!(unit_pile(m, length), formula);
     let largest = |m, length| {
         let theirs = by(BeamFormula::PoulosDavis, m, length).head();
         let exact = by(BeamFormula::Exact, m, length).head();
@@ -336,18 +270,12 @@ fn poulos_and_davis_are_near_the_exact_beam() {
     };
     for m in [0.0, 1.0] {
         for length in [8.0, 12.0, 30.0] {
-            assert!(
-                largest(m, length) < 0.015,
-                "long, {m}: {}",
-                largest(m, length)
-            );
+            let holds = largest(m, length) < 0.015;
+            assert!(holds, "long, {m}: {}", largest(m, length));
         }
         for length in [0.1, 0.3, 0.5] {
-            assert!(
-                largest(m, length) < 0.01,
-                "short, {m}: {}",
-                largest(m, length)
-            );
+            let holds = largest(m, length) < 0.01;
+            assert!(holds, "short, {m}: {}", largest(m, length));
         }
         let [rigid, flexible] = by(BeamFormula::PoulosDavis, m, 1.0).limits_of_poulos_davis();
         for length in [rigid, 0.5 * (rigid + flexible), flexible] {
@@ -394,11 +322,9 @@ fn springs_from_the_modulus_of_the_soil() {
 
 fn tower_on(foundation: Foundation) -> TowerDescription {
     TowerDescription {
-        materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-        stations: vec![Station::new(0.0, 8.0, 0.08), Station::new(100.0, 5.0, 0.03)],
         rna: Rna::point(500e3),
         foundation,
-        ..TowerDescription::default()
+        ..tube(&[(0.0, 8.0, 0.08), (100.0, 5.0, 0.03)])
     }
 }
 
@@ -422,9 +348,7 @@ fn a_pile_outside_its_formula_is_told_with_the_numbers() {
     };
     assert!(matches!(warning, Warning::BetweenRigidAndFlexible { .. }));
     let text = warning.to_string();
-    for number in ["4.67", "1.87", "7.92"] {
-        assert!(text.contains(number), "{text}");
-    }
+    text.says_all("4.67 & 1.87 & 7.92");
     for formula in [PileFormula::Randolph, PileFormula::En1998] {
         let told = warnings(Monopile { formula, ..dtu() });
         let [Warning::OutsideFormula { value, least, .. }] = told[..] else {
@@ -496,19 +420,13 @@ fn impossible_piles_are_refused() {
         tower.expect_err("an impossible pile").problem
     };
     let wall = problem(|pile| pile.tube.wall_thickness_m = 5.0);
-    assert!(
-        matches!(wall, Problem::OutOfRange { most: 4.5, .. }),
-        "{wall:?}"
-    );
+    assert_matches!(wall, Problem::OutOfRange { most: 4.5, .. });
     let length = problem(|pile| pile.tube.embedded_length_m = 0.0);
     assert!(matches!(length, Problem::NotPositive { .. }), "{length:?}");
     let soil = problem(|pile| pile.soil_youngs_modulus_pa = -3e7);
     assert!(matches!(soil, Problem::NotPositive { .. }), "{soil:?}");
     let ratio = problem(|pile| pile.soil_poissons_ratio = 0.6);
-    assert!(
-        matches!(ratio, Problem::SoilPoissonsRatio { .. }),
-        "{ratio:?}"
-    );
+    assert_matches!(ratio, Problem::SoilPoissonsRatio { .. });
     let profile = problem(|pile| {
         pile.formula = PileFormula::Randolph;
         pile.soil_profile = SoilProfile::Parabolic;
@@ -552,10 +470,7 @@ fn a_condensed_pile_is_the_pile_in_the_tower() {
     let mut whole = condensed.clone();
     let pile = Material::from_shear_modulus(1e-6, 2.1e11, 8.08e10);
     whole.materials.push(pile);
-    let below = |height_m| Station {
-        material: 1,
-        ..Station::new(height_m, 8.0, 0.08)
-    };
+    let below = |height_m| changed!(Station::new(height_m, 8.0, 0.08), material = 1);
     whole.stations.splice(0..0, [below(-length_m), below(0.0)]);
     whole.foundation = Foundation::Springs(towermodes::FoundationSprings {
         lateral_n_per_m: 0.0,
@@ -571,11 +486,7 @@ fn a_condensed_pile_is_the_pile_in_the_tower() {
         },
     };
     whole.soil = vec![vec![row(-length_m), row(0.0)]];
-    let options = Options {
-        method: Method::Spectral,
-        modes: 4,
-        ..Options::default()
-    };
+    let options = with!(Options, method = Method::Spectral, modes = 4);
     let of = |description: &TowerDescription| all_frequencies(&solved(description, &options));
     let (short, long) = (of(&condensed), of(&whole));
     for (mode, (short, long)) in short.iter().zip(&long).take(4).enumerate() {

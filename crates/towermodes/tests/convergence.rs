@@ -3,6 +3,7 @@
 use crate::towers;
 
 use towermodes::{Family, Method, Options, Shear, Station, TowerDescription};
+use towermodes_testing::{changed, with};
 use towers::{assert_close, frequencies, reference, reference_350t, rich, solved};
 
 /// True frequencies of the reference tower as a Rayleigh beam (spectral elements, 40 digits).
@@ -17,12 +18,7 @@ fn frequency(
     family: Family,
     order: usize,
 ) -> f64 {
-    let options = Options {
-        method,
-        segments: Some(segments),
-        modes: 10,
-        ..Options::default()
-    };
+    let options = with!(Options, method, segments = Some(segments), modes = 10);
     frequencies(&solved(description, &options), family)[order - 1]
 }
 
@@ -89,10 +85,7 @@ fn steps_kinks_materials_and_masses_do_not_spoil_the_order() {
 fn shear_makes_the_published_element_one_of_order_1_in_bending() {
     // Its sliding joint sits at L/4. Without shear the sliding is O(n⁻³) of a segment and does not
     // matter; with shear it is O(n⁻¹).
-    let sheared = TowerDescription {
-        shear: Shear::Coefficient(0.5),
-        ..reference()
-    };
+    let sheared = changed!(reference(), shear = Shear::Coefficient(0.5));
     let f = |n| frequency(&sheared, Method::Rmje, n, Family::ForeAft, 2);
     let (coarse, middle, fine) = (f(2000), f(4000), f(8000));
     let observed = ((coarse - middle) / (middle - fine)).log2();
@@ -100,11 +93,7 @@ fn shear_makes_the_published_element_one_of_order_1_in_bending() {
     // Between the orders, where users are, both powers are needed, and three meshes give both;
     // where the two are alike the estimate errs on the safe side.
     for segments in [20, 60, 200] {
-        let options = Options {
-            method: Method::Rmje,
-            segments: Some(segments),
-            ..Options::default()
-        };
+        let options = with!(Options, method = Method::Rmje, segments = Some(segments));
         for mode in solved(&sheared, &options)
             .modes
             .iter()
@@ -112,11 +101,8 @@ fn shear_makes_the_published_element_one_of_order_1_in_bending() {
         {
             let truth = [0.885153338, 4.206221834, 10.435474971, 18.846211207][mode.order - 1];
             let ratio = mode.discretization_error_hz / (mode.frequency_hz - truth).abs();
-            assert!(
-                ratio > 0.8 && ratio < 3.0,
-                "{segments}: {} {ratio}",
-                mode.label()
-            );
+            assert!(ratio > 0.8, "{segments}: {} {ratio}", mode.label());
+            assert!(ratio < 3.0, "{segments}: {} {ratio}", mode.label());
         }
     }
     check_order(&sheared, Method::RmjeExact, Family::ForeAft, 2.0);
@@ -124,13 +110,7 @@ fn shear_makes_the_published_element_one_of_order_1_in_bending() {
 
 #[test]
 fn error_estimates_at_100_segments_are_within_a_factor_3_of_the_truth() {
-    let solution = solved(
-        &reference(),
-        &Options {
-            modes: 10,
-            ..Options::default()
-        },
-    );
+    let solution = solved(&reference(), &with!(Options, modes = 10));
     for mode in &solution.modes {
         let truth = match mode.family {
             Family::Torsion => TORSION,
@@ -158,12 +138,7 @@ fn errors_of_two_powers_that_cancel_are_still_seen() {
     for stations in &mut machine.stations {
         stations.wall_thickness_m *= 1.3;
     }
-    let options = |method, segments| Options {
-        method,
-        segments: Some(segments),
-        modes: 10,
-        ..Options::default()
-    };
+    let options = |method, segments| with!(Options, method, segments = Some(segments), modes = 10);
     let torsion = |solution: towermodes::Solution| {
         let mut modes = solution.modes.into_iter();
         modes
@@ -174,10 +149,8 @@ fn errors_of_two_powers_that_cancel_are_still_seen() {
     for segments in [20, 24, 28, 30, 32, 36, 40, 60] {
         let mode = torsion(solved(&machine, &options(Method::Rmje, segments)));
         let ratio = mode.discretization_error_hz / (mode.frequency_hz - truth).abs();
-        assert!(
-            ratio > 1.0 / 3.0 && ratio < 3.0,
-            "{segments} segments: {ratio}"
-        );
+        assert!(ratio > 1.0 / 3.0, "{segments} segments: {ratio}");
+        assert!(ratio < 3.0, "{segments} segments: {ratio}");
     }
 }
 
@@ -197,27 +170,19 @@ fn short_spans_do_not_starve_long_ones() {
     let solution = solved(&rings, &Options::default());
     assert_eq!(solution.segments, 220);
     for mode in &solution.modes {
-        assert!(
-            mode.discretization_error_hz < 1e-3 * mode.frequency_hz,
-            "{mode:?}"
-        );
+        let holds = mode.discretization_error_hz < 1e-3 * mode.frequency_hz;
+        assert!(holds, "{mode:?}");
     }
 }
 
 #[test]
 fn odd_numbers_of_segments_are_estimated_too() {
     for segments in [1, 3, 75] {
-        let options = Options {
-            segments: Some(segments),
-            modes: 2,
-            ..Options::default()
-        };
+        let options = with!(Options, segments = Some(segments), modes = 2);
         let mode = &solved(&reference(), &options).modes[0];
         let ratio = mode.discretization_error_hz / (mode.frequency_hz - BENDING[0]).abs();
-        assert!(
-            ratio > 1.0 / 3.0 && ratio < 3.0,
-            "{segments} segments: {ratio}"
-        );
+        assert!(ratio > 1.0 / 3.0, "{segments} segments: {ratio}");
+        assert!(ratio < 3.0, "{segments} segments: {ratio}");
     }
 }
 

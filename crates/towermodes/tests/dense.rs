@@ -10,9 +10,10 @@ use towermodes::internal::eigen::Pencil;
 use towermodes::internal::elements::{Borders, Element, Mesh, Recipe, assemble_chains};
 use towermodes::internal::subsystem::{Eigenproblem, SubsystemPencil};
 use towermodes::{
-    Foundation, FoundationSprings, Inertia, Method, Options, PointMass, SoilRow, SoilStiffness,
-    Tower, TowerDescription, Water, Wires,
+    Foundation, Inertia, Method, Options, PointMass, SoilRow, SoilStiffness, Tower,
+    TowerDescription,
 };
+use towermodes_testing::{parts, with};
 use towers::{assert_close, reference, reference_350t, rich, solved};
 
 /// A one-degree joint of the paper: axis, height, sliding or turning, stiffness.
@@ -148,10 +149,7 @@ fn chains(description: &TowerDescription, segments: usize, element: Element) -> 
     let tower = Tower::new(description.clone()).expect("a valid tower");
     let mesh = Mesh::new(&tower, Borders::Pieces, segments);
     let mut chains = Chains::default();
-    let recipe = Recipe {
-        element,
-        ..Recipe::default()
-    };
+    let recipe = with!(Recipe, element);
     assemble_chains(&tower, &mesh, &recipe, &mut chains);
     chains
 }
@@ -175,27 +173,10 @@ fn inertia_counts_equal_dense_eigenvalue_counts() {
 /// in both, or in all directions.
 fn grounded() -> Vec<(&'static str, TowerDescription)> {
     let base = TowerDescription {
-        foundation: Foundation::Springs(FoundationSprings {
-            lateral_n_per_m: 2e8,
-            rocking_n_m: 5e10,
-            coupling_n: -1e9,
-            vertical_n_per_m: 1e10,
-            torsion_n_m: 2e10,
-        }),
+        foundation: Foundation::Springs(parts::springs(2e8, 5e10, -1e9, 1e10, 2e10)),
         soil: vec![vec![soil(10.0, 3e7, 2e7), soil(30.0, 0.0, 1e6)]],
-        water: Some(Water {
-            level_m: 55.0,
-            bed_m: Some(30.0),
-            density_kg_per_m3: 1025.0,
-            added_mass_coefficient: 1.0,
-            flooded: true,
-        }),
-        wires: vec![Wires {
-            height_m: 90.0,
-            count: 4,
-            stiffness_n_per_m: 3e6,
-            angle_deg: 40.0,
-        }],
+        water: Some(parts::water(55.0, Some(30.0), 1025.0, 1.0, true)),
+        wires: vec![parts::wires(90.0, 4, 3e6, 40.0)],
         gravity_m_per_s2: 9.81,
         ..rich()
     };

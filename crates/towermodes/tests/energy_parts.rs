@@ -4,10 +4,10 @@
 use crate::towers;
 
 use towermodes::{
-    EnergyParts, Foundation, FoundationSprings, Material, Method, Mode, Options, Planes, PointMass,
+    EnergyParts, Foundation, FoundationSprings, Material, Method, Mode, Options, Planes,
     Properties, PropertyStation, Rna, Shear, SoilRow, SoilStiffness, Station, TowerDescription,
-    Water, Wires,
 };
+use towermodes_testing::{Close, changed, parts};
 use towers::{floater, solved};
 
 /// Every method with its energy by parts, on a mesh of its own that does not depend on the tower.
@@ -62,32 +62,11 @@ fn everything() -> TowerDescription {
                 ..Default::default()
             },
         },
-        point_masses: vec![PointMass {
-            height_m: 60.0,
-            mass_kg: 30e3,
-            inertia_kg_m2: Default::default(),
-        }],
-        foundation: Foundation::Springs(FoundationSprings {
-            lateral_n_per_m: 4e8,
-            rocking_n_m: 3e10,
-            coupling_n: -5e8,
-            vertical_n_per_m: 3e9,
-            torsion_n_m: 2e10,
-        }),
+        point_masses: vec![parts::point_mass(60.0, 30e3, Default::default())],
+        foundation: Foundation::Springs(parts::springs(4e8, 3e10, -5e8, 3e9, 2e10)),
         soil: vec![vec![soil(-20.0, 4e7), soil(0.0, 1e7)]],
-        water: Some(Water {
-            level_m: 20.0,
-            bed_m: Some(0.0),
-            density_kg_per_m3: 1025.0,
-            added_mass_coefficient: 1.0,
-            flooded: true,
-        }),
-        wires: vec![Wires {
-            height_m: 70.0,
-            count: 3,
-            stiffness_n_per_m: 4e5,
-            angle_deg: 40.0,
-        }],
+        water: Some(parts::water(20.0, Some(0.0), 1025.0, 1.0, true)),
+        wires: vec![parts::wires(70.0, 3, 4e5, 40.0)],
         ..TowerDescription::default()
     }
 }
@@ -247,10 +226,7 @@ fn assert_slopes(description: &TowerDescription, method: Method, part: &Part) {
 
 #[test]
 fn fractions_of_stiffness_are_the_slopes_of_the_eigenvalue() {
-    let heavy = TowerDescription {
-        gravity_m_per_s2: 9.81,
-        ..everything()
-    };
+    let heavy = changed!(everything(), gravity_m_per_s2 = 9.81);
     for method in Method::ALL {
         for part in STIFF.iter().chain([&GRAVITY]) {
             assert_slopes(&heavy, method, part);
@@ -298,10 +274,7 @@ fn fractions_sum_to_one() {
                     + strain.wires
                     + strain.gravity;
                 let is_free = mode.frequency_hz == 0.0;
-                assert!(
-                    (sum - if is_free { 0.0 } else { 1.0 }).abs() < 1e-12,
-                    "{sum}"
-                );
+                sum.within(if is_free { 0.0 } else { 1.0 }, 1e-12);
                 let sum = kinetic.tower
                     + kinetic.rna
                     + kinetic.point_masses
@@ -315,10 +288,7 @@ fn fractions_sum_to_one() {
 
 #[test]
 fn nothing_is_computed_without_a_request() {
-    let options = Options {
-        energy_parts: false,
-        ..options(Method::default())
-    };
+    let options = changed!(options(Method::default()), energy_parts = false);
     let modes = solved(&everything(), &options).modes;
     assert!(modes.iter().all(|mode| mode.energy_parts.is_none()));
 }
@@ -341,10 +311,7 @@ fn rigid_column() -> TowerDescription {
         properties: vec![row(0.0), row(50.0)],
         rna: Rna::point(100e3),
         rna_is_point: true,
-        foundation: Foundation::Springs(FoundationSprings {
-            rocking_n_m: 2e9,
-            ..FoundationSprings::RIGID
-        }),
+        foundation: Foundation::Springs(changed!(FoundationSprings::RIGID, rocking_n_m = 2e9)),
         ..TowerDescription::default()
     }
 }
@@ -354,10 +321,7 @@ fn rigid_column() -> TowerDescription {
 fn a_rigid_column_has_the_fractions_of_its_springs_and_masses() {
     let close = |got: f64, expected: f64| assert!((got - expected).abs() < 1e-9, "{got}");
     for method in Method::ALL {
-        let options = Options {
-            modes: 1,
-            ..options(method)
-        };
+        let options = changed!(options(method), modes = 1);
         let first =
             |description: &TowerDescription| parts(&solved(description, &options).modes[0]).clone();
         let alone = first(&rigid_column());
@@ -369,24 +333,13 @@ fn a_rigid_column_has_the_fractions_of_its_springs_and_masses() {
         close(alone.kinetic.rna, 1.0 - column);
 
         // Wires at the height h hold with k h², and have k h²/(k h² + k_rocking).
-        let wires = Wires {
-            height_m: 40.0,
-            count: 4,
-            stiffness_n_per_m: 1e6,
-            angle_deg: 0.0,
-        };
-        let held = first(&TowerDescription {
-            wires: vec![wires],
-            ..rigid_column()
-        });
+        let wires = parts::wires(40.0, 4, 1e6, 0.0);
+        let held = first(&changed!(rigid_column(), wires = vec![wires]));
         let of_wires = 2e6 * 40.0 * 40.0;
         close(held.strain.wires, of_wires / (of_wires + 2e9));
 
         // Under gravity the weights W h turn over, and the sum is less than the spring alone.
-        let heavy = first(&TowerDescription {
-            gravity_m_per_s2: 10.0,
-            ..rigid_column()
-        });
+        let heavy = first(&changed!(rigid_column(), gravity_m_per_s2 = 10.0));
         let overturning = 10.0 * (100e3 * 50.0 + 50e3 * 25.0);
         close(heavy.strain.gravity, -overturning / (2e9 - overturning));
         close(heavy.strain.foundation, 2e9 / (2e9 - overturning));

@@ -7,9 +7,10 @@
 use crate::towers;
 
 use towermodes::{
-    AddedMassRow, Inertia, Method, Options, Planes, Properties, PropertyStation, Rna, Shear,
-    SoilRow, SoilStiffness, Solution, Station, TowerDescription, Warning,
+    AddedMassRow, Method, Options, Planes, Properties, PropertyStation, Rna, Shear, SoilRow,
+    SoilStiffness, Solution, Station, TowerDescription, Warning,
 };
+use towermodes_testing::{changed, parts, rna, stations, with};
 use towers::{assert_close, reference, reference_table, solved};
 
 /// A tower and the beam that it is, with rotary inertia and shear or, for BModes, without.
@@ -67,13 +68,7 @@ impl Case {
 }
 
 fn by(method: Method, segments: Option<usize>, modes: usize) -> Options {
-    Options {
-        method,
-        segments,
-        modes,
-        points: 2,
-        ..Options::default()
-    }
+    with!(Options, method, segments, modes, points = 2)
 }
 
 fn segmented() -> impl Iterator<Item = Method> {
@@ -82,10 +77,7 @@ fn segmented() -> impl Iterator<Item = Method> {
 }
 
 fn added_mass(rows: [(f64, f64); 3]) -> Vec<Vec<AddedMassRow>> {
-    let row = |(height_m, mass_kg_per_m)| AddedMassRow {
-        height_m,
-        mass_kg_per_m,
-    };
+    let row = |(height_m, mass_kg_per_m)| parts::added_mass_row(height_m, mass_kg_per_m);
     vec![rows.map(row).to_vec()]
 }
 
@@ -110,11 +102,7 @@ fn added_mass_500t() -> TowerDescription {
 fn soil_spike() -> TowerDescription {
     let row = |height_m, k| SoilRow {
         height_m,
-        stiffness: SoilStiffness {
-            x_n_per_m2: k,
-            y_n_per_m2: k,
-            ..SoilStiffness::default()
-        },
+        stiffness: with!(SoilStiffness, x_n_per_m2 = k, y_n_per_m2 = k),
     };
     TowerDescription {
         name: "soil over 1 cm".into(),
@@ -162,10 +150,7 @@ fn narrow() -> [TowerDescription; 4] {
 fn cone(base: (f64, f64), top: (f64, f64), rna_kg: f64) -> TowerDescription {
     TowerDescription {
         name: "cone".into(),
-        stations: vec![
-            Station::new(0.0, base.0, base.1),
-            Station::new(87.6, top.0, top.1),
-        ],
+        stations: stations(&[(0.0, base.0, base.1), (87.6, top.0, top.1)]),
         rna: Rna::point(rna_kg),
         ..reference()
     }
@@ -207,16 +192,11 @@ fn heavy() -> TowerDescription {
                 0.012_456_108_763_820_129,
             ),
         ],
-        rna: Rna {
-            mass_kg: 860_111.216_102_178_1,
-            center_m: [-1.612_207_0, -1.837_471_0, 1.305_370_9],
-            inertia_kg_m2: Inertia {
-                xx: 31_078_459.3,
-                yy: 40_285_384.6,
-                zz: 46_683_426.8,
-                ..Inertia::default()
-            },
-        },
+        rna: rna(
+            860_111.216_102_178_1,
+            [-1.612_207_0, -1.837_471_0, 1.305_370_9],
+            [31_078_459.3, 40_285_384.6, 46_683_426.8],
+        ),
         ..reference()
     }
 }
@@ -256,16 +236,11 @@ fn wall_to_nothing() -> TowerDescription {
         name: "wall to 1e-12 m".into(),
         stations: stations.map(|(z_m, d, t)| Station::new(z_m, d, t)).to_vec(),
         shear: Shear::Coefficient(0.1),
-        rna: Rna {
-            mass_kg: 3_466_759.840_660_326,
-            center_m: [1.742_736_5, 1.102_714_3, 2.140_994_3],
-            inertia_kg_m2: Inertia {
-                xx: 3_081_489_427.9,
-                yy: 3_292_663_509.4,
-                zz: 2_439_558_708.0,
-                ..Inertia::default()
-            },
-        },
+        rna: rna(
+            3_466_759.840_660_326,
+            [1.742_736_5, 1.102_714_3, 2.140_994_3],
+            [3_081_489_427.9, 3_292_663_509.4, 2_439_558_708.0],
+        ),
         ..reference()
     }
 }
@@ -354,10 +329,7 @@ fn given_elements_are_judged_by_what_they_miss_of_every_quantity() {
             let borders_m: Vec<f64> = (0..=elements)
                 .map(|k| 87.6 * f64::from(k) / f64::from(elements))
                 .collect();
-            let options = Options {
-                borders_m: Some(borders_m),
-                ..by(Method::Bmodes, None, 8)
-            };
+            let options = changed!(by(Method::Bmodes, None, 8), borders_m = Some(borders_m));
             let solution = case.assert_holds(&options);
             let told = solution.warnings.iter().find_map(|w| match w {
                 Warning::RowsMissed {
@@ -400,11 +372,7 @@ fn elements_of_bmodes_are_equal_where_they_can_be() {
     // BModes 3.00 itself with fifty elements.
     let fifty = run(50);
     assert_eq!(fifty.segments, 50);
-    assert_close(
-        fifty.modes[0].frequency_hz,
-        0.892511,
-        1e-6,
-        "fifty elements",
-    );
+    let case = "fifty elements";
+    assert_close(fifty.modes[0].frequency_hz, 0.892511, 1e-6, case);
     assert_eq!(run(5).segments, 10);
 }

@@ -4,10 +4,11 @@
 use crate::towers;
 
 use towermodes::{
-    CircularFooting, FootingFormula, Foundation, FoundationSprings, HalfSpace, Material, Method,
-    Options, Place, Problem, RectangularFooting, Rna, SoilProfile, SoilRow, SoilStiffness, Station,
-    StiffnessFoundation, SuctionCaisson, Tower, TowerDescription, Warning, Water,
+    CircularFooting, FootingFormula, Foundation, FoundationSprings, Method, Options, Place,
+    Problem, RectangularFooting, Rna, SoilProfile, SoilRow, SoilStiffness, StiffnessFoundation,
+    SuctionCaisson, Tower, TowerDescription, Warning,
 };
+use towermodes_testing::{Says, assert_matches, changed, parts, tube, with};
 use towers::{all_frequencies, assert_close, solved};
 
 const INF: f64 = f64::INFINITY;
@@ -78,52 +79,26 @@ fn strata_have_the_half_space_as_their_limits() {
         vertical_n_per_m: 4.0 * g * r / (1.0 - nu),
         torsion_n_m: 16.0 * g * r.powi(3) / 3.0,
     };
-    all_close(
-        &circular().springs(),
-        &half_space,
-        1e-15,
-        "without a stratum",
-    );
+    let case = "without a stratum";
+    all_close(&circular().springs(), &half_space, 1e-15, case);
     for stratum_thickness_m in [10.0, 20.0, 100.0] {
         let over = |lower_shear_modulus_pa| {
-            CircularFooting {
-                stratum_thickness_m,
-                lower_shear_modulus_pa,
-                ..circular()
-            }
-            .springs()
+            changed!(circular(), stratum_thickness_m, lower_shear_modulus_pa).springs()
         };
         all_close(&over(g), &half_space, 1e-15, "over the same soil");
         all_close(&over(1e30), &over(INF), 1e-15, "over very stiff soil");
         assert!(over(2.0 * g).lateral_n_per_m > half_space.lateral_n_per_m);
         assert!(over(INF).lateral_n_per_m > over(2.0 * g).lateral_n_per_m);
     }
-    let deep = CircularFooting {
-        stratum_thickness_m: 1e9,
-        ..circular()
-    };
+    let deep = changed!(circular(), stratum_thickness_m = 1e9);
     all_close(&deep.springs(), &half_space, 2e-8, "deep rock");
     // The factors of rock at a depth of two radii, and of an embedment of half a radius.
-    let rock = CircularFooting {
-        stratum_thickness_m: 18.0,
-        ..circular()
-    };
-    assert_close(
-        rock.springs().vertical_n_per_m,
-        1.64 * half_space.vertical_n_per_m,
-        1e-14,
-        "vertical",
-    );
-    assert_close(
-        rock.springs().rocking_n_m,
-        13.0 / 12.0 * half_space.rocking_n_m,
-        1e-14,
-        "rocking",
-    );
-    let embedded = CircularFooting {
-        embedment_m: 4.5,
-        ..circular()
-    };
+    let rock = changed!(circular(), stratum_thickness_m = 18.0);
+    let expected = 1.64 * half_space.vertical_n_per_m;
+    assert_close(rock.springs().vertical_n_per_m, expected, 1e-14, "vertical");
+    let expected = 13.0 / 12.0 * half_space.rocking_n_m;
+    assert_close(rock.springs().rocking_n_m, expected, 1e-14, "rocking");
+    let embedded = changed!(circular(), embedment_m = 4.5);
     let factors = [4.0 / 3.0, 2.0, 1.25, 7.0 / 3.0];
     let pairs = values(&embedded.springs())
         .into_iter()
@@ -136,25 +111,13 @@ fn strata_have_the_half_space_as_their_limits() {
 /// The type half-space has another lateral formula, 32 (1 − ν)GR/(7 − 8ν); the others are equal.
 #[test]
 fn both_circular_footings_differ_by_the_lateral_spring() {
-    let other = HalfSpace {
-        radius_m: 9.0,
-        embedment_m: 0.0,
-        shear_modulus_pa: 5e7,
-        poissons_ratio: 0.3,
-    };
+    let other = parts::half_space(9.0, 0.0, 5e7, 0.3);
     let (ours, other) = (circular().springs(), other.springs());
     let ratio = other.lateral_n_per_m / ours.lateral_n_per_m;
     assert_close(ratio, 1.0348, 1e-4, "lateral");
     let lateral_n_per_m = other.lateral_n_per_m;
-    all_close(
-        &FoundationSprings {
-            lateral_n_per_m,
-            ..ours
-        },
-        &other,
-        1e-15,
-        "the others",
-    );
+    let case = "the others";
+    all_close(&changed!(ours, lateral_n_per_m), &other, 1e-15, case);
 }
 
 /// Entries along x, y, z, about x, y of a footing of 20 m along x and 12 m along y, by the program
@@ -208,21 +171,14 @@ fn rectangular_footings_have_the_stiffness_of_another_program() {
         ),
     ];
     for (formula, embedment_m, expected) in table {
-        let footing = RectangularFooting {
-            embedment_m,
-            ..rectangular(formula)
-        };
+        let footing = changed!(rectangular(formula), embedment_m);
         let k = footing.stiffness();
         let case = format!("{}, {embedment_m} m", formula.name());
         for (i, expected) in expected.into_iter().enumerate() {
             assert_close(k[i][i], expected, 1e-13, &format!("{case}, row {i}"));
         }
         // Turned by a quarter.
-        let turned = RectangularFooting {
-            length_x_m: 12.0,
-            length_y_m: 20.0,
-            ..footing
-        };
+        let turned = changed!(footing, length_x_m = 12.0, length_y_m = 20.0);
         let t = turned.stiffness();
         for (i, j) in [(0, 1), (2, 2), (3, 4), (5, 5)] {
             assert_eq!(t[i][i], k[j][j], "{case}");
@@ -236,13 +192,7 @@ fn rectangular_footings_have_the_stiffness_of_another_program() {
 #[test]
 fn both_formulas_for_rectangular_footings_agree() {
     for ratio in [1.0, 1.5, 2.0, 3.0, 4.0] {
-        let of = |formula| {
-            RectangularFooting {
-                length_x_m: 12.0 * ratio,
-                ..rectangular(formula)
-            }
-            .stiffness()
-        };
+        let of = |formula| changed!(rectangular(formula), length_x_m = 12.0 * ratio).stiffness();
         let (first, second) = (of(FootingFormula::Gazetas), of(FootingFormula::PaisKausel));
         for i in 0..6 {
             let most = if i == 5 { 0.06 } else { 0.12 };
@@ -250,14 +200,8 @@ fn both_formulas_for_rectangular_footings_agree() {
             assert_close(first[i][i], second[i][i], most, &case);
         }
     }
-    let square = RectangularFooting {
-        length_x_m: 12.0,
-        ..rectangular(FootingFormula::Gazetas)
-    };
-    let circle = CircularFooting {
-        radius_m: 12.0 / std::f64::consts::PI.sqrt(),
-        ..circular()
-    };
+    let square = changed!(rectangular(FootingFormula::Gazetas), length_x_m = 12.0);
+    let circle = changed!(circular(), radius_m = 12.0 / std::f64::consts::PI.sqrt());
     let (k, springs) = (square.stiffness(), circle.springs());
     assert_close(k[0][0], springs.lateral_n_per_m, 0.01, "lateral");
     assert_close(k[2][2], springs.vertical_n_per_m, 0.01, "vertical");
@@ -272,10 +216,7 @@ fn caissons_have_the_published_digits() {
         (0.5, [8.99, 13.0], [9.08, 13.1]),
         (2.0, [19.7, 187.0], [19.9, 187.0]),
     ] {
-        let caisson = SuctionCaisson {
-            skirt_length_m: slenderness * 12.0,
-            ..caisson()
-        };
+        let caisson = changed!(caisson(), skirt_length_m = slenderness * 12.0);
         let head = caisson.head();
         let g = 4e7 / 2.4;
         let of_lateral = head.lateral_n_per_m / (6.0 * g);
@@ -290,22 +231,16 @@ fn caissons_have_the_published_digits() {
 
 fn tower_on(foundation: Foundation) -> TowerDescription {
     TowerDescription {
-        materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-        stations: vec![Station::new(0.0, 8.0, 0.08), Station::new(100.0, 5.0, 0.03)],
         rna: Rna::point(500e3),
         foundation,
-        ..TowerDescription::default()
+        ..tube(&[(0.0, 8.0, 0.08), (100.0, 5.0, 0.03)])
     }
 }
 
 /// Every foundation by closed form against the same stiffness as a matrix.
 #[test]
 fn the_frequencies_are_those_of_the_matrix() {
-    let embedded = |formula| RectangularFooting {
-        embedment_m: 3.0,
-        is_coupled: true,
-        ..rectangular(formula)
-    };
+    let embedded = |formula| changed!(rectangular(formula), embedment_m = 3.0, is_coupled = true);
     let foundations = [
         Foundation::CircularFooting(Box::new(CircularFooting {
             embedment_m: 3.0,
@@ -317,17 +252,10 @@ fn the_frequencies_are_those_of_the_matrix() {
         Foundation::RectangularFooting(Box::new(embedded(FootingFormula::PaisKausel))),
         Foundation::SuctionCaisson(Box::new(caisson())),
     ];
-    let options = Options {
-        method: Method::Spectral,
-        modes: 6,
-        ..Options::default()
-    };
+    let options = with!(Options, method = Method::Spectral, modes = 6);
     for foundation in foundations {
         let stiffness = foundation.derived_stiffness().expect("by its dimensions");
-        let matrix = Foundation::Stiffness(Box::new(StiffnessFoundation {
-            stiffness,
-            ..StiffnessFoundation::default()
-        }));
+        let matrix = Foundation::Stiffness(Box::new(with!(StiffnessFoundation, stiffness)));
         let of = |foundation| all_frequencies(&solved(&tower_on(foundation), &options));
         assert_eq!(of(foundation.clone()), of(matrix), "{foundation:?}");
     }
@@ -338,10 +266,7 @@ fn the_frequencies_are_those_of_the_matrix() {
 #[test]
 fn rigid_foundations_are_as_stiff_as_their_soil() {
     let foundations = [
-        Foundation::CircularFooting(Box::new(CircularFooting {
-            stratum_thickness_m: 20.0,
-            ..circular()
-        })),
+        Foundation::CircularFooting(Box::new(changed!(circular(), stratum_thickness_m = 20.0))),
         Foundation::CircularFooting(Box::new(CircularFooting {
             stratum_thickness_m: 20.0,
             lower_shear_modulus_pa: 3e8,
@@ -368,27 +293,13 @@ fn rigid_foundations_are_as_stiff_as_their_soil() {
 /// without it the footing is as stiff as one whose springs are at the underside.
 #[test]
 fn the_coupling_of_an_embedded_footing() {
-    let footing = |is_coupled| CircularFooting {
-        embedment_m: 3.0,
-        is_coupled,
-        ..circular()
-    };
+    let footing = |is_coupled| changed!(circular(), embedment_m = 3.0, is_coupled);
     let springs = footing(true).springs();
-    assert_close(
-        springs.coupling_n,
-        springs.lateral_n_per_m,
-        1e-15,
-        "e/3 = 1 m",
-    );
-    let uncoupled = FoundationSprings {
-        coupling_n: 0.0,
-        ..springs
-    };
+    let case = "e/3 = 1 m";
+    assert_close(springs.coupling_n, springs.lateral_n_per_m, 1e-15, case);
+    let uncoupled = changed!(springs, coupling_n = 0.0);
     assert_eq!(footing(false).springs(), uncoupled);
-    let surface = CircularFooting {
-        is_coupled: true,
-        ..circular()
-    };
+    let surface = changed!(circular(), is_coupled = true);
     assert_eq!(surface.springs().coupling_n, 0.0);
 }
 
@@ -408,7 +319,7 @@ fn warned(foundation: Foundation, key: &'static str, texts: &[&str]) {
     };
     assert_eq!(warning.place(), Some(Place::Foundation { key }));
     for text in texts {
-        assert!(warning.to_string().contains(text), "{warning}");
+        warning.says(text);
     }
 }
 
@@ -454,32 +365,20 @@ fn footings_and_caissons_outside_their_range_are_told_with_the_numbers() {
     );
     let mut narrow = rectangular(FootingFormula::Gazetas);
     narrow.length_y_m = 1.2;
-    warned(
-        Foundation::RectangularFooting(Box::new(narrow)),
-        "length_y",
-        &["0.15"],
-    );
+    let foundation = Foundation::RectangularFooting(Box::new(narrow));
+    warned(foundation, "length_y", &["0.15"]);
     let mut deep = rectangular(FootingFormula::PaisKausel);
     deep.embedment_m = 15.0;
-    warned(
-        Foundation::RectangularFooting(Box::new(deep)),
-        "embedment",
-        &["2.5", "Pais & Kausel"],
-    );
+    let foundation = Foundation::RectangularFooting(Box::new(deep));
+    warned(foundation, "embedment", &["2.5", "Pais & Kausel"]);
     let mut long = caisson();
     long.skirt_length_m = 30.0;
-    warned(
-        Foundation::SuctionCaisson(Box::new(long)),
-        "skirt_length",
-        &["2.5", "0.5 to 2", "Jalbi"],
-    );
+    let foundation = Foundation::SuctionCaisson(Box::new(long));
+    warned(foundation, "skirt_length", &["2.5", "0.5 to 2", "Jalbi"]);
     let mut soft = caisson();
     soft.soil_youngs_modulus_pa = 4e4;
-    warned(
-        Foundation::SuctionCaisson(Box::new(soft)),
-        "soil_youngs_modulus",
-        &["40000 Pa"],
-    );
+    let foundation = Foundation::SuctionCaisson(Box::new(soft));
+    warned(foundation, "soil_youngs_modulus", &["40000 Pa"]);
 }
 
 #[test]
@@ -491,17 +390,11 @@ fn impossible_footings_are_refused() {
         Tower::new(tower_on(foundation)).expect_err("an impossible footing")
     };
     let error = refused(|footing| footing.radius_m = -9.0);
-    assert!(
-        matches!(error.problem, Problem::NotPositive { .. }),
-        "{error}"
-    );
+    assert_matches!(error.problem, Problem::NotPositive { .. });
     let error = refused(|footing| footing.embedment_m = -1.0);
     assert!(matches!(error.problem, Problem::Negative { .. }), "{error}");
     let error = refused(|footing| footing.stratum_thickness_m = 0.0);
-    assert!(
-        matches!(error.problem, Problem::NotPositive { .. }),
-        "{error}"
-    );
+    assert_matches!(error.problem, Problem::NotPositive { .. });
     let error = refused(|footing| {
         footing.stratum_thickness_m = 4.0;
         footing.embedment_m = 5.0;
@@ -521,21 +414,15 @@ fn impossible_footings_are_refused() {
         footing.lower_shear_modulus_pa = 1e9;
         footing.embedment_m = 5.0;
     });
-    assert!(
-        matches!(
-            error.problem,
-            Problem::EmbeddedInTwoStrata { embedment_m: 5.0 }
-        ),
-        "{error}"
+    assert_matches!(
+        error.problem,
+        Problem::EmbeddedInTwoStrata { embedment_m: 5.0 }
     );
     let error = refused(|footing| {
         footing.embedment_m = 900.0;
         footing.is_coupled = true;
     });
-    assert!(
-        matches!(error.problem, Problem::Indefinite { .. }),
-        "{error}"
-    );
+    assert_matches!(error.problem, Problem::Indefinite { .. });
     let mut footing = rectangular(FootingFormula::Gazetas);
     footing.length_x_m = f64::NAN;
     let foundation = Foundation::RectangularFooting(Box::new(footing));
@@ -545,7 +432,7 @@ fn impossible_footings_are_refused() {
     short.skirt_length_m = -2.0;
     let foundation = Foundation::SuctionCaisson(Box::new(short));
     let error = Tower::new(tower_on(foundation)).expect_err("a negative length");
-    assert_eq!(
+    assert_matches!(
         error.place,
         Place::Foundation {
             key: "skirt_length"
@@ -562,17 +449,10 @@ fn is_twice(warning: &Warning) -> bool {
 fn soil_is_not_counted_twice() {
     let row = |height_m| SoilRow {
         height_m,
-        stiffness: SoilStiffness {
-            x_n_per_m2: 1e8,
-            y_n_per_m2: 1e8,
-            ..SoilStiffness::default()
-        },
+        stiffness: with!(SoilStiffness, x_n_per_m2 = 1e8, y_n_per_m2 = 1e8),
     };
     let with = |foundation: Foundation, rows: Vec<SoilRow>| {
-        let description = TowerDescription {
-            soil: vec![rows],
-            ..tower_on(foundation)
-        };
+        let description = changed!(tower_on(foundation), soil = vec![rows]);
         let tower = Tower::new(description).expect("a possible tower");
         tower.warnings().iter().any(is_twice)
     };
@@ -586,21 +466,9 @@ fn soil_is_not_counted_twice() {
 #[test]
 fn the_head_of_a_pile_is_coupled() {
     let told = |coupling_n, rocking_n_m, level_m| {
-        let springs = FoundationSprings {
-            lateral_n_per_m: 2.5e9,
-            rocking_n_m,
-            coupling_n,
-            vertical_n_per_m: INF,
-            torsion_n_m: INF,
-        };
+        let springs = parts::springs(2.5e9, rocking_n_m, coupling_n, INF, INF);
         let description = TowerDescription {
-            water: Some(Water {
-                level_m,
-                bed_m: None,
-                density_kg_per_m3: 1025.0,
-                added_mass_coefficient: 1.0,
-                flooded: false,
-            }),
+            water: Some(parts::water(level_m, None, 1025.0, 1.0, false)),
             ..tower_on(Foundation::Springs(springs))
         };
         let tower = Tower::new(description).expect("a possible tower");

@@ -9,6 +9,7 @@ use towermodes::{
     Warning, solve,
 };
 use towermodes_random::Class;
+use towermodes_testing::{assert_matches, changed, with};
 use towers::{
     assert_close, elliptic, floater, monopile, reference, reference_350t, reference_eccentric,
     reference_in_soil, reference_on_springs, rich,
@@ -31,11 +32,8 @@ fn assert_same_values(solution: &Solution, frequencies: &Frequencies, case: &str
     assert_eq!(solution.segments, frequencies.segments, "{case}");
     assert_eq!(solution.modes.len(), frequencies.modes.len(), "{case}");
     for (mode, same) in solution.modes.iter().zip(&frequencies.modes) {
-        assert_eq!(
-            (mode.family, mode.order),
-            (same.family, same.order),
-            "{case}"
-        );
+        let expected = (same.family, same.order);
+        assert_eq!((mode.family, mode.order), expected, "{case}");
         let of_mode = [
             mode.frequency_hz,
             mode.algebraic_error_hz,
@@ -50,11 +48,8 @@ fn assert_same_values(solution: &Solution, frequencies: &Frequencies, case: &str
             same.extrapolated_hz,
             same.error_hz(),
         ];
-        assert_eq!(
-            of_mode.map(f64::to_bits),
-            of_same.map(f64::to_bits),
-            "{case}"
-        );
+        let expected = of_same.map(f64::to_bits);
+        assert_eq!(of_mode.map(f64::to_bits), expected, "{case}");
         assert_eq!(mode.label(), same.label());
         let by_name = frequencies.mode(mode.family, mode.order);
         assert_eq!(by_name, Some(same), "{case}");
@@ -71,11 +66,7 @@ fn random_towers_have_the_frequencies_of_their_solutions() {
         for number in 0..12 {
             let tower = class.tower(number);
             for (modes, segments) in [(4, Some(20)), (1, Some(13)), (9, None)] {
-                let options = Options {
-                    modes,
-                    segments,
-                    ..Options::default()
-                };
+                let options = with!(Options, modes, segments);
                 let case = format!("{} {number}, {modes} modes", class.name());
                 assert_same_bits(&tower, &options, &mut solver, &case);
             }
@@ -90,12 +81,7 @@ fn every_method_has_the_frequencies_of_its_solutions() {
     for description in towers {
         let tower = Tower::new(description).expect("a valid tower");
         for method in Method::ALL {
-            let options = Options {
-                method,
-                modes: 6,
-                segments: Some(24),
-                ..Options::default()
-            };
+            let options = with!(Options, method, modes = 6, segments = Some(24));
             let case = format!("{}, {}", tower.name(), method.name());
             assert_same_bits(&tower, &options, &mut solver, &case);
         }
@@ -115,29 +101,16 @@ fn what_has_no_modes_is_refused_as_by_a_solve() {
     let mut solver = Solver::default();
     let tower = |description: TowerDescription| Tower::new(description).expect("a valid tower");
     // 350 t on a wall of a millimetre buckle.
-    let mut thin = TowerDescription {
-        gravity_m_per_s2: 9.81,
-        ..reference_350t()
-    };
+    let mut thin = changed!(reference_350t(), gravity_m_per_s2 = 9.81);
     thin.stations.iter_mut().for_each(|s| {
         (s.outer_diameter_m, s.wall_thickness_m) = (0.6, 0.01);
     });
     let thin = tower(thin);
     assert_same_bits(&thin, &Options::default(), &mut solver, "thin");
     let refused = solver.frequencies(&thin);
-    assert!(
-        matches!(refused, Err(SolveError::Buckles { .. })),
-        "{refused:?}"
-    );
-    let too_many = Options {
-        modes: 1000,
-        segments: Some(4),
-        ..Options::default()
-    };
-    let none = Options {
-        modes: 0,
-        ..Options::default()
-    };
+    assert_matches!(refused, Err(SolveError::Buckles { .. }));
+    let too_many = with!(Options, modes = 1000, segments = Some(4));
+    let none = with!(Options, modes = 0);
     for options in [too_many, none] {
         assert_same_bits(&tower(reference()), &options, &mut solver, "options");
     }
@@ -148,11 +121,7 @@ fn a_list_that_ends_within_its_error_says_so() {
     // A uniform tube whose seventh bending pair lies 0.15 % above where 100 segments put the last
     // of the list would do; any tower of the classes with the warning does too.
     let mut solver = Solver::default();
-    let options = Options {
-        modes: 5,
-        segments: Some(8),
-        ..Options::default()
-    };
+    let options = with!(Options, modes = 5, segments = Some(8));
     let mut uncertain = 0;
     for number in 0..40 {
         let tower = Class::Eccentric.tower(number);
@@ -197,11 +166,7 @@ fn errors_are_from_the_frequencies_of_the_meshes() {
         if tower.pieces().len() > 1 {
             continue;
         }
-        let options = Options {
-            modes: 6,
-            segments: Some(48),
-            ..Options::default()
-        };
+        let options = with!(Options, modes = 6, segments = Some(48));
         let solution = solve(&tower, &options).expect("solvable");
         assert_eq!(solution.error_basis.segments, [24, 12], "case {place}");
         let coarser = [24, 12].map(|segments| on_mesh(&tower, segments, &options));

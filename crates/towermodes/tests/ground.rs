@@ -7,6 +7,7 @@ use towermodes::{
     SoilRow, SoilStiffness, Station, TowerDescription, Warning, Water, Wires,
 };
 use towermodes::{SolveError, Tower, solve};
+use towermodes_testing::{changed, parts, with};
 use towers::Uniform;
 use towers::{
     all_frequencies, assert_close, assert_same, monopile, reference_350t, reference_eccentric,
@@ -20,19 +21,13 @@ fn chains() -> impl Iterator<Item = Method> {
 }
 
 fn of_method(method: Method) -> Options {
-    Options {
-        method,
-        ..Options::default()
-    }
+    with!(Options, method)
 }
 
 /// The spectral beam of a degree of its own choice differs by what it promises, 1e-10; of this one
 /// by rounding.
 fn spectral() -> Options {
-    Options {
-        degree: Some(14),
-        ..of_method(Method::Spectral)
-    }
+    changed!(of_method(Method::Spectral), degree = Some(14))
 }
 
 fn all(description: &TowerDescription, options: &Options) -> Vec<f64> {
@@ -48,13 +43,7 @@ fn on(springs: FoundationSprings) -> TowerDescription {
 
 #[test]
 fn stiff_springs_are_a_clamp() {
-    let stiff = FoundationSprings {
-        lateral_n_per_m: 1e21,
-        rocking_n_m: 1e21,
-        coupling_n: 0.0,
-        vertical_n_per_m: 1e21,
-        torsion_n_m: 1e21,
-    };
+    let stiff = parts::springs(1e21, 1e21, 0.0, 1e21, 1e21);
     for method in chains() {
         let options = of_method(method);
         let clamped = all(&reference_eccentric(), &options);
@@ -141,10 +130,7 @@ fn soil(height_m: f64, [x, y, z, torsion]: [f64; 4]) -> SoilRow {
 }
 
 fn within(layers: Vec<Vec<SoilRow>>) -> TowerDescription {
-    TowerDescription {
-        soil: layers,
-        ..reference_eccentric()
-    }
+    changed!(reference_eccentric(), soil = layers)
 }
 
 const FIRM: [f64; 4] = [6e6, 5e6, 2e6, 8e6];
@@ -195,10 +181,7 @@ fn rows_on_the_line_between_rows_change_nothing() {
     assert_same(&a, &b, 1e-11, "spectral");
     // Quarters share 400 segments out as they lay before: it is one mesh, and only rounding
     // differs.
-    let fine = Options {
-        segments: Some(400),
-        ..Options::default()
-    };
+    let fine = with!(Options, segments = Some(400));
     assert_same(&all(&whole, &fine), &all(&split, &fine), 1e-6, "rmje-exact");
 }
 
@@ -271,11 +254,8 @@ const HEAVIER: [(&str, Change); 4] = [
     }),
     // It presses too, which lowers them further.
     ("point mass", |t| {
-        t.point_masses.push(PointMass {
-            height_m: 12.0,
-            mass_kg: 50e3,
-            ..PointMass::default()
-        });
+        t.point_masses
+            .push(with!(PointMass, height_m = 12.0, mass_kg = 50e3));
     }),
     ("inertia", |t| t.point_masses[0].inertia_kg_m2.zz *= 10.0),
 ];
@@ -283,10 +263,7 @@ const HEAVIER: [(&str, Change); 4] = [
 #[test]
 fn more_stiffness_raises_and_more_mass_lowers_every_frequency() {
     for method in [Method::RmjeExact, Method::CardanicExact, Method::Bmodes] {
-        let options = Options {
-            modes: 12,
-            ..of_method(method)
-        };
+        let options = changed!(of_method(method), modes = 12);
         for (changes, sign) in [(&STIFFER[..], 1.0), (&HEAVIER[..], -1.0)] {
             for (name, change) in changes {
                 let [before, after] = before_and_after(*change, &options);
@@ -306,10 +283,7 @@ fn more_stiffness_raises_and_more_mass_lowers_every_frequency() {
 
 #[test]
 fn weights_lower_the_bending_frequencies() {
-    let heavy = TowerDescription {
-        gravity_m_per_s2: 9.81,
-        ..reference_350t()
-    };
+    let heavy = changed!(reference_350t(), gravity_m_per_s2 = 9.81);
     for method in Method::ALL {
         let (light, heavy) = (
             all(&reference_350t(), &of_method(method)),
@@ -364,12 +338,7 @@ fn flooding_adds_the_water_inside() {
 }
 
 fn footing(embedment_m: f64) -> HalfSpace {
-    HalfSpace {
-        radius_m: 10.0,
-        embedment_m,
-        shear_modulus_pa: 5e7,
-        poissons_ratio: 1.0 / 3.0,
-    }
+    parts::half_space(10.0, embedment_m, 5e7, 1.0 / 3.0)
 }
 
 #[test]
@@ -410,10 +379,7 @@ fn a_footing_lowers_the_frequencies_as_its_springs_do() {
         torsion_n_m: 16.0 / 3.0 * g * r.powi(3),
     });
     let of = |foundation| {
-        let tower = TowerDescription {
-            foundation,
-            ..reference_eccentric()
-        };
+        let tower = changed!(reference_eccentric(), foundation);
         all(&tower, &Options::default())
     };
     let footing = of(Foundation::HalfSpace(footing(0.0)));
@@ -424,20 +390,12 @@ fn a_footing_lowers_the_frequencies_as_its_springs_do() {
 #[test]
 fn springs_of_any_size_are_springs() {
     for stiffness in [1e100, 1e200, 1e300] {
-        let tower = on(FoundationSprings {
-            lateral_n_per_m: stiffness,
-            rocking_n_m: stiffness,
-            coupling_n: 0.0,
-            vertical_n_per_m: stiffness,
-            torsion_n_m: stiffness,
-        });
+        let tower = on(parts::springs(
+            stiffness, stiffness, 0.0, stiffness, stiffness,
+        ));
         let clamped = all(&reference_eccentric(), &Options::default());
-        assert_same(
-            &all(&tower, &Options::default()),
-            &clamped,
-            1e-12,
-            "clamped",
-        );
+        let case = "clamped";
+        assert_same(&all(&tower, &Options::default()), &clamped, 1e-12, case);
     }
 }
 
@@ -497,10 +455,8 @@ fn errors_are_honest_where_a_coarser_chain_buckles() {
             let case = format!("{}, {}: {error:e}", method.name(), mode.label());
             assert!(error <= 1.5 * mode.error_hz(), "{case}");
             // And no nonsense above the first.
-            assert!(
-                mode.order == 1 || mode.error_hz() < 1e-3 * mode.frequency_hz,
-                "{case}"
-            );
+            let holds = mode.order == 1 || mode.error_hz() < 1e-3 * mode.frequency_hz;
+            assert!(holds, "{case}");
         }
     }
 }
@@ -523,12 +479,7 @@ fn soil_that_no_segment_resolves_is_warned_of() {
 #[test]
 fn wires_beside_which_rounding_hides_the_tower_are_refused() {
     let held = |stiffness_n_per_m| TowerDescription {
-        wires: vec![Wires {
-            height_m: 60.0,
-            count: 3,
-            stiffness_n_per_m,
-            angle_deg: 45.0,
-        }],
+        wires: vec![parts::wires(60.0, 3, stiffness_n_per_m, 45.0)],
         ..reference_eccentric()
     };
     for method in Method::ALL {
@@ -538,11 +489,8 @@ fn wires_beside_which_rounding_hides_the_tower_are_refused() {
         };
         assert!(solve(1e12).is_ok(), "{}", method.name());
         for stiffness in [1e24, 1e28, 1e32] {
-            assert!(
-                solve(stiffness).is_err(),
-                "{}, {stiffness:e}",
-                method.name()
-            );
+            let holds = solve(stiffness).is_err();
+            assert!(holds, "{}, {stiffness:e}", method.name());
         }
     }
 }
@@ -554,10 +502,7 @@ fn weights_and_shear_together_keep_the_order_of_the_elements() {
     let beam = all(&description, &of_method(Method::Spectral))[0];
     for method in [Method::RmjeExact, Method::Lumped, Method::CardanicExact] {
         let error = |segments| {
-            let options = Options {
-                segments: Some(segments),
-                ..of_method(method)
-            };
+            let options = changed!(of_method(method), segments = Some(segments));
             all(&description, &options)[0] / beam - 1.0
         };
         let order = (error(20) / error(40)).log2();
@@ -590,20 +535,13 @@ fn a_column_that_buckles_under_its_own_weight_is_refused_with_the_load() {
 
 #[test]
 fn a_column_close_to_buckling_is_solved() {
-    let fast = |method| Options {
-        rotary_inertia: false,
-        ..of_method(method)
-    };
+    let fast = |method| changed!(of_method(method), rotary_inertia = false);
     let solution = solved(&column(7.8), &fast(Method::Spectral));
     let factor = solution.buckling_load_factor.expect("weights press");
     assert_close(factor, CRITICAL / 7.8, 1e-9, "load factor");
     let unit = Uniform::new(0.01, None).unit_hz;
-    assert_close(
-        solution.modes[0].frequency_hz / unit,
-        0.243259605,
-        1e-8,
-        "λ",
-    );
+    let got = solution.modes[0].frequency_hz / unit;
+    assert_close(got, 0.243259605, 1e-8, "λ");
     assert!(
         solved(&column(0.0), &fast(Method::Spectral))
             .buckling_load_factor
@@ -614,10 +552,7 @@ fn a_column_close_to_buckling_is_solved() {
 #[test]
 fn the_load_factor_falls_as_the_inverse_of_gravity() {
     let factor = |gravity_m_per_s2| {
-        let tower = TowerDescription {
-            gravity_m_per_s2,
-            ..reference_eccentric()
-        };
+        let tower = changed!(reference_eccentric(), gravity_m_per_s2);
         solved(&tower, &spectral()).buckling_load_factor
     };
     let (one, two) = (

@@ -4,17 +4,14 @@
 use crate::towers;
 
 use towermodes::{
-    Family, Inertia, Material, Method, Options, Planes, PointMass, Problem, Properties,
-    PropertyStation, Rna, Shear, Solution, SolveError, Solver, Station, Tower, TowerDescription,
-    Warning, solve,
+    Family, Material, Method, Options, Planes, PointMass, Problem, Properties, PropertyStation,
+    Rna, Shear, Solution, SolveError, Solver, Station, Tower, TowerDescription, Warning, solve,
 };
+use towermodes_testing::{assert_matches, changed, rna, with};
 use towers::{assert_close, elliptic, reference, reference_350t, rich, solved};
 
 fn with_modes(modes: usize) -> Options {
-    Options {
-        modes,
-        ..Options::default()
-    }
+    with!(Options, modes)
 }
 
 #[test]
@@ -68,22 +65,14 @@ fn planes_that_cross_are_a_pair_at_the_end_of_a_list() {
             Station::new(9.567821917004531, 6.621143682102139, 0.07303768238998358),
         ],
         shear: Shear::Cowper,
-        rna: Rna {
-            mass_kg: 227_354.970_068,
-            center_m: [0.0, 0.0, 0.6173667045484377],
-            inertia_kg_m2: Inertia {
-                xx: 17687532.407512896,
-                yy: 10612519.444507737,
-                zz: 8843766.203756448,
-                ..Inertia::default()
-            },
-        },
+        rna: rna(
+            227_354.970_068,
+            [0.0, 0.0, 0.6173667045484377],
+            [17687532.407512896, 10612519.444507737, 8843766.203756448],
+        ),
         ..TowerDescription::default()
     };
-    let options = |modes| Options {
-        segments: Some(40),
-        ..with_modes(modes)
-    };
+    let options = |modes| changed!(with_modes(modes), segments = Some(40));
     let (ten, eleven) = (
         solved(&crossing, &options(10)),
         solved(&crossing, &options(11)),
@@ -155,12 +144,7 @@ fn all_degrees_of_freedom_can_be_asked_for() {
         let each = if method == Method::Bmodes { 9 } else { 6 };
         for segments in [1, 2, 7] {
             let all = each * segments;
-            let options = Options {
-                method,
-                segments: Some(segments),
-                modes: all,
-                ..Options::default()
-            };
+            let options = with!(Options, method, segments = Some(segments), modes = all);
             let solution = solved(&reference_350t(), &options);
             assert_eq!(solution.degrees_of_freedom, all);
             assert_eq!(solution.modes.len(), all);
@@ -189,11 +173,7 @@ fn modes_below_the_rounding_of_the_lowest_are_refused_not_invented() {
     };
     for (below_top, segments) in [(0.01, 10), (1e-3, 10), (1e-4, 100)] {
         let ask = |modes| {
-            let options = Options {
-                segments: Some(segments),
-                modes,
-                ..Options::default()
-            };
+            let options = with!(Options, segments = Some(segments), modes);
             solve(&tower(below_top), &options)
         };
         assert!(ask(8).is_ok());
@@ -203,11 +183,8 @@ fn modes_below_the_rounding_of_the_lowest_are_refused_not_invented() {
             Ok(solution) => {
                 assert_eq!(solution.certificate.count, solution.modes.len());
                 for mode in &solution.modes {
-                    assert!(
-                        mode.algebraic_error_hz < 1e-3 * mode.frequency_hz,
-                        "{}",
-                        mode.label()
-                    );
+                    let holds = mode.algebraic_error_hz < 1e-3 * mode.frequency_hz;
+                    assert!(holds, "{}", mode.label());
                 }
             }
         }
@@ -221,11 +198,7 @@ fn algebraic_bounds_hold_under_any_machine() {
         let mut heavy = reference();
         heavy.rna = Rna::point(mass_kg);
         let ask = |modes| {
-            let options = Options {
-                segments: Some(17),
-                modes,
-                ..Options::default()
-            };
+            let options = with!(Options, segments = Some(17), modes);
             solved(&heavy, &options).modes
         };
         for (a, b) in ask(22).iter().zip(&ask(37)) {
@@ -247,15 +220,10 @@ fn extrapolated_frequencies_are_frequencies() {
         ..reference()
     };
     for segments in [1, 2, 10] {
-        let options = Options {
-            segments: Some(segments),
-            ..with_modes(3)
-        };
+        let options = changed!(with_modes(3), segments = Some(segments));
         for mode in solved(&spire, &options).modes {
-            assert!(
-                mode.extrapolated_hz > 0.0 && mode.discretization_error_hz >= 0.0,
-                "{mode:?}"
-            );
+            assert!(mode.extrapolated_hz > 0.0, "{mode:?}");
+            assert!(mode.discretization_error_hz >= 0.0, "{mode:?}");
         }
     }
 }
@@ -263,11 +231,7 @@ fn extrapolated_frequencies_are_frequencies() {
 #[test]
 fn one_mode_more_than_degrees_of_freedom_is_refused_with_the_number() {
     let tower = Tower::new(reference()).expect("a valid tower");
-    let options = Options {
-        segments: Some(2),
-        modes: 13,
-        ..Options::default()
-    };
+    let options = with!(Options, segments = Some(2), modes = 13);
     let expected = SolveError::TooManyModes {
         modes: 13,
         segments: 2,
@@ -280,10 +244,7 @@ fn one_mode_more_than_degrees_of_freedom_is_refused_with_the_number() {
 fn impossible_options_are_refused() {
     let tower = Tower::new(reference()).expect("a valid tower");
     let refused = |options: Options| solve(&tower, &options).expect_err("impossible");
-    let segments = |n| Options {
-        segments: Some(n),
-        ..Options::default()
-    };
+    let segments = |n| with!(Options, segments = Some(n));
     assert_eq!(
         refused(segments(0)),
         SolveError::Segments {
@@ -300,20 +261,11 @@ fn impossible_options_are_refused() {
         refused(with_modes(usize::MAX)),
         SolveError::TooManyModes { .. }
     ));
-    let points = |points| Options {
-        points,
-        ..Options::default()
-    };
+    let points = |points| with!(Options, points);
     assert_eq!(refused(points(1)), SolveError::Points { points: 1 });
-    let drawn = Options {
-        points: 1_000_000,
-        ..with_modes(200)
-    };
+    let drawn = changed!(with_modes(200), points = 1_000_000);
     assert!(matches!(refused(drawn), SolveError::ShapesTooLarge { .. }));
-    let huge = Options {
-        modes: 100_000,
-        ..segments(1_000_000)
-    };
+    let huge = changed!(segments(1_000_000), modes = 100_000);
     assert!(matches!(refused(huge), SolveError::TooLarge { .. }));
 }
 
@@ -324,10 +276,7 @@ fn a_used_solver_changes_no_bit() {
     for (description, modes) in towers.into_iter().zip([20, 3, 6, 8, 5]) {
         let tower = Tower::new(description).expect("a valid tower");
         for method in Method::ALL {
-            let options = Options {
-                method,
-                ..with_modes(modes)
-            };
+            let options = changed!(with_modes(modes), method);
             let fresh = solve(&tower, &options).expect("solvable");
             let reused = solver
                 .with(options, |solver| solver.solve(&tower))
@@ -344,10 +293,7 @@ fn leading_modes_of_beams_do_not_depend_on_how_many_are_asked_for() {
     for (method, promise) in [(Method::Bmodes, 1e-12), (Method::Spectral, 1e-5)] {
         for description in [reference(), elliptic()] {
             let with = |modes| {
-                let options = Options {
-                    method,
-                    ..with_modes(modes)
-                };
+                let options = changed!(with_modes(modes), method);
                 solved(&description, &options)
             };
             let all = with(20);
@@ -359,11 +305,8 @@ fn leading_modes_of_beams_do_not_depend_on_how_many_are_asked_for() {
                     for (p, q) in a.shape.iter().zip(&b.shape) {
                         let difference =
                             (0..3).map(|i| (p.translation[i] - q.translation[i]).abs());
-                        assert!(
-                            difference.fold(0.0, f64::max) < promise,
-                            "{}",
-                            method.name()
-                        );
+                        let holds = difference.fold(0.0, f64::max) < promise;
+                        assert!(holds, "{}", method.name());
                     }
                 }
             }
@@ -377,18 +320,12 @@ fn solving_takes_the_products_it_should() {
     // here: 36 products for the four bending modes on both meshes and 21 for each of torsion and
     // axial would be 78; the bound leaves room for other rounding.
     let solution = solved(&reference_350t(), &with_modes(8));
-    assert!(
-        solution.statistics.products <= 84,
-        "{:?}",
-        solution.statistics
-    );
+    let holds = solution.statistics.products <= 84;
+    assert!(holds, "{:?}", solution.statistics);
     assert_eq!(solution.statistics.restarts, 0);
     let fine = solved(
         &reference_350t(),
-        &Options {
-            segments: Some(4000),
-            ..with_modes(8)
-        },
+        &changed!(with_modes(8), segments = Some(4000)),
     );
     assert!(fine.statistics.products <= 84, "{:?}", fine.statistics);
 }
@@ -439,10 +376,7 @@ fn a_list_that_ends_within_the_error_of_its_segments_says_so() {
         stations: vec![Station::new(0.0, 2.0, 0.02), Station::new(100.0, 2.0, 0.02)],
         ..TowerDescription::default()
     };
-    let options = Options {
-        rotary_inertia: false,
-        ..with_modes(16)
-    };
+    let options = changed!(with_modes(16), rotary_inertia = false);
     let uncertain = |solution: &Solution| {
         solution
             .warnings
@@ -476,10 +410,7 @@ fn heights_one_rounding_apart_are_a_tower() {
         let mut flat = reference();
         flat.stations[1].height_m = height;
         let error = Tower::new(flat).expect_err("no height");
-        assert!(
-            matches!(error.problem, Problem::OutOfScale { .. }),
-            "{error}"
-        );
+        assert_matches!(error.problem, Problem::OutOfScale { .. });
     }
 }
 
@@ -500,10 +431,8 @@ fn overflowing_numbers_are_an_error_not_a_frequency() {
         let tower = scaled(density, youngs).expect("within the limits");
         if let Ok(solution) = solve(&tower, &Options::default()) {
             let hz = solution.modes.iter().map(|mode| mode.frequency_hz);
-            assert!(
-                hz.into_iter().all(|hz| hz.is_finite() && hz > 0.0),
-                "{density:e}, {youngs:e}"
-            );
+            let holds = hz.into_iter().all(|hz| hz.is_finite() && hz > 0.0);
+            assert!(holds, "{density:e}, {youngs:e}");
         }
     }
 }

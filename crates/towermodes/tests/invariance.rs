@@ -7,15 +7,12 @@ use towermodes::{
     Inertia, Material, Options, PointMass, Rna, Shear, Solution, Station, Tower, TowerDescription,
     solve,
 };
+use towermodes_testing::with;
 use towers::rich;
 
 fn solution(description: &TowerDescription, modes: usize) -> Solution {
     let tower = Tower::new(description.clone()).expect("a valid tower");
-    let options = Options {
-        segments: Some(40),
-        modes,
-        ..Options::default()
-    };
+    let options = with!(Options, segments = Some(40), modes);
     solve(&tower, &options).expect("solvable")
 }
 
@@ -66,11 +63,7 @@ fn any_tower() -> impl Strategy<Value = TowerDescription> {
                     },
                     point_masses: masses
                         .into_iter()
-                        .map(|(s, mass_kg)| PointMass {
-                            height_m: s * top,
-                            mass_kg,
-                            ..PointMass::default()
-                        })
+                        .map(|(s, mass_kg)| with!(PointMass, height_m = s * top, mass_kg))
                         .collect(),
                     ..TowerDescription::default()
                 }

@@ -4,6 +4,7 @@
 use crate::towers;
 
 use towermodes::{Family, Method, Options, TowerDescription};
+use towermodes_testing::{changed, with};
 use towers::{Uniform, assert_close, frequencies, reference, reference_350t, solved};
 
 fn bending(description: &TowerDescription, options: &Options) -> Vec<f64> {
@@ -11,21 +12,13 @@ fn bending(description: &TowerDescription, options: &Options) -> Vec<f64> {
 }
 
 fn options(method: Method, segments: usize) -> Options {
-    Options {
-        method,
-        segments: Some(segments),
-        modes: 10,
-        ..Options::default()
-    }
+    with!(Options, method, segments = Some(segments), modes = 10)
 }
 
 /// log₂ of the ratio of successive differences for n, 2n and 4n segments in one bending frequency.
 fn order(description: &TowerDescription, base: &Options, n: usize, mode: usize) -> f64 {
     let frequency = |segments| {
-        let options = Options {
-            segments: Some(segments),
-            ..base.clone()
-        };
+        let options = changed!(base.clone(), segments = Some(segments));
         bending(description, &options)[mode - 1]
     };
     let (coarse, middle, fine) = (frequency(n), frequency(2 * n), frequency(4 * n));
@@ -43,20 +36,14 @@ fn assert_order(observed: f64, expected: f64, case: &str) {
 fn two_hinges_have_order_4_on_a_uniform_euler_bernoulli_beam() {
     let beam = Uniform::new(0.02, None);
     for method in [Method::Cardanic, Method::CardanicExact] {
-        let base = Options {
-            rotary_inertia: false,
-            ..options(method, 0)
-        };
+        let base = changed!(options(method, 0), rotary_inertia = false);
         for mode in [1, 2, 3] {
             let observed = order(&beam.description, &base, 40, mode);
             assert_order(observed, 4.0, &format!("{} {mode}", method.name()));
         }
         // Hinges elsewhere are statically wrong: order 2.
         if method == Method::Cardanic {
-            let quarter = Options {
-                hinge_position: 0.25,
-                ..base
-            };
+            let quarter = changed!(base, hinge_position = 0.25);
             assert_order(order(&beam.description, &quarter, 20, 1), 2.0, "k = 1/4");
         }
     }
@@ -69,26 +56,17 @@ fn bmodes_has_order_4_on_a_uniform_beam_and_2_on_a_taper() {
     for mode in [1, 2, 3] {
         let uniform = order(&beam.description, &base, 10, mode);
         assert_order(uniform, 4.0, &format!("uniform {mode}"));
-        assert_order(
-            order(&reference(), &base, 40, mode),
-            2.0,
-            &format!("tapered {mode}"),
-        );
+        let case = format!("tapered {mode}");
+        assert_order(order(&reference(), &base, 40, mode), 2.0, &case);
     }
 }
 
 #[test]
 fn exact_hinges_keep_order_4_on_a_taper_without_rotary_inertia() {
-    let base = Options {
-        rotary_inertia: false,
-        ..options(Method::CardanicExact, 0)
-    };
+    let base = changed!(options(Method::CardanicExact, 0), rotary_inertia = false);
     // The Euler-Bernoulli beam: 0.8921691531, 4.3781396, 11.4006474 Hz (spectral solutions).
     let first = |n| {
-        let options = Options {
-            segments: Some(n),
-            ..base.clone()
-        };
+        let options = changed!(base.clone(), segments = Some(n));
         bending(&reference(), &options)[0]
     };
     assert_close(first(10), 0.892169153, 1e-6, "10 segments");
@@ -146,12 +124,8 @@ fn every_element_finds_both_members_of_every_pair() {
     for method in Method::ALL {
         let solution = solved(&reference_350t(), &options(method, 30));
         let of = |family| frequencies(&solution, family);
-        assert_eq!(
-            of(Family::ForeAft),
-            of(Family::SideSide),
-            "{}",
-            method.name()
-        );
+        let expected = of(Family::SideSide);
+        assert_eq!(of(Family::ForeAft), expected, "{}", method.name());
         assert_eq!(of(Family::ForeAft).len(), 4);
         assert_eq!(solution.certificate.count, 10);
     }
@@ -159,10 +133,7 @@ fn every_element_finds_both_members_of_every_pair() {
 
 #[test]
 fn shear_has_the_same_limit_in_every_element() {
-    let sheared = TowerDescription {
-        shear: towermodes::Shear::Coefficient(0.5),
-        ..reference()
-    };
+    let sheared = changed!(reference(), shear = towermodes::Shear::Coefficient(0.5));
     let truth = [0.885153338, 4.206221834, 10.435474971];
     // BModes has no shear.
     for method in segmented().filter(|&method| method != Method::Bmodes) {
@@ -170,12 +141,8 @@ fn shear_has_the_same_limit_in_every_element() {
             if mode.family == Family::ForeAft && mode.order <= 3 {
                 // The published element's third power remains; the others are at n⁻⁴.
                 let tolerance = if method == Method::Rmje { 1e-6 } else { 2e-8 };
-                assert_close(
-                    mode.extrapolated_hz,
-                    truth[mode.order - 1],
-                    tolerance,
-                    method.name(),
-                );
+                let expected = truth[mode.order - 1];
+                assert_close(mode.extrapolated_hz, expected, tolerance, method.name());
             }
         }
     }

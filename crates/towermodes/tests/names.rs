@@ -6,6 +6,7 @@ use crate::towers;
 use towermodes::{Method, Options, Solver};
 use towermodes_random::Class;
 use towermodes_random::paths::{Path, follow};
+use towermodes_testing::with;
 use towers::{elliptic, floater, reference_350t, reference_eccentric, rich};
 
 /// All numbers of towers with an eccentric rotor-nacelle assembly change in small steps: a name
@@ -42,12 +43,7 @@ fn names_do_not_depend_on_the_number_of_modes() {
         let tower = towermodes::Tower::new(description).expect("a tower");
         for method in [Method::RmjeExact, Method::Bmodes] {
             let mut names = |modes: usize| -> Vec<String> {
-                solver.options = Options {
-                    method,
-                    modes,
-                    segments: Some(16),
-                    ..Options::default()
-                };
+                solver.options = with!(Options, method, modes, segments = Some(16));
                 let solved = solver.frequencies(&tower);
                 let solved = solved.expect("modes");
                 solved.modes.iter().map(|mode| mode.label()).collect()

@@ -4,12 +4,12 @@ use std::collections::{BTreeSet, HashSet};
 
 use towermodes::{
     AddedMassRow, BeamFormula, Change, CircularFooting, FloatingPlatform, FootingFormula,
-    Foundation, FoundationSprings, HalfSpace, Inertia, Material, Monopile, Operation, Parameter,
+    Foundation, FoundationSprings, Inertia, Material, Monopile, Operation, Parameter,
     ParameterError, PartNames, PileFormula, PileTube, Place, Planes, PointMass, Properties,
-    PropertyStation, RectangularFooting, ReferredMatrix, Rna, Rotor, Shear, SoilProfile, SoilRow,
-    SoilSpring, SoilStiffness, Station, StiffnessFoundation, SuctionCaisson, TowerDescription,
-    Water, WinklerPile, Wires,
+    PropertyStation, RectangularFooting, ReferredMatrix, Rna, Shear, SoilProfile, SoilRow,
+    SoilSpring, SoilStiffness, StiffnessFoundation, SuctionCaisson, TowerDescription, WinklerPile,
 };
+use towermodes_testing::{Says, changed, parts, rotor, rows, stations, with};
 
 fn tubes() -> TowerDescription {
     let row = |height_m| SoilRow {
@@ -21,39 +21,18 @@ fn tubes() -> TowerDescription {
             Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10),
             Material::from_poissons_ratio(7850.0, 2.1e11, 0.3),
         ],
-        stations: vec![
-            Station::new(0.0, 6.0, 0.027),
-            Station::new(87.6, 3.87, 0.019),
-        ],
+        stations: stations(&[(0.0, 6.0, 0.027), (87.6, 3.87, 0.019)]),
         shear: Shear::Coefficient(0.5),
         rna: Rna::point(350e3),
         point_masses: vec![PointMass::default(); 2],
         foundation: Foundation::Springs(FoundationSprings::RIGID),
         soil: vec![vec![row(0.0)], vec![row(0.0), row(5.0)]],
         added_mass: vec![vec![AddedMassRow::default(); 2]],
-        water: Some(Water {
-            level_m: 20.0,
-            bed_m: None,
-            density_kg_per_m3: 1025.0,
-            added_mass_coefficient: 1.0,
-            flooded: false,
-        }),
-        wires: vec![Wires {
-            height_m: 40.0,
-            count: 3,
-            stiffness_n_per_m: 1e6,
-            angle_deg: 45.0,
-        }],
+        water: Some(parts::water(20.0, None, 1025.0, 1.0, false)),
+        wires: vec![parts::wires(40.0, 3, 1e6, 45.0)],
         gravity_m_per_s2: 9.81,
-        rotor: Some(Rotor {
-            blades: 3,
-            lowest_rpm: 6.9,
-            highest_rpm: 12.1,
-        }),
-        part_names: PartNames {
-            materials: vec!["steel".into(), "S355.2".into()],
-            ..PartNames::default()
-        },
+        rotor: Some(rotor(3, 6.9, 12.1)),
+        part_names: with!(PartNames, materials = vec!["steel".into(), "S355.2".into()]),
         ..TowerDescription::default()
     }
 }
@@ -96,12 +75,7 @@ fn towers() -> Vec<TowerDescription> {
     vec![
         tubes(),
         table(Foundation::Clamped),
-        table(Foundation::HalfSpace(HalfSpace {
-            radius_m: 8.0,
-            embedment_m: 1.0,
-            shear_modulus_pa: 5e7,
-            poissons_ratio: 0.3,
-        })),
+        table(Foundation::HalfSpace(parts::half_space(8.0, 1.0, 5e7, 0.3))),
         table(Foundation::Stiffness(Box::new(StiffnessFoundation {
             stiffness: matrix,
             inertia: matrix,
@@ -201,10 +175,8 @@ fn a_number_changes_nothing_but_itself() {
             assert_ne!(changed, base, "{parameter}");
             for other in all.iter().filter(|other| **other != parameter) {
                 let (before, after) = (other.value(&base), other.value(&changed));
-                assert!(
-                    before.to_bits() == after.to_bits(),
-                    "{parameter} changes {other}"
-                );
+                let holds = before.to_bits() == after.to_bits();
+                assert!(holds, "{parameter} changes {other}");
             }
         }
     }
@@ -308,69 +280,36 @@ fn a_wrong_name_is_answered_with_what_would_be_right() {
         Ok(change) => panic!("{name} is {change:?}"),
         Err(error) => error.to_string(),
     };
-    for (name, expected) in [
-        ("rna.mas", "did you mean `rna.mass`?"),
-        ("station[1].wall", "did you mean `stations[1].wall`?"),
-        ("stations[1].Wall", "did you mean `stations[1].wall`?"),
-        ("scale(stations[*].wal)", "did you mean `stations[*].wall`?"),
-        (
-            "stations[1].thickness",
-            "the numbers of stations[] are height, diameter, wall",
-        ),
-        (
-            "stations[2].wall",
-            "index 2 is too large, its stations have the indices 0 to 1",
-        ),
-        (
-            "soil[0].rows[7].x",
-            "index 7 is too large, its rows have only index 0",
-        ),
-        ("stations[x].wall", "`x` is not an index"),
-        ("stations[-1].wall", "`-1` is not an index"),
-        (
-            "material.density",
-            "it has 2 materials; write `materials.steel.density`",
-        ),
-        (
-            "foundation.radius",
-            "it has no foundation of type \"half-space\"",
-        ),
-        (
-            "properties[0].ea_n",
-            "it has no table of section properties",
-        ),
-        (
-            "turbine.hub.mass",
-            "numbers of [turbine] have no names for --set, sweeps, designs and derivatives; change it in the tower file",
-        ),
-        (
-            "banana",
-            "its numbers are those of materials[], tower, stations[]",
-        ),
-        ("", "the name of the number is missing"),
-        ("scale(rna.mass", "is not a change"),
-        ("grow(rna.mass)", "is not a change"),
-        ("rna.mass, rna.center[0]", "is not a change"),
-        ("add(rna.mass,)", "the name of the number is missing"),
-        ("add(rna.mass, rna.mass)", "sets rna.mass, which"),
-    ] {
-        assert!(
-            message(name).contains(expected),
-            "{name}: {}",
-            message(name)
-        );
+    let table = r#"
+        rna.mas | did you mean `rna.mass`?
+        station[1].wall | did you mean `stations[1].wall`?
+        stations[1].Wall | did you mean `stations[1].wall`?
+        scale(stations[*].wal) | did you mean `stations[*].wall`?
+        stations[1].thickness | the numbers of stations[] are height, diameter, wall
+        stations[2].wall | index 2 is too large, its stations have the indices 0 to 1
+        soil[0].rows[7].x | index 7 is too large, its rows have only index 0
+        stations[x].wall | `x` is not an index
+        stations[-1].wall | `-1` is not an index
+        material.density | it has 2 materials; write `materials.steel.density`
+        foundation.radius | it has no foundation of type "half-space"
+        properties[0].ea_n | it has no table of section properties
+        turbine.hub.mass | numbers of [turbine] have no names for --set, sweeps, designs and derivatives; change it in the tower file
+        banana | its numbers are those of materials[], tower, stations[]
+         | the name of the number is missing
+        scale(rna.mass | is not a change
+        grow(rna.mass) | is not a change
+        rna.mass, rna.center[0] | is not a change
+        add(rna.mass,) | the name of the number is missing
+        add(rna.mass, rna.mass) | sets rna.mass, which
+        "#;
+    for [name, expected] in rows(table) {
+        message(name).says(expected);
     }
-    let empty = TowerDescription {
-        soil: vec![Vec::new()],
-        ..tubes()
-    };
+    let empty = changed!(tubes(), soil = vec![Vec::new()]);
     let error = Parameter::parse("soil[0].rows[0].x", &empty).expect_err("no rows");
-    assert!(
-        error.to_string().contains("its rows have no index"),
-        "{error}"
-    );
+    error.says("its rows have no index");
     let long = format!("stations[{}].wall", "9".repeat(100_000));
-    assert!(message(&long).contains("is not an index"));
+    message(&long).says("is not an index");
 }
 
 #[test]
@@ -384,14 +323,10 @@ fn changes_set_scale_and_add() {
     ];
     let changes = Change::parse_all(names, &description).expect("changes");
     let operations: Vec<Operation> = changes.iter().map(Change::operation).collect();
-    assert_eq!(
-        operations,
-        [Operation::Set, Operation::Scale, Operation::Add]
-    );
-    assert_eq!(
-        changes.iter().map(Change::unit).collect::<Vec<_>>(),
-        ["kg", "", "m"]
-    );
+    let expected = [Operation::Set, Operation::Scale, Operation::Add];
+    assert_eq!(operations, expected);
+    let found = changes.iter().map(Change::unit).collect::<Vec<_>>();
+    assert_eq!(found, ["kg", "", "m"]);
     for (change, value) in changes.iter().zip([3e5, 2.0, 10.0]) {
         change.apply(&mut description, value);
     }
@@ -429,10 +364,8 @@ fn a_change_that_overwrites_another_is_refused() {
         "materials[1].shear_modulus",
         "materials.S355.2.poissons_ratio",
     ];
-    assert_eq!(
-        check(moduli),
-        repeated("materials[1].poissons_ratio", moduli)
-    );
+    let expected = repeated("materials[1].poissons_ratio", moduli);
+    assert_eq!(check(moduli), expected);
     assert_eq!(check(["rna.mass", "scale(rna.mass)"]), Ok(()));
     assert_eq!(check(["scale(rna.mass)", "add(rna.mass)"]), Ok(()));
 }

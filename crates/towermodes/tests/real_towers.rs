@@ -9,17 +9,14 @@ use towermodes::{
     StiffnessFoundation, TowerDescription,
 };
 use towermodes::{Problem, SolveError, Tower, solve};
+use towermodes_testing::{changed, with};
 use towers::{
     all_frequencies, assert_close, assert_same, floater, monopile, reference_350t,
     reference_eccentric, reference_on_springs, rotated, solved,
 };
 
 fn options(method: Method, modes: usize) -> Options {
-    Options {
-        method,
-        modes,
-        ..Options::default()
-    }
+    with!(Options, method, modes)
 }
 
 /// One tower of each kind: clamped, on springs, on full matrices, in soil and water, afloat.
@@ -165,10 +162,7 @@ fn a_millimetre_off_the_axis_loses_no_member_of_a_pair() {
     // What couples is M d: frequencies change with its square, (1 mm)² M over the tower's polar
     // inertia of 1.6e6 kg m² in torsion.
     let beside = |center_m: [f64; 3]| TowerDescription {
-        rna: Rna {
-            center_m,
-            ..Rna::point(350e3)
-        },
+        rna: changed!(Rna::point(350e3), center_m),
         ..reference_350t()
     };
     for method in Method::ALL {
@@ -209,10 +203,7 @@ fn held() -> TowerDescription {
 #[test]
 fn all_methods_agree_on_a_tower_that_is_held_in_every_way() {
     let beam = |rotary_inertia| {
-        let options = Options {
-            rotary_inertia,
-            ..options(Method::Spectral, 6)
-        };
+        let options = changed!(options(Method::Spectral, 6), rotary_inertia);
         all_frequencies(&solved(&held(), &options))
     };
     let (rayleigh, euler) = (beam(true), beam(false));
@@ -276,12 +267,7 @@ fn stiffly_moored() -> TowerDescription {
     if let Foundation::Floating(platform) = &mut tower.foundation {
         platform.mass_kg = 4e5;
         platform.center_m = [0.0, 0.0, -14.0];
-        platform.inertia_kg_m2 = Inertia {
-            xx: 1.4e8,
-            yy: 1.4e8,
-            zz: 1.4e8,
-            ..Inertia::default()
-        };
+        platform.inertia_kg_m2 = with!(Inertia, xx = 1.4e8, yy = 1.4e8, zz = 1.4e8);
         platform.added_mass.matrix = SpatialMatrix::default();
         platform.hydrostatic.matrix = SpatialMatrix::default();
         platform.hydrostatic.matrix[2][2] = 1e6;
@@ -405,10 +391,8 @@ fn the_lowest_six_modes_of_a_spar_are_those_of_a_rigid_body() {
                 let lowest = solution.modes[..6].iter();
                 let count = lowest.filter(|mode| mode.family == family).count();
                 assert_eq!(count, 1, "{case}: {family:?}");
-                assert_eq!(
-                    solution.modes.iter().filter(|m| m.family == family).count(),
-                    1
-                );
+                let found = solution.modes.iter().filter(|m| m.family == family).count();
+                assert_eq!(found, 1);
             }
             assert!(
                 solution.modes[6..]
@@ -435,10 +419,8 @@ fn a_spar_is_named_by_what_moves() {
     let solution = solved(&floater(), &options(Method::Spectral, 8));
     let families: Vec<Family> = solution.modes.iter().map(|mode| mode.family).collect();
     assert!(families[..2].contains(&Family::Surge) && families[..2].contains(&Family::Sway));
-    assert_eq!(
-        families[2..6],
-        [Family::Heave, Family::Roll, Family::Pitch, Family::Yaw]
-    );
+    let expected = [Family::Heave, Family::Roll, Family::Pitch, Family::Yaw];
+    assert_eq!(families[2..6], expected);
 }
 
 #[test]
@@ -465,10 +447,7 @@ fn a_spar_that_turns_over_is_refused() {
 fn effective_masses_add_up_to_all_that_moves() {
     // The rest is in the modes above the sixtieth.
     for description in [reference_eccentric(), askew()] {
-        let sixty = Options {
-            segments: Some(200),
-            ..options(Method::RmjeExact, 60)
-        };
+        let sixty = changed!(options(Method::RmjeExact, 60), segments = Some(200));
         let solution = solved(&description, &sixty);
         let names = ["x", "y", "z", "about x", "about y", "about z"];
         for (i, name) in names.into_iter().enumerate() {

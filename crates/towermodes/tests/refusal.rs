@@ -5,6 +5,7 @@ use crate::towers;
 use towermodes::{
     Inertia, Place, PointMass, Problem, Rna, Shear, Station, Tower, TowerDescription, TowerError,
 };
+use towermodes_testing::{assert_matches, changed, with};
 use towers::{elliptic, reference};
 
 fn refused(change: impl FnOnce(&mut TowerDescription)) -> TowerError {
@@ -23,18 +24,12 @@ const NOT_POSITIVE: [f64; 5] = [0.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INF
 fn material_properties_must_be_positive_and_finite() {
     for bad in NOT_POSITIVE {
         let at = |key| Place::Material { index: 0, key };
-        assert_eq!(
-            place(|d| d.materials[0].density_kg_per_m3 = bad),
-            at("density")
-        );
-        assert_eq!(
-            place(|d| d.materials[0].youngs_modulus_pa = bad),
-            at("youngs_modulus")
-        );
-        assert_eq!(
-            place(|d| d.materials[0].shear_modulus_pa = bad),
-            at("shear_modulus")
-        );
+        let found = place(|d| d.materials[0].density_kg_per_m3 = bad);
+        assert_eq!(found, at("density"));
+        let found = place(|d| d.materials[0].youngs_modulus_pa = bad);
+        assert_eq!(found, at("youngs_modulus"));
+        let found = place(|d| d.materials[0].shear_modulus_pa = bad);
+        assert_eq!(found, at("shear_modulus"));
     }
 }
 
@@ -51,10 +46,8 @@ fn poissons_ratio_is_between_minus_one_and_a_half() {
 fn station_values_must_be_positive_and_finite() {
     for bad in NOT_POSITIVE {
         let at = |key| Place::Station { index: 1, key };
-        assert_eq!(
-            place(|d| d.stations[1].outer_diameter_m = bad),
-            at("diameter")
-        );
+        let found = place(|d| d.stations[1].outer_diameter_m = bad);
+        assert_eq!(found, at("diameter"));
         assert_eq!(place(|d| d.stations[1].wall_thickness_m = bad), at("wall"));
     }
     for bad in [f64::NAN, f64::INFINITY] {
@@ -89,15 +82,12 @@ fn heights_rise() {
             .iter()
             .map(|&z| Station::new(z, 5.0, 0.03))
             .collect();
-        let result = Tower::new(TowerDescription {
-            stations,
-            ..reference()
-        });
+        let result = Tower::new(changed!(reference(), stations));
         result.map_err(|error| error.problem)
     };
     assert_eq!(problem(&[]), Err(Problem::TooFewStations { count: 0 }));
     assert_eq!(problem(&[0.0]), Err(Problem::TooFewStations { count: 1 }));
-    assert_eq!(
+    assert_matches!(
         problem(&[3.0, 3.0]),
         Err(Problem::NoHeight { height_m: 3.0 })
     );
@@ -123,10 +113,8 @@ fn a_material_must_exist() {
 #[test]
 fn factors_are_checked() {
     for bad in NOT_POSITIVE {
-        assert_eq!(
-            place(|d| d.outfitting_factor = bad),
-            Place::OutfittingFactor
-        );
+        let found = place(|d| d.outfitting_factor = bad);
+        assert_eq!(found, Place::OutfittingFactor);
         assert_eq!(place(|d| d.shear = Shear::Coefficient(bad)), Place::Shear);
     }
     assert_eq!(place(|d| d.shear = Shear::Coefficient(1.1)), Place::Shear);
@@ -141,23 +129,14 @@ fn a_machine_is_heavy() {
         })
     };
     assert_eq!(rna(|r| r.mass_kg = -1.0).place, Place::Rna { key: "mass" });
-    assert_eq!(
-        rna(|r| r.mass_kg = f64::NAN).place,
-        Place::Rna { key: "mass" }
-    );
-    assert_eq!(
-        rna(|r| r.center_m[2] = f64::NAN).place,
-        Place::Rna { key: "center" }
-    );
-    assert_eq!(
-        rna(|r| r.inertia_kg_m2.yy = -1.0).place,
-        Place::Rna { key: "inertia" }
-    );
+    let found = rna(|r| r.mass_kg = f64::NAN).place;
+    assert_eq!(found, Place::Rna { key: "mass" });
+    let found = rna(|r| r.center_m[2] = f64::NAN).place;
+    assert_eq!(found, Place::Rna { key: "center" });
+    let found = rna(|r| r.inertia_kg_m2.yy = -1.0).place;
+    assert_eq!(found, Place::Rna { key: "inertia" });
     let massless = refused(|d| {
-        d.rna.inertia_kg_m2 = Inertia {
-            zz: 1.0,
-            ..Inertia::default()
-        };
+        d.rna.inertia_kg_m2 = with!(Inertia, zz = 1.0);
     });
     assert_eq!(massless.problem, Problem::InertiaWithoutMass);
 }
@@ -166,11 +145,7 @@ fn a_machine_is_heavy() {
 fn point_masses_are_on_the_tower() {
     let mass = |height_m: f64, mass_kg: f64| {
         Tower::new(TowerDescription {
-            point_masses: vec![PointMass {
-                height_m,
-                mass_kg,
-                ..PointMass::default()
-            }],
+            point_masses: vec![with!(PointMass, height_m, mass_kg)],
             ..reference()
         })
     };

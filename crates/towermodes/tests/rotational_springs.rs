@@ -6,6 +6,7 @@ use towermodes::{
     Family, Method, Options, Planes, Properties, PropertyStation, SoilRow, SoilStiffness,
     TowerDescription,
 };
+use towermodes_testing::with;
 use towers::{assert_close, assert_same, frequencies, solved};
 
 const LENGTH_M: f64 = 60.0;
@@ -30,10 +31,7 @@ fn uniform(rotation_y_n: f64, shear_n: Option<f64>) -> TowerDescription {
     };
     let soil = |height_m| SoilRow {
         height_m,
-        stiffness: SoilStiffness {
-            rotation_y_n,
-            ..SoilStiffness::default()
-        },
+        stiffness: with!(SoilStiffness, rotation_y_n),
     };
     TowerDescription {
         properties: vec![row(0.0), row(LENGTH_M)],
@@ -84,12 +82,7 @@ fn exact_hz(t: f64, count: usize) -> Vec<f64> {
 }
 
 fn fore_aft_hz(tower: &TowerDescription, method: Method, segments: Option<usize>) -> Vec<f64> {
-    let options = Options {
-        method,
-        segments,
-        modes: 8,
-        ..Options::default()
-    };
+    let options = with!(Options, method, segments, modes = 8);
     frequencies(&solved(tower, &options), Family::ForeAft)
 }
 
@@ -169,10 +162,6 @@ fn springs_about_x_hold_the_side_side_plane_alone() {
         assert_same(&got, &expected, 1e-13, one.name());
     }
     let bare = exact_hz(0.0, 1)[0];
-    assert_close(
-        frequencies(&about_x, Family::ForeAft)[0],
-        bare,
-        1e-3,
-        "bare",
-    );
+    let case = "bare";
+    assert_close(frequencies(&about_x, Family::ForeAft)[0], bare, 1e-3, case);
 }

@@ -4,17 +4,15 @@
 use crate::towers;
 
 use towermodes::{
-    AddedMassRow, Family, FloatingPlatform, Foundation, FoundationSprings, Method, Options, Planes,
-    Properties, PropertyStation, ReferredMatrix, Rna, SolveError, StiffnessFoundation, Tower,
-    TowerDescription, TowerError, Water, solve,
+    Family, FloatingPlatform, Foundation, FoundationSprings, Method, Options, Planes, Properties,
+    PropertyStation, ReferredMatrix, Rna, SolveError, StiffnessFoundation, Tower, TowerDescription,
+    TowerError, solve,
 };
+use towermodes_testing::{Says, changed, parts, with};
 use towers::{all_frequencies, assert_same, monopile, reference_eccentric, solved};
 
 fn of_method(method: Method) -> Options {
-    Options {
-        method,
-        ..Options::default()
-    }
+    with!(Options, method)
 }
 
 /// A tower of one prismatic section.
@@ -44,10 +42,7 @@ fn infinite_stiffness_is_the_limit_of_a_large_one() {
     let rigid = prismatic(f64::INFINITY, f64::INFINITY);
     let stiff = prismatic(4e11 * 1e9, 1e11 * 1e9);
     for method in Method::ALL {
-        let options = Options {
-            modes: 6,
-            ..of_method(method)
-        };
+        let options = changed!(of_method(method), modes = 6);
         let (rigid, stiff) = (solved(&rigid, &options), solved(&stiff, &options));
         let (rigid, stiff) = (all_frequencies(&rigid), all_frequencies(&stiff));
         assert_same(&rigid, &stiff, 1e-7, method.name());
@@ -110,20 +105,11 @@ fn a_table_of_added_mass_is_the_water_it_is_of() {
     for station in &mut wet.stations {
         station.outer_diameter_m = 6.0;
     }
-    wet.water = Some(Water {
-        level_m: 0.0,
-        bed_m: Some(-20.0),
-        density_kg_per_m3: 1025.0,
-        added_mass_coefficient: 1.0,
-        flooded: false,
-    });
+    wet.water = Some(parts::water(0.0, Some(-20.0), 1025.0, 1.0, false));
     let mut table = wet.clone();
     table.water = None;
     let mass_kg_per_m = 1025.0 * std::f64::consts::FRAC_PI_4 * 36.0;
-    let row = |height_m| AddedMassRow {
-        height_m,
-        mass_kg_per_m,
-    };
+    let row = |height_m| parts::added_mass_row(height_m, mass_kg_per_m);
     table.added_mass = vec![vec![row(-20.0), row(-7.0)], vec![row(-7.0), row(0.0)]];
     for method in [Method::RmjeExact, Method::Spectral, Method::Bmodes] {
         let options = of_method(method);
@@ -142,32 +128,25 @@ fn a_table_of_added_mass_is_the_water_it_is_of() {
 #[test]
 fn added_mass_that_cannot_be_is_refused() {
     let refused = |rows: &[(f64, f64)]| {
-        let rows = rows.iter().map(|&(height_m, mass_kg_per_m)| AddedMassRow {
-            height_m,
-            mass_kg_per_m,
-        });
-        let description = TowerDescription {
-            added_mass: vec![rows.collect()],
-            ..reference_eccentric()
-        };
+        let rows = rows
+            .iter()
+            .map(|&(height_m, mass_kg_per_m)| parts::added_mass_row(height_m, mass_kg_per_m));
+        let description = changed!(reference_eccentric(), added_mass = vec![rows.collect()]);
         let error: TowerError = Tower::new(description).expect_err("no tower");
         error.problem.to_string()
     };
-    assert!(refused(&[(0.0, 1.0)]).contains("at least two rows, but has 1"));
-    assert!(refused(&[(0.0, -1.0), (10.0, 1.0)]).contains("negative"));
-    assert!(refused(&[(10.0, 1.0), (0.0, 1.0)]).contains("below the previous row"));
-    assert!(refused(&[(0.0, 1.0), (500.0, 1.0)]).contains("extends from 0 m to 500 m"));
-    assert!(refused(&[(0.0, f64::NAN), (10.0, 1.0)]).contains("NaN"));
+    refused(&[(0.0, 1.0)]).says("at least two rows, but has 1");
+    refused(&[(0.0, -1.0), (10.0, 1.0)]).says("negative");
+    refused(&[(10.0, 1.0), (0.0, 1.0)]).says("below the previous row");
+    refused(&[(0.0, 1.0), (500.0, 1.0)]).says("extends from 0 m to 500 m");
+    refused(&[(0.0, f64::NAN), (10.0, 1.0)]).says("NaN");
 }
 
 /// The elements of BModes where it is told, and where it would put them itself.
 #[test]
 fn borders_that_are_the_usual_ones_change_nothing() {
     let tower = prismatic(3e11, 1e11);
-    let equal = Options {
-        segments: Some(12),
-        ..of_method(Method::Bmodes)
-    };
+    let equal = changed!(of_method(Method::Bmodes), segments = Some(12));
     let told = Options {
         borders_m: Some((0..=12).map(|k| 7.5 * f64::from(k)).collect()),
         ..of_method(Method::Bmodes)
@@ -181,10 +160,7 @@ fn borders_that_are_the_usual_ones_change_nothing() {
 fn borders_that_cannot_be_are_refused() {
     let tower = Tower::new(prismatic(3e11, 1e11)).expect("a tower");
     let refused = |method: Method, borders_m: &[f64]| {
-        let options = Options {
-            borders_m: Some(borders_m.to_vec()),
-            ..of_method(method)
-        };
+        let options = changed!(of_method(method), borders_m = Some(borders_m.to_vec()));
         solve(&tower, &options).expect_err("no mesh")
     };
     let elsewhere = refused(Method::RmjeExact, &[0.0, 90.0]);
@@ -222,14 +198,8 @@ fn a_stiffness_can_be_infinite_in_some_directions() {
     stiffness[4][0] = -1e10;
     stiffness[1][3] = 1e10;
     stiffness[3][1] = 1e10;
-    let on = |foundation| TowerDescription {
-        foundation,
-        ..reference_eccentric()
-    };
-    let matrix = StiffnessFoundation {
-        stiffness,
-        ..StiffnessFoundation::default()
-    };
+    let on = |foundation| changed!(reference_eccentric(), foundation);
+    let matrix = with!(StiffnessFoundation, stiffness);
     let options = Options::default();
     let matrix = solved(&on(Foundation::Stiffness(Box::new(matrix))), &options);
     let springs = solved(&on(Foundation::Springs(springs)), &options);
@@ -246,5 +216,5 @@ fn rows_that_disagree_about_infinity_are_refused() {
     let mut description = prismatic(f64::INFINITY, 1e11);
     description.properties[1].properties.torsion_n_m2 = 1e11;
     let error = Tower::new(description).expect_err("no tower");
-    assert!(error.problem.to_string().contains("gj_n_m2"), "{error}");
+    error.problem.says("gj_n_m2");
 }

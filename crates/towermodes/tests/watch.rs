@@ -5,9 +5,8 @@ use crate::towers;
 use std::backtrace::Backtrace;
 use std::sync::{Arc, Mutex};
 
-use towermodes::{
-    Method, Options, Progress, Solution, Solver, Stage, Tower, TowerDescription, solve,
-};
+use towermodes::{Method, Options, Progress, Solution, Solver, Stage, Tower, solve};
+use towermodes_testing::{changed, with};
 use towers::{reference, reference_350t};
 
 /// A solution, with what was told on the way.
@@ -26,10 +25,7 @@ fn watched(tower: &Tower, options: &Options) -> (Solution, Vec<Progress>) {
 fn what_is_watched_is_the_same() {
     let tower = Tower::new(reference_350t()).expect("a valid tower");
     for method in Method::ALL {
-        let options = Options {
-            method,
-            ..Options::default()
-        };
+        let options = with!(Options, method);
         let plain = solve(&tower, &options).expect("solved");
         assert_eq!(watched(&tower, &options).0, plain);
     }
@@ -59,11 +55,7 @@ fn stages_come_in_order() {
     let after = [Method::RmjeExact, Method::Bmodes]
         .map(|method| (method, vec![errors(1, 2, 50), errors(2, 2, 25)]));
     for (method, after) in after {
-        let options = Options {
-            method,
-            ..Options::default()
-        };
-        let (solution, told) = watched(&tower, &options);
+        let (solution, told) = watched(&tower, &with!(Options, method));
         assert_eq!(stages(&told), [&before[..], &after].concat());
         let last_of_modes = told.iter().rfind(|progress| progress.stage == modes);
         let products = last_of_modes.map(|progress| progress.products);
@@ -73,10 +65,7 @@ fn stages_come_in_order() {
 
 #[test]
 fn products_of_a_stage_are_counted_one_by_one() {
-    let heavy = TowerDescription {
-        gravity_m_per_s2: 9.81,
-        ..reference_350t()
-    };
+    let heavy = changed!(reference_350t(), gravity_m_per_s2 = 9.81);
     let tower = Tower::new(heavy).expect("a valid tower");
     let (_, told) = watched(&tower, &Options::default());
     for pair in told.windows(2) {
@@ -90,11 +79,7 @@ fn products_of_a_stage_are_counted_one_by_one() {
 #[test]
 fn the_spectral_beam_tells_its_degrees() {
     let tower = Tower::new(reference()).expect("a valid tower");
-    let options = Options {
-        method: Method::Spectral,
-        ..Options::default()
-    };
-    let (solution, told) = watched(&tower, &options);
+    let (solution, told) = watched(&tower, &with!(Options, method = Method::Spectral));
     let degree = |stage: Stage| match stage {
         Stage::Modes { degree, .. } => degree,
         _ => None,
@@ -109,12 +94,7 @@ fn the_share_that_is_done_rises_to_the_end() {
     let tower = Tower::new(reference_350t()).expect("a valid tower");
     for method in Method::ALL {
         for modes in [4, 8, 40] {
-            let options = Options {
-                method,
-                modes,
-                ..Options::default()
-            };
-            let (_, told) = watched(&tower, &options);
+            let (_, told) = watched(&tower, &with!(Options, method, modes));
             let shares: Vec<f64> = told.iter().map(|progress| progress.fraction).collect();
             let name = method.name();
             assert_eq!(shares[0], 0.0, "{name}");

@@ -7,6 +7,7 @@ use towermodes::{
     TowerDescription,
 };
 use towermodes_analysis::elastodyn::{PointMasses, Rows, TowerModel, TowerRows, tower_rows};
+use towermodes_testing::with;
 
 pub const HEIGHT_M: f64 = 100.0;
 pub const MASS_KG_PER_M: f64 = 5e3;
@@ -19,10 +20,7 @@ pub fn tower(description: TowerDescription) -> Tower {
 /// A beam of Euler and Bernoulli with the same section everywhere.
 pub fn uniform() -> TowerDescription {
     let row = |height_m| bending_only(height_m, MASS_KG_PER_M, Planes::both(BENDING_N_M2));
-    TowerDescription {
-        properties: vec![row(0.0), row(HEIGHT_M)],
-        ..TowerDescription::default()
-    }
+    with!(TowerDescription, properties = vec![row(0.0), row(HEIGHT_M)])
 }
 
 /// A row of a tower that only bends.
@@ -100,8 +98,6 @@ pub fn uniform_model() -> TowerModel {
 #[track_caller]
 pub fn near(value: f64, expected: f64, share: f64) {
     let off = (value - expected).abs();
-    assert!(
-        off <= share * expected.abs(),
-        "{value} instead of {expected}"
-    );
+    let holds = off <= share * expected.abs();
+    assert!(holds, "{value} instead of {expected}");
 }

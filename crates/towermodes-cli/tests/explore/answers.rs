@@ -1,12 +1,12 @@
 //! The answers of the explorer are those of the other commands, digit by digit.
 
-use std::process::{Command, Output};
+use crate::program::run;
 
 use serde_json::{Value, json};
+use towermodes_testing::Says;
 
 use super::server::Explorer;
 use crate::pages::root;
-use crate::sandbox::PROGRAM;
 
 /// A tower of every format, and every kind of tower.
 const TOWERS: [&str; 10] = [
@@ -21,12 +21,6 @@ const TOWERS: [&str; 10] = [
     "examples/reference-tower.toml",
     "examples/small-turbine/ElastoDyn.dat",
 ];
-
-fn run(arguments: &[&str]) -> Output {
-    let mut command = Command::new(PROGRAM);
-    command.current_dir(root()).args(arguments);
-    command.output().expect("the program runs")
-}
 
 /// The result of a command in JSON.
 #[track_caller]
@@ -77,11 +71,8 @@ fn frequencies_are_those_of_solve() {
             let parts = ["discretization_error_hz", "algebraic_error_hz"];
             let part_hz = parts.map(|part| solved["modes"][0][part].as_f64());
             let error_hz: f64 = part_hz.iter().flatten().sum();
-            assert_eq!(
-                answer["modes"][0]["error_hz"].as_f64(),
-                Some(error_hz),
-                "{tower}"
-            );
+            let found = answer["modes"][0]["error_hz"].as_f64();
+            assert_eq!(found, Some(error_hz), "{tower}");
         }
     }
 }
@@ -109,7 +100,7 @@ fn texts_are_those_of_the_terminal() {
         .iter()
         .find(|fact| fact["key"] == "buckling_load_factor");
     let buckling = text(&buckling.expect("with gravity")["text"]);
-    assert!(table.contains(&format!("buckling load factor {buckling}")));
+    table.says(&format!("buckling load factor {buckling}"));
 }
 
 #[test]
@@ -132,12 +123,10 @@ fn verdicts_are_those_of_campbell() {
         let shown = rank(mode["verdict"]["word"].as_str().expect("a word"));
         assert_eq!(shown, worst, "mode {number}");
     }
-    assert!(
-        answer["diagram"]
-            .as_str()
-            .expect("a picture")
-            .starts_with("<svg")
-    );
+    answer["diagram"]
+        .as_str()
+        .expect("a picture")
+        .begins("<svg");
 }
 
 /// What no tower can have is answered with the numbers concerned; the other answers go on.
@@ -155,28 +144,20 @@ fn refusals_name_their_numbers() {
         )
     };
     let (message, parameters, _) = refused(json!({ "stations[1].wall": -0.01 }));
-    assert!(
-        message.contains("wall thickness is -0.01 m; it must be positive"),
-        "{message}"
-    );
+    message.says("wall thickness is -0.01 m; it must be positive");
     assert_eq!(parameters, json!(["stations[1].wall"]));
     let (message, parameters, _) = refused(json!({ "material.youngs_modulus": 0.0 }));
-    assert!(message.contains("Young's modulus"), "{message}");
+    message.says("Young's modulus");
     assert_eq!(parameters, json!(["material.youngs_modulus"]));
     let (message, _, hint) = refused(json!({ "rna.mass": 1e8 }));
-    assert!(message.contains("buckle"), "{message}");
-    assert!(
-        hint.as_str().expect("a hint").contains("reduce the mass"),
-        "{hint}"
-    );
+    message.says("buckle");
+    hint.as_str().expect("a hint").says("reduce the mass");
     let (message, ..) = refused(json!({ "rna.mas": 1.0 }));
-    assert!(message.contains("did you mean `rna.mass`?"), "{message}");
+    message.says("did you mean `rna.mass`?");
     // The lowest speed above the highest.
     let (message, parameters, _) = refused(json!({ "rotor.rpm[0]": 20.0 }));
-    assert!(
-        !parameters.as_array().expect("names").is_empty(),
-        "{message}"
-    );
+    let holds = !parameters.as_array().expect("names").is_empty();
+    assert!(holds, "{message}");
     explorer.is_well();
 }
 
@@ -203,10 +184,9 @@ fn sliders_are_the_numbers_of_the_tower() {
             let [Some(low), Some(value), Some(high)] = ends else {
                 continue;
             };
-            assert!(
-                low <= value && value <= high && low < high,
-                "{tower}: {one}"
-            );
+            assert!(low <= value, "{tower}: {one}");
+            assert!(value <= high, "{tower}: {one}");
+            assert!(low < high, "{tower}: {one}");
         }
     }
 }
@@ -225,10 +205,8 @@ fn elasticities_are_those_of_sensitivities() {
         let theirs = number["modes"][0]["percent_per_percent"].as_f64();
         if let (Some(own), Some(theirs)) = (own, theirs) {
             let scale = theirs.abs().max(1e-3);
-            assert!(
-                (own - theirs).abs() < 1e-6 * scale,
-                "{name}: {own} {theirs}"
-            );
+            let holds = (own - theirs).abs() < 1e-6 * scale;
+            assert!(holds, "{name}: {own} {theirs}");
             compared += 1;
         }
     }
@@ -309,11 +287,7 @@ fn pictures_taken_away_are_pictures() {
     let question = json!({ "numbers": {}, "what": "resonance-picture" }).to_string();
     let taken = without.ask("POST", "take", question.as_bytes());
     assert_eq!(taken.status, 409);
-    assert!(
-        taken.text().contains("the rotor speed is unknown"),
-        "{}",
-        taken.text()
-    );
+    taken.text().says("the rotor speed is unknown");
 }
 
 /// The command that the page shows gives the digits of the page; a factor of a whole column is one

@@ -9,6 +9,7 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
+use towermodes_testing::Says;
 
 use super::server::Explorer;
 use crate::page::browser::{OpenPage, View, WIDE};
@@ -146,11 +147,13 @@ fn same_digits(own: &[f64], theirs: &[f64]) {
     assert_eq!(own[..count], theirs[..count]);
 }
 
+fn monopile() -> Option<Explored> {
+    Explored::open(&[MONOPILE], WIDE)
+}
+
 #[test]
 fn sliding_and_typing_give_the_digits_of_solve() {
-    let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
-        return;
-    };
+    let Some(of) = monopile() else { return };
     same_digits(&of.frequencies_hz(), &of.solved_hz(MONOPILE));
     let before = of.page.value(FREQUENCIES);
     of.slide("rna.mass", &[340e3, 330e3, 320e3]);
@@ -248,10 +251,8 @@ fn a_station_is_dragged_in_the_view() {
     let state = of.page.value("window.towermodes.state.numbers");
     let names: Vec<&String> = state.as_object().expect("numbers").keys().collect();
     assert_eq!(names.len(), 1, "{state}");
-    assert!(
-        names[0].starts_with("stations[") && names[0].ends_with("].diameter"),
-        "{state}"
-    );
+    assert!(names[0].starts_with("stations["), "{state}");
+    assert!(names[0].ends_with("].diameter"), "{state}");
     assert_ne!(of.frequencies_hz(), before);
     same_digits(
         &of.frequencies_hz(),
@@ -265,9 +266,7 @@ fn a_station_is_dragged_in_the_view() {
 
 #[test]
 fn undo_redo_and_reset_go_through_the_states() {
-    let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
-        return;
-    };
+    let Some(of) = monopile() else { return };
     let first = of.frequencies_hz();
     // A whole slide is one step.
     of.slide("rna.mass", &[345e3, 340e3, 335e3]);
@@ -282,10 +281,8 @@ fn undo_redo_and_reset_go_through_the_states() {
     at(&second);
     of.page.click("#undo");
     at(&first);
-    assert_eq!(
-        of.page.value("document.querySelector('#undo').disabled"),
-        true
-    );
+    let found = of.page.value("document.querySelector('#undo').disabled");
+    assert_eq!(found, true);
     of.page.click("#redo");
     at(&second);
     of.page.click("#redo");
@@ -299,9 +296,7 @@ fn undo_redo_and_reset_go_through_the_states() {
 
 #[test]
 fn a_refused_tower_is_named_at_its_field() {
-    let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
-        return;
-    };
+    let Some(of) = monopile() else { return };
     let before = of.page.value(FREQUENCIES);
     of.enter("stations[1].wall", "-0.06");
     assert_eq!(of.field("stations[1].wall", "aria-invalid"), "true");
@@ -309,7 +304,7 @@ fn a_refused_tower_is_named_at_its_field() {
         "{}.querySelector('.message').textContent",
         of.row("stations[1].wall")
     ));
-    assert!(message.contains("wall thickness is -0.06 m"), "{message}");
+    message.says("wall thickness is -0.06 m");
     // The last good tower stays, and the page says that it is not the present one.
     assert_eq!(of.page.value(FREQUENCIES), before);
     assert_eq!(of.page.value("window.towermodes.isCurrent"), false);
@@ -324,7 +319,7 @@ fn a_refused_tower_is_named_at_its_field() {
         "{}.querySelector('.message').textContent",
         of.row("stations[1].wall")
     ));
-    assert!(message.contains("0.06"), "{message}");
+    message.says("0.06");
     // A tower that cannot be solved is the fault of no one field.
     of.enter("stations[1].wall", "0.06");
     of.enter("rna.mass", "1e8");
@@ -335,9 +330,7 @@ fn a_refused_tower_is_named_at_its_field() {
 
 #[test]
 fn two_variants_are_compared() {
-    let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
-        return;
-    };
+    let Some(of) = monopile() else { return };
     let first = of.frequencies_hz();
     of.page.click("#keep");
     of.slide("rna.mass", &[300e3]);
@@ -356,19 +349,15 @@ fn two_variants_are_compared() {
         text.trim_matches(is_around).parse().expect("a number")
     };
     assert!((number("A Hz") - first[0]).abs() < 1e-6, "{row}");
-    assert!(
-        (number("Diff. Hz") - (second[0] - first[0])).abs() < 1e-6,
-        "{row}"
-    );
+    let holds = (number("Diff. Hz") - (second[0] - first[0])).abs() < 1e-6;
+    assert!(holds, "{row}");
     let percent = 100.0 * (second[0] / first[0] - 1.0);
-    assert!(
-        (number("Diff. %") - percent).abs() < 0.0051,
-        "{row} {percent}"
-    );
+    let holds = (number("Diff. %") - percent).abs() < 0.0051;
+    assert!(holds, "{row} {percent}");
     let listed = of
         .page
         .text("document.querySelector('#compare').textContent");
-    assert!(listed.contains("rna.mass"), "{listed}");
+    listed.says("rna.mass");
     // Swapping shows the first tower again.
     of.page.value("([...document.querySelectorAll('#compare button')].find(one => one.textContent === 'Swap').click(), 0)");
     of.is_shown();
@@ -381,9 +370,7 @@ fn two_variants_are_compared() {
 /// colour.
 #[test]
 fn modes_that_exchange_order_keep_name_and_colour() {
-    let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
-        return;
-    };
+    let Some(of) = monopile() else { return };
     let place = |name: &str| {
         let names = of.page.value(NAMES);
         let names = names.as_array().expect("rows").clone();
@@ -399,10 +386,8 @@ fn modes_that_exchange_order_keep_name_and_colour() {
         .expect("a number");
     // Beyond the range of the slider: the field.
     for step in 1..=30 {
-        of.enter(
-            "rna.inertia.zz",
-            &format!("{:e}", zz * (1.0 + 0.15 * f64::from(step))),
-        );
+        let text = format!("{:e}", zz * (1.0 + 0.15 * f64::from(step)));
+        of.enter("rna.inertia.zz", &text);
     }
     let (after, colour) = place("1st torsion");
     assert_eq!(colour, torsion_colour);
@@ -414,9 +399,7 @@ fn modes_that_exchange_order_keep_name_and_colour() {
 
 #[test]
 fn the_file_that_is_taken_away_has_the_digits_of_the_page() {
-    let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
-        return;
-    };
+    let Some(of) = monopile() else { return };
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("explore-downloads");
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).expect("a folder");
@@ -429,10 +412,8 @@ fn the_file_that_is_taken_away_has_the_digits_of_the_page() {
     let file = folder.join("monopile.toml");
     let begun = Instant::now();
     while !std::fs::metadata(&file).is_ok_and(|of| of.len() > 0) {
-        assert!(
-            begun.elapsed() < Duration::from_secs(20),
-            "nothing is saved"
-        );
+        let holds = begun.elapsed() < Duration::from_secs(20);
+        assert!(holds, "nothing is saved");
         std::thread::sleep(Duration::from_millis(50));
     }
     std::thread::sleep(Duration::from_millis(100));
@@ -441,18 +422,14 @@ fn the_file_that_is_taken_away_has_the_digits_of_the_page() {
     let taken = solved(command.args(["solve", &path, "--format", "json"]));
     same_digits(&of.frequencies_hz(), &taken);
     let text = std::fs::read_to_string(&file).expect("the file");
-    assert!(
-        text.contains("# Pile and tower are one tube"),
-        "comments are lost"
-    );
+    let holds = text.contains("# Pile and tower are one tube");
+    assert!(holds, "comments are lost");
     of.page.was_quiet();
 }
 
 #[test]
 fn nothing_is_lost_by_a_reload() {
-    let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
-        return;
-    };
+    let Some(of) = monopile() else { return };
     of.slide("rna.mass", &[300e3]);
     of.page.click("#keep");
     of.enter("stations[1].wall", "0.0555");
@@ -489,22 +466,15 @@ fn numbers_in_the_address_that_cannot_be_are_named() {
     };
     page.wait_for("window.towermodes?.answer != null");
     let said = page.text("document.querySelector('#notices').textContent");
-    assert!(
-        said.contains("rna.mas") && said.contains("stations[1].wall"),
-        "{said}"
-    );
-    assert_eq!(
-        page.value("window.towermodes.state.numbers"),
-        json!({ "rna.mass": 300000 })
-    );
+    said.says_all("rna.mas & stations[1].wall");
+    let found = page.value("window.towermodes.state.numbers");
+    assert_eq!(found, json!({ "rna.mass": 300000 }));
     page.was_quiet();
 }
 
 #[test]
 fn a_program_that_has_ended_is_named() {
-    let Some(mut of) = Explored::open(&[MONOPILE], WIDE) else {
-        return;
-    };
+    let Some(mut of) = monopile() else { return };
     of.explorer.process.kill().expect("it ends");
     of.explorer.process.wait().expect("it has ended");
     of.slide("rna.mass", &[]);
@@ -534,10 +504,8 @@ fn it_fits_every_window() {
         };
         of.row("rna.mass");
         let widest = of.page.value("document.documentElement.scrollWidth");
-        assert!(
-            widest.as_u64() <= Some(u64::from(width)),
-            "{width}: {widest}"
-        );
+        let holds = widest.as_u64() <= Some(u64::from(width));
+        assert!(holds, "{width}: {widest}");
         let unnamed = of.page.value(
             "[...document.querySelectorAll('button, input, select, summary, [tabindex=\"0\"]')].filter(one => one.offsetParent !== null)\
              .filter(one => !(one.getAttribute('aria-label') || one.getAttribute('aria-labelledby') || one.labels?.length || one.textContent.trim()))\

@@ -54,10 +54,8 @@ impl Explorer {
         BufReader::new(output)
             .read_line(&mut address)
             .expect("an address");
-        assert!(
-            address.starts_with("http://127.0.0.1:"),
-            "{arguments:?}: {address:?}"
-        );
+        let holds = address.starts_with("http://127.0.0.1:");
+        assert!(holds, "{arguments:?}: {address:?}");
         Self {
             process,
             address: address.trim().to_owned(),

@@ -6,6 +6,7 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 use serde_json::json;
+use towermodes_testing::{Says, assert_matches};
 
 use super::server::{Explorer, request};
 
@@ -28,10 +29,8 @@ fn it_listens_on_loopback_only() {
     let own: Vec<&str> = own.filter(|local| local.ends_with(&port)).collect();
     assert!(!own.is_empty());
     // 127.0.0.1 in the byte order of the machine.
-    assert!(
-        own.iter().all(|local| local.starts_with("0100007F")),
-        "{own:?}"
-    );
+    let holds = own.iter().all(|local| local.starts_with("0100007F"));
+    assert!(holds, "{own:?}");
     let six = std::fs::read_to_string("/proc/net/tcp6").unwrap_or_default();
     let mut six = six
         .lines()
@@ -51,7 +50,7 @@ fn every_answer_has_the_strict_policy() {
     ];
     for reply in replies {
         let policy = reply.header("content-security-policy");
-        assert!(policy.starts_with("default-src 'none'; script-src 'self'; style-src 'self'"));
+        policy.begins("default-src 'none'; script-src 'self'; style-src 'self'");
         assert!(!policy.contains("unsafe"));
         assert_eq!(reply.header("x-content-type-options"), "nosniff");
         assert_eq!(reply.header("cross-origin-resource-policy"), "same-origin");
@@ -113,11 +112,7 @@ fn no_other_file_can_be_had() {
     for path in paths {
         let reply = explorer.ask("GET", path, b"");
         // A request line that is none is refused before it is understood.
-        assert!(
-            matches!(reply.status, 400 | 404),
-            "{path}: {}",
-            reply.status
-        );
+        assert_matches!(reply.status, 400 | 404);
         assert!(!reply.text().contains("root:"), "{path}");
     }
     let absolute = format!("http://{}/etc/passwd", explorer.host());
@@ -208,10 +203,8 @@ fn broken_requests_are_survived() {
         let _ = stream.shutdown(std::net::Shutdown::Write);
         let mut answer = Vec::new();
         let _ = stream.read_to_end(&mut answer);
-        assert!(
-            !String::from_utf8_lossy(&answer).starts_with("HTTP/1.1 200"),
-            "{text:.60}"
-        );
+        let holds = !String::from_utf8_lossy(&answer).starts_with("HTTP/1.1 200");
+        assert!(holds, "{text:.60}");
     }
     // A body that is announced and never comes.
     let mut stream = explorer.connected();
@@ -234,21 +227,15 @@ fn a_thousand_connections_are_survived() {
     assert!(flood.len() > 900, "{}", flood.len());
     let started = Instant::now();
     let question = json!({ "numbers": {} }).to_string();
-    let request = request(
-        "POST",
-        &format!("{root}solve"),
-        &[("Host", &host)],
-        question.as_bytes(),
-    );
+    let path = format!("{root}solve");
+    let request = request("POST", &path, &[("Host", &host)], question.as_bytes());
     loop {
         let answer = explorer.sent(&request);
         if answer.starts_with(b"HTTP/1.1 200") {
             break;
         }
-        assert!(
-            started.elapsed() < Duration::from_secs(30),
-            "no connection is served any more"
-        );
+        let holds = started.elapsed() < Duration::from_secs(30);
+        assert!(holds, "no connection is served any more");
         std::thread::sleep(Duration::from_millis(100));
     }
     drop(flood);
@@ -295,10 +282,8 @@ fn ctrl_c_leaves_nothing_behind() {
     use std::os::unix::process::ExitStatusExt;
     // As a shell expects of a program that Ctrl-C ends.
     assert_eq!(ended.signal(), Some(2));
-    assert!(
-        TcpStream::connect(("127.0.0.1", port)).is_err(),
-        "it still listens"
-    );
+    let holds = TcpStream::connect(("127.0.0.1", port)).is_err();
+    assert!(holds, "it still listens");
 }
 
 #[test]
@@ -314,9 +299,6 @@ fn a_port_that_is_taken_is_named() {
     let second = second.expect("the program runs");
     assert_eq!(second.status.code(), Some(1));
     let said = String::from_utf8_lossy(&second.stderr);
-    assert!(
-        said.contains(&format!("port {port} cannot be used")),
-        "{said}"
-    );
-    assert!(said.contains("without --port"), "{said}");
+    said.says(&format!("port {port} cannot be used"));
+    said.says("without --port");
 }

@@ -70,10 +70,8 @@ impl OpenPage {
         self.resize(view.width, WINDOW_HEIGHT);
         let scheme = if view.is_dark { "dark" } else { "light" };
         let features = json!([{ "name": "prefers-color-scheme", "value": scheme }]);
-        self.call(
-            "Emulation.setEmulatedMedia",
-            &json!({ "features": features }),
-        );
+        let method = "Emulation.setEmulatedMedia";
+        self.call(method, &json!({ "features": features }));
     }
 
     fn resize(&self, width: u32, height: u32) {
@@ -221,10 +219,8 @@ impl OpenPage {
         let is_file = own.starts_with("file:");
         let is_own = |url: &&str| !is_file && url.starts_with(own);
         let mut others = requests.iter().skip(1);
-        assert!(
-            others.all(|url| is_local(url) || is_own(url)),
-            "{requests:?}"
-        );
+        let holds = others.all(|url| is_local(url) || is_own(url));
+        assert!(holds, "{requests:?}");
     }
 }
 

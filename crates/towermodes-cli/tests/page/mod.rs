@@ -10,6 +10,7 @@ mod space;
 
 use serde_json::Value;
 use sha2::Digest;
+use towermodes_testing::{Close, Says, changed};
 
 use browser::{OpenPage, View, WIDE};
 use report::{EXAMPLES, report_of};
@@ -29,36 +30,28 @@ fn page(view: View) -> Option<OpenPage> {
     OpenPage::open(|| report_of("nrel-5mw.toml"), view)
 }
 
+const NO_PHASE: &str = "document.querySelector('#animation-phase').disabled";
+
+fn pressed(page: &OpenPage) -> String {
+    page.text("document.querySelector('#animation-play').getAttribute('aria-pressed')")
+}
+
 #[test]
 fn play_moves_the_shape_and_pause_stops_it() {
     let Some(page) = page(WIDE) else { return };
     let before = page.text(OUTLINES);
     std::thread::sleep(std::time::Duration::from_millis(200));
-    assert_eq!(
-        page.text(OUTLINES),
-        before,
-        "it moves before anybody wants it"
-    );
+    let found = page.text(OUTLINES);
+    assert_eq!(found, before, "it moves before anybody wants it");
     page.click("#animation-play");
-    assert_eq!(
-        page.text("document.querySelector('#animation-play').getAttribute('aria-pressed')"),
-        "true"
-    );
+    assert_eq!(pressed(&page), "true");
     page.wait_for(&format!("{OUTLINES} !== {}", Value::from(before)));
     // What is pressed keeps its name: the state says the rest (WAI-ARIA, pattern "button").
-    assert_eq!(
-        page.text("document.querySelector('#animation-play').textContent"),
-        "Play"
-    );
-    assert_eq!(
-        page.value("document.querySelector('#animation-phase').disabled"),
-        Value::Bool(true)
-    );
+    page.text("document.querySelector('#animation-play').textContent")
+        .reads("Play");
+    assert_eq!(page.value(NO_PHASE), Value::Bool(true));
     page.click("#animation-play");
-    assert_eq!(
-        page.text("document.querySelector('#animation-play').getAttribute('aria-pressed')"),
-        "false"
-    );
+    assert_eq!(pressed(&page), "false");
     let stopped = page.text(OUTLINES);
     std::thread::sleep(std::time::Duration::from_millis(200));
     assert_eq!(page.text(OUTLINES), stopped, "it does not stop");
@@ -87,11 +80,7 @@ fn keys_play_and_choose_modes() {
         page.value(&format!(
             "document.activeElement.dispatchEvent(new KeyboardEvent('keydown', Object.assign({{ bubbles: true, cancelable: true }}, {ignored})))"
         ));
-        assert_eq!(
-            page.text("document.querySelector('#animation-play').getAttribute('aria-pressed')"),
-            "false",
-            "{ignored}"
-        );
+        assert_eq!(pressed(&page), "false");
     }
     // The space bar has its own meaning on a box: it takes the third mode in and out, and nothing
     // plays.
@@ -100,10 +89,7 @@ fn keys_play_and_choose_modes() {
         page.press(" ");
         page.wait_for(&format!("{MODES} === {shown}"));
     }
-    assert_eq!(
-        page.text("document.querySelector('#animation-play').getAttribute('aria-pressed')"),
-        "false"
-    );
+    assert_eq!(pressed(&page), "false");
     page.was_quiet();
 }
 
@@ -139,7 +125,7 @@ fn several_modes_move_side_by_side() {
     let open = "[...document.querySelectorAll('input[name=animation-mode]')].filter((box) => !box.checked && !box.disabled).length";
     assert_eq!(page.value(open), Value::from(0));
     let caption = "document.querySelector('#animation-caption').textContent";
-    assert!(page.text(caption).contains("No more than 6"));
+    page.text(caption).says("No more than 6");
     choose(&page, &["space"], &[]);
     assert_eq!(page.text(caption), "Choose a mode and a view.");
     assert_ne!(page.value(open), Value::from(0));
@@ -291,10 +277,7 @@ fn the_theme_follows_the_reader_and_the_button() {
     let Some(page) = page(WIDE) else { return };
     let ground = || page.text("getComputedStyle(document.body).backgroundColor");
     let light = ground();
-    page.look(View {
-        is_dark: true,
-        ..WIDE
-    });
+    page.look(changed!(WIDE, is_dark = true));
     let dark = ground();
     assert_ne!(light, dark);
     for expected in [&dark, &light] {
@@ -313,13 +296,7 @@ fn the_theme_follows_the_reader_and_the_button() {
 fn everything_can_be_read_in_both_themes_and_on_narrow_windows() {
     for (name, view) in [
         ("light", WIDE),
-        (
-            "dark",
-            View {
-                is_dark: true,
-                ..WIDE
-            },
-        ),
+        ("dark", changed!(WIDE, is_dark = true)),
         (
             "narrow",
             View {
@@ -331,18 +308,12 @@ fn everything_can_be_read_in_both_themes_and_on_narrow_windows() {
         let Some(page) = page(view) else { return };
         page.keep_picture(name);
         let unreadable = page.value(READABLE);
-        assert_eq!(
-            unreadable,
-            Value::Array(vec![]),
-            "{name}: contrast below 4.5"
-        );
+        let expected = Value::Array(vec![]);
+        assert_eq!(unreadable, expected, "{name}: contrast below 4.5");
         let beyond = page
             .value("document.documentElement.scrollWidth - document.documentElement.clientWidth");
-        assert_eq!(
-            beyond,
-            Value::from(0),
-            "{name}: the page is wider than its window"
-        );
+        let wanted = Value::from(0);
+        assert_eq!(beyond, wanted, "{name}: the page is wider than its window");
         page.was_quiet();
     }
 }
@@ -357,10 +328,8 @@ fn narrow_windows_scroll_pictures_and_say_so() {
     }) else {
         return;
     };
-    assert!(
-        page.text(hint)
-            .contains("Scroll sideways for the whole picture")
-    );
+    page.text(hint)
+        .says("Scroll sideways for the whole picture");
     let widths = "[...document.querySelectorAll('.picture svg')].filter(svg => svg.getBoundingClientRect().width < 640).length";
     assert_eq!(page.value(widths), Value::from(0));
     let shadows = "[...document.querySelectorAll('.scroll:not(.picture)')].filter(box => box.scrollWidth > box.clientWidth && !getComputedStyle(box).backgroundImage.includes('gradient')).length";
@@ -384,10 +353,8 @@ fn a_theme_in_the_page_stays() {
         return;
     };
     assert_eq!(page.text("document.documentElement.dataset.theme"), "dark");
-    assert_eq!(
-        page.text("document.querySelector('#theme').textContent"),
-        "Colours: dark"
-    );
+    page.text("document.querySelector('#theme').textContent")
+        .reads("Colours: dark");
 }
 
 #[test]
@@ -399,10 +366,8 @@ fn every_example_is_quiet_and_its_labels_are_inside_their_pictures() {
         assert_eq!(page.value(LABELS), Value::Array(vec![]), "{example}");
         assert_ne!(page.text(DEFORMED), page.text(AT_REST), "{example}");
         let numbers = page.text(OUTLINES);
-        assert!(
-            !numbers.contains("NaN") && !numbers.contains("null"),
-            "{example}"
-        );
+        assert!(!numbers.contains("NaN"), "{example}");
+        assert!(!numbers.contains("null"), "{example}");
         page.click("#animation-play");
         page.wait_for(
             "document.querySelector('#animation-play').getAttribute('aria-pressed') === 'true'",
@@ -415,10 +380,8 @@ fn every_example_is_quiet_and_its_labels_are_inside_their_pictures() {
 fn every_picture_has_words_and_numbers() {
     let Some(page) = page(WIDE) else { return };
     let pictures = page.value("document.querySelectorAll('figure svg[role=img]').length");
-    assert!(
-        pictures.as_u64().is_some_and(|count| count >= 3),
-        "{pictures}"
-    );
+    let holds = pictures.as_u64().is_some_and(|count| count >= 3);
+    assert!(holds, "{pictures}");
     let speechless = page.value(
         "[...document.querySelectorAll('svg[role=img]')].filter(svg => !svg.querySelector('title')?.textContent || !svg.querySelector('desc')?.textContent).length",
     );
@@ -446,12 +409,8 @@ fn every_control_is_reached_by_the_keyboard_and_shows_it() {
         let here = page.value(
             "(() => { const e = document.activeElement; const s = getComputedStyle(e); return [e.id || e.name || e.tagName, s.outlineStyle !== 'none' || s.boxShadow !== 'none']; })()",
         );
-        assert_eq!(
-            here[1],
-            Value::Bool(true),
-            "no focus to be seen on {}",
-            here[0]
-        );
+        let expected = Value::Bool(true);
+        assert_eq!(here[1], expected, "no focus to be seen on {}", here[0]);
         reached.push(here[0].as_str().unwrap_or_default().to_owned());
         if reached
             .last()
@@ -471,10 +430,8 @@ fn every_control_is_reached_by_the_keyboard_and_shows_it() {
         "animation-phase",
         "animation-azimuth",
     ] {
-        assert!(
-            reached.iter().any(|name| name == control),
-            "{control} is not among {reached:?}"
-        );
+        let holds = reached.iter().any(|name| name == control);
+        assert!(holds, "{control} is not among {reached:?}");
     }
 }
 
@@ -498,10 +455,8 @@ fn the_amplitude_is_seen_from_above() {
     };
     // The base stands still, so the sections reach from there to the top.
     let (ten, twenty) = (wide(10), wide(20));
-    assert!(
-        ten > 5.0 && (twenty - 2.0 * ten).abs() < 0.2 * ten,
-        "{ten} {twenty}"
-    );
+    assert!(ten > 5.0, "{ten} {twenty}");
+    twenty.within(2.0 * ten, 0.2 * ten);
 }
 
 /// Firefox keeps what was disabled as a page is loaded anew, and its scripts run again.
@@ -512,10 +467,7 @@ fn the_phase_can_be_set_from_the_start() {
     page.value(
         "(() => { const again = document.createElement('script'); again.textContent = [...document.scripts].at(-1).textContent; document.body.append(again); return 0; })()",
     );
-    assert_eq!(
-        page.value("document.querySelector('#animation-phase').disabled"),
-        Value::Bool(false)
-    );
+    assert_eq!(page.value(NO_PHASE), Value::Bool(false));
 }
 
 /// The width of A4 between its margins, in pixels of 1/96 inch.
@@ -533,7 +485,7 @@ fn tables_of_coupled_modes_fit_the_window_and_the_paper() {
         return;
     };
     let names = "document.querySelector('#frequencies table').textContent";
-    assert!(page.text(names).contains("% fore-aft)"));
+    page.text(names).says("% fore-aft)");
     let beyond = "[...document.querySelectorAll('#frequencies .scroll')].filter((box) => box.scrollWidth > box.clientWidth).length";
     assert_eq!(page.value(beyond), Value::from(0));
     page.look(PAPER);
@@ -542,17 +494,10 @@ fn tables_of_coupled_modes_fit_the_window_and_the_paper() {
     assert_eq!(page.value(edge), Value::Array(vec![]));
     // Where tables scroll, the shade at their edge is near the paper in both themes.
     let shade = "(() => { const box = document.querySelector('.scroll:not(.picture)'); return getComputedStyle(box).backgroundImage; })()";
-    page.look(View {
-        is_dark: true,
-        ..WIDE
-    });
+    page.look(changed!(WIDE, is_dark = true));
     let grid = "getComputedStyle(document.documentElement).getPropertyValue('--tm-grid').trim()";
     assert_eq!(page.text(grid), "#3a4048");
-    assert!(
-        page.text(shade).contains("rgb(58, 64, 72)"),
-        "{}",
-        page.text(shade)
-    );
+    page.text(shade).says("rgb(58, 64, 72)");
 }
 
 /// Cells of tables that paper would lack: of a table that is there twice one is enough.
@@ -608,10 +553,7 @@ fn all_tables_are_on_paper() {
 
 #[test]
 fn it_prints_on_a4() {
-    let Some(page) = page(View {
-        is_dark: true,
-        ..WIDE
-    }) else {
+    let Some(page) = page(changed!(WIDE, is_dark = true)) else {
         return;
     };
     let pdf = page.pdf();

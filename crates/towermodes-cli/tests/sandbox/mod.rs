@@ -110,14 +110,10 @@ impl Sandbox {
         let values = "rna.mass,scale(stations[*].wall)\n330000,0.95\n350000,1.00\n370000,1.05\n";
         self.write("values.csv", values);
         self.write("study.toml", STUDY);
-        self.copy(
-            "crates/towermodes-cli/tests/inputs/design/mass.toml",
-            "design.toml",
-        );
-        self.copy(
-            "crates/towermodes-cli/tests/inputs/measured/tower.toml",
-            "measured.toml",
-        );
+        let from = "crates/towermodes-cli/tests/inputs/design/mass.toml";
+        self.copy(from, "design.toml");
+        let from = "crates/towermodes-cli/tests/inputs/measured/tower.toml";
+        self.copy(from, "measured.toml");
         self.copy("examples/nrel-5mw.bmi", "deck.bmi");
         self.copy("examples/nrel-5mw_sections.dat", "nrel-5mw_sections.dat");
         self.copy("examples/nrel-5mw.yaml", "turbine.yaml");
@@ -151,10 +147,8 @@ impl Sandbox {
         self.run("elastodyn tower examples/floating.toml --output OC3_Tower.dat");
         let floating = named("OC3_Tower.dat");
         let floating = floating.replace("            78.0   TowerHt", "            87.6   TowerHt");
-        let floating = floating.replace(
-            "             0.0   TowerBsHt",
-            "            10.0   TowerBsHt",
-        );
+        let words = "             0.0   TowerBsHt";
+        let floating = floating.replace(words, "            10.0   TowerBsHt");
         self.write("OC3_ElastoDyn.dat", &floating);
         self.make_blade();
     }
@@ -163,16 +157,10 @@ impl Sandbox {
     fn make_blade(&self) {
         self.run("convert examples/nrel-5mw-table.toml --to bmodes --output blade.bmi");
         let deck = self.read("blade.bmi");
-        let deck = deck.replacen(
-            "2                      beam_type",
-            "1                      beam_type",
-            1,
-        );
-        let deck = deck.replacen(
-            "0.0                    rot_rpm",
-            "6.0                    rot_rpm",
-            1,
-        );
+        let words = "2                      beam_type";
+        let deck = deck.replacen(words, "1                      beam_type", 1);
+        let words = "0.0                    rot_rpm";
+        let deck = deck.replacen(words, "6.0                    rot_rpm", 1);
         self.write("blade.bmi", &deck);
     }
 }

@@ -7,40 +7,27 @@ mod swift;
 mod symmetry;
 mod twins;
 
-use towermodes::{
-    Change, Foundation, FoundationSprings, Material, Options, Rna, Solver, Station,
-    TowerDescription,
-};
+use towermodes::{Change, Foundation, Options, Rna, Solver, TowerDescription};
 use towermodes_design::calibration::{
     Calibration, CalibrationError, Measured, Prior, Problem, Unknown, calibrate,
 };
+use towermodes_testing::{parts, tube, with};
 
 /// A tube on springs with an eccentric RNA, so that the two planes differ.
 fn tower() -> TowerDescription {
     TowerDescription {
-        materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-        stations: vec![
-            Station::new(0.0, 6.0, 0.027),
-            Station::new(87.6, 3.87, 0.019),
-        ],
         rna: Rna {
             mass_kg: 350e3,
             center_m: [-0.41, 0.0, 1.97],
             inertia_kg_m2: [4.37e7, 2.353e7, 2.542e7, 0.0, 0.0, 0.0].into(),
         },
         foundation: springs(2e9, 1e11),
-        ..TowerDescription::default()
+        ..tube(&[(0.0, 6.0, 0.027), (87.6, 3.87, 0.019)])
     }
 }
 
 fn springs(lateral: f64, rocking: f64) -> Foundation {
-    Foundation::Springs(FoundationSprings {
-        lateral_n_per_m: lateral,
-        rocking_n_m: rocking,
-        coupling_n: 0.0,
-        vertical_n_per_m: 1e10,
-        torsion_n_m: 1e11,
-    })
+    Foundation::Springs(parts::springs(lateral, rocking, 0.0, 1e10, 1e11))
 }
 
 fn unknown(base: &TowerDescription, name: &str) -> Unknown {
@@ -59,10 +46,7 @@ fn measured(mode: &str, frequency_hz: f64, deviation_hz: f64) -> Measured {
 }
 
 fn options() -> Options {
-    Options {
-        segments: Some(20),
-        ..Options::default()
-    }
+    with!(Options, segments = Some(20))
 }
 
 fn fitted(problem: &Problem) -> Result<Calibration, CalibrationError> {

@@ -2,6 +2,7 @@
 
 use super::{Problem, fitted, frequencies, measured, remarks, tower, unknown};
 use towermodes_design::calibration::{Ambiguity, Measured, MeasuredShape};
+use towermodes_testing::{Says, assert_matches};
 
 fn unnamed(frequency_hz: f64, deviation_hz: f64) -> Measured {
     Measured {
@@ -46,7 +47,7 @@ fn two_modes_within_the_uncertainty_are_said() {
     assert_eq!(other, "side-side 1");
     let said = remarks(&result).join("\n");
     let expected = "measurement 1 is taken for fore-aft 1, but may be side-side 1";
-    assert!(said.contains(expected), "{said}");
+    said.says(expected);
 }
 
 /// The direction of the sensors decides between two modes of nearly one frequency.
@@ -96,9 +97,6 @@ fn a_shape_that_does_not_decide_is_said() {
     };
     let result = fitted(&problem).expect("a fit");
     let ambiguity = result.measured[0].ambiguity;
-    assert!(
-        matches!(ambiguity, Some(Ambiguity::Shape { .. })),
-        "{ambiguity:?}"
-    );
-    assert!(remarks(&result).join("\n").contains("(MAC 0.5"));
+    assert_matches!(ambiguity, Some(Ambiguity::Shape { .. }));
+    remarks(&result).join("\n").says("(MAC 0.5");
 }

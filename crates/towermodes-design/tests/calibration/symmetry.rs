@@ -1,17 +1,15 @@
 //! Fits that begin at a symmetric tower, whose frequencies are stationary.
 
-use towermodes::{Change, Foundation, Rna, Station, TowerDescription};
-use towermodes_design::calibration::{Calibration, CalibrationError, Problem, Unknown};
+use towermodes::{Change, Foundation, Rna, TowerDescription};
+use towermodes_design::calibration::{Calibration, CalibrationError, Problem};
+use towermodes_testing::{Says, changed, stations};
 
 use super::{fitted, frequencies, measured, remarks, tower, unknown, with_prior};
 
 /// A tower that is symmetric about its fore-aft plane, as the example of the NREL 5 MW turbine.
 fn symmetric() -> TowerDescription {
     TowerDescription {
-        stations: vec![
-            Station::new(0.0, 6.0, 0.0351),
-            Station::new(87.6, 3.87, 0.0247),
-        ],
+        stations: stations(&[(0.0, 6.0, 0.0351), (87.6, 3.87, 0.0247)]),
         rna: Rna {
             mass_kg: 350e3,
             center_m: [-0.41, 0.0, 1.966427],
@@ -30,10 +28,7 @@ fn from_symmetry(
     hz: f64,
 ) -> Result<Calibration, CalibrationError> {
     let base = symmetric();
-    let number = Unknown {
-        bounds,
-        ..unknown(&base, name)
-    };
+    let number = changed!(unknown(&base, name), bounds);
     fitted(&Problem {
         measured: vec![measured(mode, hz, 0.001)],
         unknowns: vec![number],
@@ -64,10 +59,8 @@ fn a_symmetric_start_does_not_stop_a_fit() {
             let number = &found.unknowns[0];
             eprintln!("{number:?}");
             assert!((number.value / value - 1.0).abs() < 1e-5, "{number:?}");
-            assert!(
-                number.has_effect && number.deviation.is_some(),
-                "{number:?}"
-            );
+            assert!(number.has_effect, "{number:?}");
+            assert!(number.deviation.is_some(), "{number:?}");
         }
     }
 }
@@ -79,14 +72,10 @@ fn where_the_symmetric_start_is_the_best_tower_the_number_is_not_called_arbitrar
     let at_bound = fit(Some([0.0, 45.0]), 0.33).expect("a fit");
     assert!(at_bound.unknowns[0].value.abs() < 1e-3, "{at_bound:?}");
     let said = remarks(&at_bound).join("\n");
-    assert!(said.contains("only with a larger change"), "{said}");
+    said.says("only with a larger change");
     assert!(!said.contains("arbitrary"), "{said}");
     let both = fit(Some([-45.0, 45.0]), 0.33).expect_err("above the highest");
-    assert!(
-        both.to_string()
-            .starts_with("no value of the fitted numbers"),
-        "{both}"
-    );
+    both.begins("no value of the fitted numbers");
     let hz = frequencies(&symmetric(), &["fore-aft 1"])[0];
     let at_rest = fit(Some([-45.0, 45.0]), hz).expect_err("no first derivative");
     assert!(
@@ -96,12 +85,7 @@ fn where_the_symmetric_start_is_the_best_tower_the_number_is_not_called_arbitrar
         "{at_rest}"
     );
     let of_no_size = fit(None, 0.29).expect_err("no step is known");
-    assert!(
-        of_no_size
-            .to_string()
-            .ends_with("; give it bounds or a prior"),
-        "{of_no_size}"
-    );
+    of_no_size.ends("; give it bounds or a prior");
 }
 
 /// A prior says how large the number may be, as bounds do.

@@ -2,6 +2,7 @@
 //! within the standard deviations that the fit states.
 
 use towermodes::{Rna, TowerDescription};
+use towermodes_testing::Close;
 
 use super::{Problem, fitted, frequencies, measured, options, tower, unknown, with_prior};
 use towermodes::Solver;
@@ -91,21 +92,12 @@ fn the_truth_is_within_the_stated_deviations_as_often_as_it_should() {
     // 68.3 and 95.4 %; with 400 cases one standard error is 2.3 and 1.0 %.
     for j in 0..3 {
         let share = |count: usize| count as f64 / CASES as f64;
-        assert!(
-            (share(within_one[j]) - 0.683).abs() < 0.06,
-            "{j}: {within_one:?}"
-        );
-        assert!(
-            (share(within_two[j]) - 0.954).abs() < 0.03,
-            "{j}: {within_two:?}"
-        );
+        share(within_one[j]).within(0.683, 0.06);
+        share(within_two[j]).within(0.954, 0.03);
     }
     // The mean of chi-square is the number of degrees of freedom, here with a standard error of
     // √(8/400).
-    assert!(
-        (chi_square / CASES as f64 - 4.0).abs() < 0.5,
-        "{chi_square}"
-    );
+    (chi_square / CASES as f64).within(4.0, 0.5);
 }
 
 #[test]
@@ -248,9 +240,7 @@ fn units_do_not_matter() {
     assert!((mass_again / of_mass - 1.0).abs() < 1e-5);
     let (added, [of_added, mass_again]) = fit("add(foundation.rocking)");
     assert!((added / -4e10 - 1.0).abs() < 1e-6, "{added}");
-    assert!(
-        (of_added / of_value - 1.0).abs() < 1e-5,
-        "{of_added:e} {of_value:e} {added:e} {value:e}"
-    );
+    let holds = (of_added / of_value - 1.0).abs() < 1e-5;
+    assert!(holds, "{of_added:e} {of_value:e} {added:e} {value:e}");
     assert!((mass_again / of_mass - 1.0).abs() < 1e-5);
 }

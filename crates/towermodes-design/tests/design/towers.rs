@@ -1,27 +1,18 @@
 //! Towers of published turbines.
 
-use towermodes::{Inertia, Material, Rna, Station, TowerDescription};
+use towermodes::{Rna, Station, TowerDescription};
+use towermodes_testing::{rna, tube};
 
 /// The NREL 5 MW tower with its RNA (NREL/TP-500-38060, 2009).
 pub fn nrel_5mw() -> TowerDescription {
     TowerDescription {
-        materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-        stations: vec![
-            Station::new(0.0, 6.0, 0.0351),
-            Station::new(87.6, 3.87, 0.0247),
-        ],
-        rna: Rna {
-            mass_kg: 350e3,
-            center_m: [-0.41, 0.0, 1.966427],
-            inertia_kg_m2: Inertia {
-                xx: 37634182.0,
-                yy: 24376664.3,
-                zz: 22613929.0,
-                ..Inertia::default()
-            },
-        },
+        rna: rna(
+            350e3,
+            [-0.41, 0.0, 1.966427],
+            [37634182.0, 24376664.3, 22613929.0],
+        ),
         gravity_m_per_s2: 9.81,
-        ..TowerDescription::default()
+        ..tube(&[(0.0, 6.0, 0.0351), (87.6, 3.87, 0.0247)])
     }
 }
 

@@ -1,5 +1,6 @@
 //! Small files of our own, one or more of each format.
 
+use crate::sources::source;
 use proptest::prelude::*;
 use towermodes_files::{InMemory, ReadOptions, Source, TowerPart};
 
@@ -118,10 +119,7 @@ fn undamaged_files_are_read() {
         let companions = InMemory {
             files: files.collect(),
         };
-        let source = Source {
-            name: name.to_owned(),
-            text,
-        };
+        let source = source(name, text);
         let read = towermodes_files::read_source(source, &companions, &ReadOptions::default());
         assert!(read.is_ok(), "{name}: {:?}", read.err());
     }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use towermodes_files::{FileFormat, ReadOptions, SiblingFiles, Source, recognize};
+use towermodes_testing::with;
 
 use crate::damaged_files::damage::any_damages;
 use crate::damaged_files::{Where, survives};
@@ -40,16 +41,9 @@ fn damage(path: &Path, source: &Source) {
         true => CASES_OF_LARGE,
         false => CASES,
     };
-    let config = ProptestConfig {
-        cases,
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    };
+    let config = with!(ProptestConfig, cases, failure_persistence = None);
     let companions = SiblingFiles::of(path);
-    let options = ReadOptions {
-        tower_height_m: Some(90.0),
-        ..ReadOptions::default()
-    };
+    let options = with!(ReadOptions, tower_height_m = Some(90.0));
     let place = prop::sample::select(vec![Where::Main, Where::Companions]);
     let result = TestRunner::new(config).run(&(place, any_damages()), |(place, damages)| {
         survives(source, &companions, place, &damages, &options)

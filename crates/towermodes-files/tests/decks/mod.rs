@@ -1,10 +1,12 @@
 //! Small decks of BModes for tests, and how they are read.
 #![allow(dead_code, reason = "each test uses its own part")]
 
+use crate::sources::source;
 use towermodes_files::{
     BladeInput, BmodesInput, Diagnostic, InMemory, ReadError, ReadOptions, Source, TowerInput,
     read_bmodes,
 };
+use towermodes_testing::with;
 
 /// Lines 1 to 48: a tower of 80 m on a clamped base, without what follows the elements.
 pub const TOWER: &str = "\
@@ -184,15 +186,9 @@ pub fn blade_file() -> String {
 
 /// What a deck of these two files is.
 pub fn read(main: &str, sections: &str, quirks: bool) -> Result<BmodesInput, ReadError> {
-    let source = Source {
-        name: "tower.bmi".to_owned(),
-        text: main.to_owned(),
-    };
+    let source = source("tower.bmi", main);
     let files = [("secs.dat".to_owned(), sections.to_owned())].into();
-    let options = ReadOptions {
-        bmodes_quirks: quirks,
-        ..ReadOptions::default()
-    };
+    let options = with!(ReadOptions, bmodes_quirks = quirks);
     read_bmodes(source, &InMemory { files }, &options)
 }
 

@@ -5,6 +5,7 @@ use towermodes_files::elastodyn::{
     BladeMasses, lump_rna, read_blade_file, read_elastodyn, read_main_file, read_tower_file,
 };
 use towermodes_files::{ReadOptions, RotorLock};
+use towermodes_testing::{Says, rows, with};
 
 use crate::elastodyn::texts::{BLADE, TOWER, close, deck, files, main_file, main_text, source};
 
@@ -20,21 +21,12 @@ fn the_assembly_is_that_of_the_hand_calculation() {
     // About the tower top; the rotor's 3 (1000 · 100/12 + 1000 · 36) = 133000, half of it about y
     // and z.
     let tensor = rna.tensor_about([0.0; 3]);
-    close(
-        tensor[0][0],
-        133000.0 + 70.0 + 2.0 + 3500.0 * 4.0 + 2000.0 * 1.25,
-        1e-8,
-    );
-    close(
-        tensor[1][1],
-        66500.0 + 3000.0 * 20.0 + 500.0 * 13.0 + 2000.0 * 2.0,
-        1e-8,
-    );
-    close(
-        tensor[2][2],
-        66500.0 + 3000.0 * 16.0 + 500.0 * 9.0 + 4000.0,
-        1e-8,
-    );
+    let expected = 133000.0 + 70.0 + 2.0 + 3500.0 * 4.0 + 2000.0 * 1.25;
+    close(tensor[0][0], expected, 1e-8);
+    let expected = 66500.0 + 3000.0 * 20.0 + 500.0 * 13.0 + 2000.0 * 2.0;
+    close(tensor[1][1], expected, 1e-8);
+    let expected = 66500.0 + 3000.0 * 16.0 + 500.0 * 9.0 + 4000.0;
+    close(tensor[2][2], expected, 1e-8);
     close(tensor[0][2], 3000.0 * 8.0 + 500.0 * 6.0 - 2000.0, 1e-8);
     close(tensor[0][1], -1000.0, 1e-8);
     close(tensor[1][2], -1000.0, 1e-8);
@@ -42,10 +34,7 @@ fn the_assembly_is_that_of_the_hand_calculation() {
 
 /// The assembly of the small turbine with its rotor held in a way.
 fn assembly(changes: &[(&str, &str)], rotor: RotorLock) -> Result<towermodes::RigidBody, String> {
-    let options = ReadOptions {
-        rotor,
-        ..ReadOptions::default()
-    };
+    let options = with!(ReadOptions, rotor);
     let main = source("main.dat", main_text(5, changes));
     let deck = read_elastodyn(main, &files(TOWER), &options);
     deck.map(|deck| deck.rna).map_err(|error| error.to_string())
@@ -85,10 +74,7 @@ fn a_free_rotor_is_balanced() {
     ] {
         assembly(changes, Locked).expect("it may be held");
         let refused = assembly(changes, Free).expect_err("it would swing");
-        assert!(
-            refused.contains("the free rotor is not balanced"),
-            "{refused}"
-        );
+        refused.says("the free rotor is not balanced");
     }
     let pair = [("NumBl", "2"), ("HubIner_Teeter", "600")];
     assembly(&pair, Free).expect("two blades alike");
@@ -163,22 +149,16 @@ fn two_blades_have_a_teeter_pin() {
     let main = main_file(1, &changes);
     let tensor = lump_rna(&main, &[blade; 2], Locked).tensor_about([0.0; 3]);
     close(tensor[0][0], blades + own, 1e-8);
-    close(
-        tensor[1][1],
-        blades + own + 2000.0 * 3.5 * 3.5 + 500.0 * 3.25 * 3.25,
-        1e-8,
-    );
+    let expected = blades + own + 2000.0 * 3.5 * 3.5 + 500.0 * 3.25 * 3.25;
+    close(tensor[1][1], expected, 1e-8);
     close(tensor[2][2], 2000.0 * 3.5 * 3.5 + 500.0 * 3.25 * 3.25, 1e-8);
     let main = main_file(5, &[&changes[..], &[("HubIner_Teeter", "400")]].concat());
     let tensor = lump_rna(&main, &[blade; 2], Locked).tensor_about([0.0; 3]);
     close(tensor[0][0], blades + 400.0, 1e-8);
-    close(
-        tensor[1][1],
-        blades + own + 2000.0 * 3.5 * 3.5 + 500.0 * 3.25 * 3.25,
-        1e-8,
-    );
+    let expected = blades + own + 2000.0 * 3.5 * 3.5 + 500.0 * 3.25 * 3.25;
+    close(tensor[1][1], expected, 1e-8);
     let mistake = read_main_file(&source("m", main_text(5, &changes))).expect_err("too small");
-    assert!(mistake.message().contains("281.25"));
+    mistake.message().says("281.25");
 }
 
 #[test]
@@ -188,31 +168,22 @@ fn blades_have_five_six_or_seventeen_columns() {
     assert_eq!(mass(BLADE), Ok(1000.0));
     let five = BLADE.replace("PitchAxis ", "").replace(" 0.25 ", " ");
     assert_eq!(mass(&five), Ok(1000.0));
-    assert_eq!(
-        mass(&five.replace("BlFract StrcTwst BMassDen", "a b c")),
-        Ok(1000.0)
-    );
+    let got = mass(&five.replace("BlFract StrcTwst BMassDen", "a b c"));
+    assert_eq!(got, Ok(1000.0));
     let seventeen = BLADE
         .replace("PitchAxis", "AeroCent")
         .replace("1e9 1e9", "1 1 1 1 1 1 1 1 1 1 1 1 1");
     assert_eq!(mass(&seventeen), Ok(1000.0));
-    for (from, to, says) in [
-        (" 0 0.25 13 50", " 0 0.25 13 0", "BMassDen of row 1 is 0"),
-        (
-            " 1 0.25 0 50",
-            " 0.9 0.25 0 50",
-            "BlFract of the last row is 0.9",
-        ),
-        (
-            " 1 0.25 0 50 1e9 1e9",
-            " 1 0.25 0",
-            "3 numbers instead of 5 or 6",
-        ),
-        ("2 NBlInpSt", "9999999999 NBlInpSt", "is 9999999999"),
-        (" 2 AdjBlMs\n", "", "expected AdjBlMs here, found AdjFlSt"),
-    ] {
+    let table = r#"
+        ␣0 0.25 13 50 | ␣0 0.25 13 0 | BMassDen of row 1 is 0
+        ␣1 0.25 0 50 | ␣0.9 0.25 0 50 | BlFract of the last row is 0.9
+        ␣1 0.25 0 50 1e9 1e9 | ␣1 0.25 0 | 3 numbers instead of 5 or 6
+        2 NBlInpSt | 9999999999 NBlInpSt | is 9999999999
+        ␣2 AdjBlMs\n |  | expected AdjBlMs here, found AdjFlSt
+        "#;
+    for [from, to, says] in rows(table) {
         let mistake = mass(&BLADE.replacen(from, to, 1)).expect_err(to);
-        assert!(mistake.message().contains(says), "{mistake}");
+        mistake.message().says(says);
     }
 }
 
@@ -251,5 +222,5 @@ fn a_blade_of_one_row_is_uniform() {
     close(masses.second_moment_kg_m2, 1e5 / 3.0, 1e-9);
     let off = text.replace(" 0 0.25 13", " 1 0.25 13");
     let mistake = read_blade_file(&source("b", off)).expect_err("it begins at 0");
-    assert!(mistake.message().contains("BlFract of the first row is 1"));
+    mistake.message().says("BlFract of the first row is 1");
 }

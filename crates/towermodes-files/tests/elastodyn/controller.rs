@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use towermodes::{MissingPart, Place};
 use towermodes_files::elastodyn::{ElastoDynDeck, read_elastodyn, read_main_file};
 use towermodes_files::{InMemory, NoteKind, ReadOptions, tower_from_toml, write_toml};
+use towermodes_testing::{Says, rows};
 
 use crate::elastodyn::texts::{BLADE, TOWER, main_text, source};
 
@@ -55,7 +56,7 @@ fn the_controller_has_the_operating_speeds() {
     assert!((highest - 12.09905).abs() < 1e-4, "{highest}");
     let notes = said(&deck);
     assert_eq!(notes.len(), 1, "{notes:?}");
-    assert!(notes[0].starts_with("servo/sub/DISCON.IN:4: operating speeds 3.544 to 12.099 rpm"));
+    notes[0].begins("servo/sub/DISCON.IN:4: operating speeds 3.544 to 12.099 rpm");
     assert!(deck.input.files().any(|file| file.ends_with("DISCON.IN")));
     let place = deck.input.line_of(Place::Rotor { key: "rpm" });
     assert_eq!(place, Some(("servo/sub/DISCON.IN", 4)));
@@ -68,7 +69,7 @@ fn a_gearbox_ratio_of_its_own_is_remarked() {
     let deck = with(NAMED, SERVO, Some(&direct));
     assert!((speeds(&deck).expect("speeds")[1] - 12.09905).abs() < 1e-4);
     let notes = said(&deck);
-    assert!(notes[1].starts_with("servo/sub/DISCON.IN:6: WE_GearboxRatio is 1.0, but GBRatio"));
+    notes[1].begins("servo/sub/DISCON.IN:6: WE_GearboxRatio is 1.0, but GBRatio");
     // An older file has none.
     let none = ROSCO.replace("WE_GearboxRatio", "WE_Jtot");
     let deck = with(NAMED, SERVO, Some(&none));
@@ -78,78 +79,33 @@ fn a_gearbox_ratio_of_its_own_is_remarked() {
 
 #[test]
 fn without_a_controller_the_speeds_are_unknown_for_a_reason() {
-    let lacks = |name: &str| ROSCO.replace(name, "OTHER");
-    let changed = |from: &str, to: &str| ROSCO.replace(from, to);
-    for (lines, servo, controller, at, reason) in [
-        ("", SERVO, None, "", "no ServoFile"),
-        ("0 CompServo\n", SERVO, None, "a.fst:4: ", "CompServo is 0"),
-        (
-            "1 CompServo\n\"x.dat\" ServoFile\n",
-            SERVO,
-            None,
-            "a.fst:5: ",
-            "x.dat: no such file",
-        ),
-        (NAMED, "x\n", None, "", "has no VSContrl"),
-        (
-            NAMED,
-            "x\n1 VSContrl\n",
-            None,
-            "servo/servo.dat:2: ",
-            "VSContrl is 1",
-        ),
-        (NAMED, "x\n5 VSContrl\n", None, "", "has no DLL_InFile"),
-        (
-            NAMED,
-            SERVO,
-            None,
-            "servo/servo.dat:4: ",
-            "DISCON.IN: no such file",
-        ),
-        (
-            NAMED,
-            SERVO,
-            Some("another controller\n".to_owned()),
-            "",
-            "has no VS_MinOMSpd, so it is no input of ROSCO",
-        ),
-        (
-            NAMED,
-            SERVO,
-            Some(lacks("PC_RefSpd")),
-            "",
-            "has no PC_RefSpd",
-        ),
-        (
-            NAMED,
-            SERVO,
-            Some(changed("36.0 !", "0.0 !")),
-            "servo/sub/DISCON.IN:5: ",
-            "VS_MinOMSpd is 0.0, not a number above 0",
-        ),
-        (
-            NAMED,
-            SERVO,
-            Some(changed("122.9000", "fast")),
-            "servo/sub/DISCON.IN:4: ",
-            "PC_RefSpd is fast",
-        ),
-        (
-            NAMED,
-            SERVO,
-            Some(changed("36.0 !", "136.0 !")),
-            "servo/sub/DISCON.IN:5: ",
-            "VS_MinOMSpd = 136 rad/s is above",
-        ),
-    ] {
-        let deck = with(lines, servo, controller.as_deref());
+    let table = r#"
+         | SERVO |  |  | no ServoFile
+        0 CompServo\n | SERVO |  | a.fst:4:␣ | CompServo is 0
+        1 CompServo\n"x.dat" ServoFile\n | SERVO |  | a.fst:5:␣ | x.dat: no such file
+        NAMED | x\n |  |  | has no VSContrl
+        NAMED | x\n1 VSContrl\n |  | servo/servo.dat:2:␣ | VSContrl is 1
+        NAMED | x\n5 VSContrl\n |  |  | has no DLL_InFile
+        NAMED | SERVO |  | servo/servo.dat:4:␣ | DISCON.IN: no such file
+        NAMED | SERVO | ROSCO -> another controller\n |  | has no VS_MinOMSpd, so it is no input of ROSCO
+        NAMED | SERVO | PC_RefSpd -> OTHER |  | has no PC_RefSpd
+        NAMED | SERVO | 36.0 ! -> 0.0 ! | servo/sub/DISCON.IN:5:␣ | VS_MinOMSpd is 0.0, not a number above 0
+        NAMED | SERVO | 122.9000 -> fast | servo/sub/DISCON.IN:4:␣ | PC_RefSpd is fast
+        NAMED | SERVO | 36.0 ! -> 136.0 ! | servo/sub/DISCON.IN:5:␣ | VS_MinOMSpd = 136 rad/s is above
+    "#;
+    for [lines, servo, change, at, reason] in rows(table) {
+        let (lines, servo) = (lines.replace("NAMED", NAMED), servo.replace("SERVO", SERVO));
+        let change = change.split_once(" -> ");
+        let controller = change.map(|(from, to)| match from {
+            "ROSCO" => to.to_owned(),
+            _ => ROSCO.replace(from, to),
+        });
+        let deck = with(&lines, &servo, controller.as_deref());
         assert_eq!(speeds(&deck), None, "{reason}");
         let notes = said(&deck);
-        assert!(
-            notes[0].starts_with(at) && notes[0].contains(reason),
-            "{reason}: {notes:?}"
-        );
-        assert!(notes[0].contains("unknown"), "{notes:?}");
+        notes[0].begins(at);
+        notes[0].says(reason);
+        notes[0].says("unknown");
         assert_eq!(deck.input.blades, Some(3));
     }
 }
@@ -217,10 +173,7 @@ fn blades_of_beamdyn_need_no_blade_file() {
     assert_eq!(input.description.missing_parts, [MissingPart::Blades]);
     assert!(input.blade.is_none() && input.turbine.is_none());
     let reason = input.turbine_missing.clone().expect("a reason").to_string();
-    assert!(
-        reason.contains("the blades are those of BeamDyn"),
-        "{reason}"
-    );
+    reason.says("the blades are those of BeamDyn");
     let tower = input.tower().expect("a tower");
     let missing = tower.missing_parts().expect("blades").to_string();
     assert_eq!(missing, "the mass of the blades is not in this model");
@@ -242,7 +195,7 @@ fn neighbours_may_have_each_others_names() {
     // Which is which would matter here.
     let text = main_text(5, &[("PtfmPDOF", "True"), ("PtfmYDOF", "False")]);
     let mistake = read_main_file(&source("main.dat", exchanged(&text))).expect_err("a mistake");
-    assert!(mistake.message().contains("PtfmYDOF"), "{mistake}");
+    mistake.message().says("PtfmYDOF");
 }
 
 /// The warning is in a TOML file that the model is converted to, and in what is read from it.
@@ -250,11 +203,8 @@ fn neighbours_may_have_each_others_names() {
 fn missing_parts_survive_a_tower_file() {
     let deck = with("1 CompSub\n1 CompHydro\n", SERVO, None);
     let (text, _) = write_toml(&deck.input.description);
-    assert!(text.contains("# WARNING: "), "{text}");
-    assert!(
-        text.contains("missing_parts = [\"substructure\", \"water\"]"),
-        "{text}"
-    );
+    text.says("# WARNING: ");
+    text.says("missing_parts = [\"substructure\", \"water\"]");
     let tower = tower_from_toml(&text).expect("a tower");
     let said: Vec<String> = tower.warnings().iter().map(ToString::to_string).collect();
     assert!(said[0].starts_with(
@@ -264,7 +214,7 @@ fn missing_parts_survive_a_tower_file() {
     assert_eq!(*parts, [MissingPart::Substructure, MissingPart::Water]);
     let wrong = text.replace("\"water\"", "\"watr\"");
     let mistakes = tower_from_toml(&wrong).expect_err("no such part");
-    assert!(mistakes[0].message().contains("watr"), "{mistakes:?}");
+    mistakes[0].message().says("watr");
 }
 
 /// The note on the rotor of the rigid body names the factor only where there is one.
@@ -280,7 +230,7 @@ fn the_note_on_the_locked_rotor_is_true() {
             .filter(|note| note.kind == NoteKind::RigidRotor);
         notes.next().expect("a note").message
     };
-    assert!(note("97").contains("GenIner counts once, without the factor GBRatio^2"));
+    note("97").says("GenIner counts once, without the factor GBRatio^2");
     for same in ["1", "-1"] {
         assert!(!note(same).contains("GBRatio"), "{}", note(same));
     }

@@ -3,6 +3,7 @@
 use towermodes::{Foundation, Rna, Tower};
 use towermodes_files::elastodyn::{ElastoDynDeck, read_elastodyn};
 use towermodes_files::{InMemory, ReadError, ReadOptions, RotorLock, read_source};
+use towermodes_testing::{Says, with};
 
 use crate::elastodyn::texts::{BLADE, TOWER, deck, files, main_text, source};
 
@@ -14,14 +15,10 @@ fn a_deck_is_a_clamped_tower() {
     assert_eq!(heights, [10.0, 17.5, 40.0]);
     let row = tower.properties[1].properties;
     assert_eq!(row.mass_kg_per_m, 1800.0);
-    assert_eq!(
-        (row.bending_n_m2.fore_aft, row.bending_n_m2.side_side),
-        (2.7e10, 7.2e10)
-    );
-    assert_eq!(
-        (row.torsion_n_m2, row.axial_n),
-        (f64::INFINITY, f64::INFINITY)
-    );
+    assert_eq!(row.bending_n_m2.fore_aft, 2.7e10);
+    assert_eq!(row.bending_n_m2.side_side, 7.2e10);
+    assert_eq!(row.torsion_n_m2, f64::INFINITY);
+    assert_eq!(row.axial_n, f64::INFINITY);
     assert_eq!(tower.point_masses[0].height_m, 25.0);
     assert_eq!(tower.foundation, Foundation::Clamped);
     assert_eq!(tower.rna, Rna::from(deck.rna));
@@ -64,10 +61,7 @@ fn an_fst_file_leads_to_the_deck() {
     let beamdyn = read(&fst.replace("1 CompElast", "2 CompElast")).expect("a deck");
     assert_eq!(beamdyn.input.notes[0].place, Some(("a.fst".into(), 3)));
     let error = read(&fst.replace("main", "mien")).expect_err("no such file");
-    assert!(
-        error.to_string().contains("ed/mien.dat: no such file"),
-        "{error}"
-    );
+    error.says("ed/mien.dat: no such file");
 }
 
 /// A deck with an `.fst` file of these lines beside its own.
@@ -110,15 +104,12 @@ fn gravity_is_that_of_the_fst_file_then_of_the_main_file_then_the_standard() {
         ["neither a.fst nor main.dat has Gravity: 9.80665 m/s2 is assumed (--no-gravity omits it)"]
     );
     let wrong = by_fst("-9.81 Gravity\n", 5, &options).expect_err("negative");
-    assert!(wrong.to_string().contains(": Gravity"), "{wrong}");
+    wrong.says(": Gravity");
 }
 
 #[test]
 fn gravity_may_be_left_out_of_any_file() {
-    let options = ReadOptions {
-        without_gravity: true,
-        ..ReadOptions::default()
-    };
+    let options = with!(ReadOptions, without_gravity = true);
     let deck = by_fst("9.7 Gravity\n", 5, &options).expect("a deck");
     assert_eq!(gravity(&deck), (0.0, vec![]));
     let toml = "[gravity]\n[material]\ndensity = 7850\nyoungs_modulus = 2.1e11\nshear_modulus = 8.1e10\n\
@@ -149,10 +140,8 @@ fn shapes_are_those_of_a_deck_without_gravity() {
     // Of a tower in TOML that has it gravity stays.
     let mut own = input;
     own.format = towermodes_files::FileFormat::Toml;
-    assert_eq!(
-        own.tower_for_shapes().map(gravity).expect("a tower"),
-        9.80665
-    );
+    let found = own.tower_for_shapes().map(gravity).expect("a tower");
+    assert_eq!(found, 9.80665);
 }
 
 #[test]
@@ -181,10 +170,7 @@ fn modules_under_the_tower_are_left_out_with_a_note() {
     // The first versions of FAST 8 have flags.
     let flags = "True CompSub\nFalse CompHydro\n\"sub.dat\" SDFile\n";
     let said = messages(&by_fst(flags, 1, &options).expect("a deck"));
-    assert!(
-        said[0].contains("CompSub is switched on, but its file (sub.dat)"),
-        "{said:?}"
-    );
+    said[0].says("CompSub is switched on, but its file (sub.dat)");
 }
 
 /// The tower of a floating turbine in a current: TowerHt −24 m, TowerBsHt −9 m, the nacelle below
@@ -216,10 +202,8 @@ fn a_tower_that_hangs_is_solved_upside_down() {
     let hangs = "the tower hangs from z = -9 m down to -24 m: it is solved upside down";
     assert!(said.iter().any(|note| note.starts_with(hangs)), "{said:?}");
     // Above the sea the top is above the base.
-    let main = source(
-        "main.dat",
-        main_text(5, &[("TowerHt", "5"), ("TowerBsHt", "9")]),
-    );
+    let text = main_text(5, &[("TowerHt", "5"), ("TowerBsHt", "9")]);
+    let main = source("main.dat", text);
     let refused = read_elastodyn(main, &files(TOWER), &ReadOptions::default());
     assert!(refused.is_err());
 }
@@ -236,10 +220,9 @@ fn a_tower_of_one_row_is_uniform() {
     };
     let deck = read(&one_row).expect("a uniform tower");
     let rows = &deck.input.description.properties;
-    assert_eq!(
-        (rows.len(), rows[0].height_m, rows[1].height_m),
-        (2, 0.0, 40.0)
-    );
+    assert_eq!(rows.len(), 2);
+    assert_eq!(rows[0].height_m, 0.0);
+    assert_eq!(rows[1].height_m, 40.0);
     assert_eq!(rows[0].properties, rows[1].properties);
     assert_eq!(rows[0].properties.mass_kg_per_m, 2000.0);
     // ElastoDyn's own tower of it: 2000 kg/m over 40 m.
@@ -260,16 +243,13 @@ fn a_tower_of_one_row_is_uniform() {
     };
     assert_eq!(&source_file.text[mistakes[0].span.clone()], "1.0D3");
     let error = read(&one_row.replace(" 0.0 1.0D3", " 1.0 1.0D3")).expect_err("it begins at 0");
-    assert!(error.to_string().contains("HtFract of the first row is 1"));
+    error.says("HtFract of the first row is 1");
 }
 
 #[test]
 fn the_rotor_is_held_or_free_with_a_note() {
     let read = |rotor| {
-        let options = ReadOptions {
-            rotor,
-            ..ReadOptions::default()
-        };
+        let options = with!(ReadOptions, rotor);
         let main = source("main.dat", main_text(5, &[]));
         messages(&read_elastodyn(main, &files(TOWER), &options).expect("a deck"))
     };
@@ -300,31 +280,20 @@ fn files_that_are_not_there_or_not_main_files_are_said() {
     else {
         panic!("a mistake in the main file");
     };
-    assert!(
-        mistakes[0]
-            .message()
-            .contains("BldFile(2) cannot be read: b2.dat: no such file")
-    );
+    mistakes[0]
+        .message()
+        .says("BldFile(2) cannot be read: b2.dat: no such file");
     assert_eq!(&source_file.text[mistakes[0].span.clone()], "\"b2.dat\"");
-    assert!(
-        missing(&[("TwrFile", "t.dat")])
-            .to_string()
-            .contains("t.dat: no such file")
-    );
+    missing(&[("TwrFile", "t.dat")]).says("t.dat: no such file");
     for (text, part) in [(TOWER, "a tower file"), (BLADE, "a blade file")] {
         let error = read_elastodyn(source("x", text), &files(TOWER), &ReadOptions::default());
-        assert!(error.expect_err(part).to_string().contains(part));
+        error.expect_err(part).says(part);
     }
     let mistake = TOWER.replace(" 1.0 800", " 1.0 -800");
     let main = source("main.dat", main_text(5, &[]));
     let error =
         read_elastodyn(main, &files(&mistake), &ReadOptions::default()).expect_err("negative");
-    assert!(
-        error
-            .to_string()
-            .starts_with("tower.dat:22:6: TMassDen of row 3 is -800"),
-        "{error}"
-    );
+    error.begins("tower.dat:22:6: TMassDen of row 3 is -800");
 }
 
 #[test]
@@ -355,12 +324,8 @@ fn what_the_library_refuses_is_in_the_right_file() {
     assert_eq!(torsion, at("tower.dat", "0.25 900 9e9 1.8e10"));
     let mass = refused(|tower| tower.point_masses[0].height_m = 99.0);
     assert_eq!(mass, at("tower.dat", "0.5"));
-    assert_eq!(
-        refused(|tower| tower.rna.mass_kg = -1.0),
-        at("main.dat", "2000")
-    );
-    assert_eq!(
-        refused(|tower| tower.rna.inertia_kg_m2.xx = -1e9),
-        at("main.dat", "4000")
-    );
+    let found = refused(|tower| tower.rna.mass_kg = -1.0);
+    assert_eq!(found, at("main.dat", "2000"));
+    let found = refused(|tower| tower.rna.inertia_kg_m2.xx = -1e9);
+    assert_eq!(found, at("main.dat", "4000"));
 }

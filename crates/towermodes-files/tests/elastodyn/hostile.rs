@@ -17,10 +17,8 @@ fn a_file_that_ends_early_says_where() {
     let main = main_text(5, &[]);
     let end = main.find("------- OUTPUT").expect("a heading");
     for length in (0..end - 30).step_by(7) {
-        assert!(
-            read_main_file(&source("m", &main[..length])).is_err(),
-            "{length}"
-        );
+        let holds = read_main_file(&source("m", &main[..length])).is_err();
+        assert!(holds, "{length}");
     }
 }
 
@@ -89,10 +87,8 @@ fn damaged_files_give_a_tower_or_a_mistake_in_the_text() {
                 .map(|m| (m, &blade)),
         ];
         for (mistake, text) in mistakes.into_iter().flatten() {
-            assert!(
-                text.get(mistake.span.clone()).is_some(),
-                "{mistake} in {text}"
-            );
+            let holds = text.get(mistake.span.clone()).is_some();
+            assert!(holds, "{mistake} in {text}");
         }
         companions.files.insert("tower.dat".into(), tower.clone());
         companions

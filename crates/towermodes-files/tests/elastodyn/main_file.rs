@@ -2,6 +2,7 @@
 
 use towermodes_files::elastodyn::read_main_file;
 use towermodes_files::{InMemory, ReadOptions, read_source};
+use towermodes_testing::{Says, rows};
 
 use crate::elastodyn::texts::{main_file, main_text, source};
 
@@ -9,15 +10,12 @@ use crate::elastodyn::texts::{main_file, main_text, source};
 fn main_files_of_all_versions_say_the_same() {
     let (old, new) = (main_file(1, &[]), main_file(5, &[]));
     assert_eq!(old.gravity_m_per_s2, Some(9.81));
-    assert_eq!(
-        (new.gravity_m_per_s2, new.hub_teeter_inertia_kg_m2),
-        (None, Some(0.0))
-    );
+    assert_eq!(new.gravity_m_per_s2, None);
+    assert_eq!(new.hub_teeter_inertia_kg_m2, Some(0.0));
     for main in [&old, &new] {
-        assert_eq!(
-            (main.blade_count, main.tower_nodes, main.blade_nodes),
-            (3, 20, Some(17))
-        );
+        assert_eq!(main.blade_count, 3);
+        assert_eq!(main.tower_nodes, 20);
+        assert_eq!(main.blade_nodes, Some(17));
         assert_eq!((main.tower_top_m, main.tower_base_m), (40.0, 0.0));
         assert_eq!(main.nacelle_center_m, [1.0, 0.5, 1.0]);
         assert_eq!(main.hub_inertia_kg_m2, 70.0);
@@ -54,42 +52,30 @@ fn every_block_of_lines_may_be_missing_on_its_own() {
     assert_eq!(mistake.message(), "expected NacMass here, found NacYIner");
     let mistake =
         read_main_file(&source("m", without(&["BlPIner(2)"]))).expect_err("one of a block");
-    assert_eq!(
-        mistake.message(),
-        "expected BlPIner(2) here, found BlPIner(3)"
-    );
+    mistake
+        .message()
+        .reads("expected BlPIner(2) here, found BlPIner(3)");
 }
 
 #[test]
 fn the_rules_of_the_main_file_have_their_places() {
-    for (key, value, says) in [
-        ("NumBl", "4", "NumBl (number of blades) is 4"),
-        (
-            "TipRad",
-            "0.5",
-            "TipRad is 0.5 m, but must be greater than HubRad, 1 m",
-        ),
-        (
-            "TowerBsHt",
-            "50",
-            "TowerHt is 40 m, but must be above TowerBsHt, 50 m",
-        ),
-        (
-            "TowerHt",
-            "0",
-            "TowerHt is 0 m, but must be above TowerBsHt, 0 m",
-        ),
-        ("ShftTilt", "95", "is 95"),
-        ("HubMass", "-1", "is -1"),
-        ("NacYIner", "2499", "NacYIner is 2499 kg m2"),
-        ("TwrNodes", "0", "is 0"),
-        ("TwrFile", "\"\"", "found an empty text"),
-        ("TwFADOF1", "7", "true or false"),
-        ("GenIner", "\"2\"", "a number"),
-    ] {
+    let table = r#"
+        NumBl | 4 | NumBl (number of blades) is 4
+        TipRad | 0.5 | TipRad is 0.5 m, but must be greater than HubRad, 1 m
+        TowerBsHt | 50 | TowerHt is 40 m, but must be above TowerBsHt, 50 m
+        TowerHt | 0 | TowerHt is 0 m, but must be above TowerBsHt, 0 m
+        ShftTilt | 95 | is 95
+        HubMass | -1 | is -1
+        NacYIner | 2499 | NacYIner is 2499 kg m2
+        TwrNodes | 0 | is 0
+        TwrFile | "" | found an empty text
+        TwFADOF1 | 7 | true or false
+        GenIner | "2" | a number
+        "#;
+    for [key, value, says] in rows(table) {
         let text = main_text(5, &[(key, value)]);
         let mistake = read_main_file(&source("m", text)).expect_err(key);
-        assert!(mistake.message().contains(says), "{mistake}");
+        mistake.message().says(says);
     }
 }
 
@@ -122,10 +108,7 @@ fn the_first_layouts_are_read() {
     // The two lengths come together.
     let half = without_nodes.replace("  3   TowerBsHt", "  3   TwrRBHt");
     let mistake = read(&half).expect_err("no TwrDraft");
-    assert!(
-        mistake.message().contains("expected TwrDraft here"),
-        "{mistake}"
-    );
+    mistake.message().says("expected TwrDraft here");
 }
 
 /// FAST 7 has most of the names in an order of its own; the hint says what to do.
@@ -142,11 +125,8 @@ fn a_main_file_of_fast_7_is_refused_as_one() {
     for name in names.split_whitespace() {
         text += &format!("   1   {name}   - words\n");
     }
-    let error = read_source(
-        source("turbine.fst", text),
-        &InMemory::default(),
-        &ReadOptions::default(),
-    );
+    let expected = source("turbine.fst", text);
+    let error = read_source(expected, &InMemory::default(), &ReadOptions::default());
     let error = error.expect_err("FAST 7");
     let towermodes_files::ReadError::Mistakes { mistakes, .. } = &error else {
         panic!("{error}");
@@ -158,5 +138,5 @@ fn a_main_file_of_fast_7_is_refused_as_one() {
         "{error}"
     );
     let hint = mistakes[0].hint.as_deref().unwrap_or_default();
-    assert!(hint.contains("give its tower file alone"), "{hint}");
+    hint.says("give its tower file alone");
 }

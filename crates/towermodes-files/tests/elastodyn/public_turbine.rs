@@ -7,6 +7,7 @@ use towermodes::turbine::{
     BladeMotion, Harmonic, TurbineDescription, TurbineMesh, TurbineModel, TurbinePart,
 };
 use towermodes_files::{ReadOptions, TowerInput};
+use towermodes_testing::with;
 
 use crate::elastodyn::public::{ONSHORE, peer_deck_with};
 use crate::elastodyn::texts::close;
@@ -90,10 +91,7 @@ fn input(
     without_gravity: bool,
     change: impl FnOnce(&mut TurbineDescription),
 ) -> Option<TowerInput> {
-    let options = ReadOptions {
-        without_gravity,
-        ..ReadOptions::default()
-    };
+    let options = with!(ReadOptions, without_gravity);
     let deck = peer_deck_with(ONSHORE, &options)?;
     let mut input = deck.unwrap_or_else(|error| panic!("{error}")).input;
     change(input.turbine.as_mut().expect("a turbine"));

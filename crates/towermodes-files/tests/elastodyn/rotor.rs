@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use towermodes::{Blade, BladeDescription, BladeFamily, RigidBody, Solver};
 use towermodes_files::elastodyn::{ElastoDynDeck, read_elastodyn, read_main_file};
 use towermodes_files::{InMemory, ReadError, ReadOptions};
+use towermodes_testing::{Says, rows, with};
 
 use crate::elastodyn::texts::{BLADE, TOWER, close, deck, files, main_text, source};
 
@@ -58,10 +59,8 @@ fn blades_are_known_without_speeds() {
     // How many blades it has is known for all that.
     assert_eq!(still.input.blades, Some(3));
     let two = deck(&[("NumBl", "2"), ("HubIner_Teeter", "600")]);
-    assert_eq!(
-        (two.input.description.rotor, two.input.blades),
-        (None, Some(2))
-    );
+    assert_eq!(two.input.description.rotor, None);
+    assert_eq!(two.input.blades, Some(2));
 }
 
 /// Twist and pitch of the deck are positive towards feather, those of the library the other way.
@@ -78,7 +77,7 @@ fn the_first_blade_bends_only() {
     let deck = deck(&changes);
     let said = notes_on_blade(&deck);
     assert_eq!(said.len(), 1, "{said:?}");
-    assert!(said[0].contains("BlPitch(1) = 5 degrees, the initial pitch"));
+    said[0].says("BlPitch(1) = 5 degrees, the initial pitch");
     let blade = deck.input.blade.expect("a blade");
     assert_eq!((blade.hub_radius_m, blade.tip_radius_m), (1.0, 11.0));
     assert_eq!(blade.tip, RigidBody::point(3.0, [0.0; 3]));
@@ -138,21 +137,16 @@ fn what_is_left_out_of_the_blade_is_said() {
         ("BlPitch(3)", "90"),
     ]));
     assert_eq!(said.len(), 3, "{said:?}");
-    assert!(said[0].contains("PreCone(1) = -2.5 degrees is ignored"));
-    assert!(said[1].contains("blade 2 has another file, tip mass or pitch"));
-    assert!(said[2].contains("blade 3 has another file, tip mass or pitch"));
+    said[0].says("PreCone(1) = -2.5 degrees is ignored");
+    said[1].says("blade 2 has another file, tip mass or pitch");
+    said[2].says("blade 3 has another file, tip mass or pitch");
 }
 
 #[test]
 fn without_the_machine_there_is_no_blade() {
-    let options = ReadOptions {
-        without_rna: true,
-        ..ReadOptions::default()
-    };
-    let main = source(
-        "main.dat",
-        main_text(5, &[("RotSpeed", "17.5"), ("PreCone(1)", "2")]),
-    );
+    let options = with!(ReadOptions, without_rna = true);
+    let text = main_text(5, &[("RotSpeed", "17.5"), ("PreCone(1)", "2")]);
+    let main = source("main.dat", text);
     let deck = read_elastodyn(main, &files(TOWER), &options).expect("a deck");
     assert_eq!(deck.input.blade, None);
     assert_eq!(notes(&deck).len(), 1);
@@ -168,7 +162,7 @@ fn speeds_and_pitches_that_cannot_be_are_refused() {
     ] {
         let text = main_text(5, &[(key, value)]);
         let mistake = read_main_file(&source("main.dat", text)).expect_err("a mistake");
-        assert!(mistake.message().contains(key), "{mistake}");
+        mistake.message().says(key);
     }
     // Two blades have no third.
     let two = main_text(
@@ -185,20 +179,17 @@ fn speeds_and_pitches_that_cannot_be_are_refused() {
 
 #[test]
 fn blades_without_stiffness_are_refused() {
-    for (from, to, message) in [
-        ("50 1e9 1e9\n 1 ", "50 0 1e9\n 1 ", "FlpStff of row 1 is 0"),
-        (
-            "50 1e9 1e9\n 1 ",
-            "50 1e9 -1\n 1 ",
-            "EdgStff of row 1 is -1",
-        ),
-        ("50 1e9 1e9\n 1 ", "50 1e9\n 1 ", "EdgStff"),
-        ("1 AdjFlSt", "0 AdjFlSt", "AdjFlSt"),
-        ("1 AdjEdSt", "-1 AdjEdSt", "AdjEdSt"),
-        ("0.25 13 50", "0.25 x 50", "StrcTwst"),
-    ] {
-        assert!(BLADE.contains(from), "{from}");
+    let table = r#"
+        50 1e9 1e9\n 1␣ | 50 0 1e9\n 1␣ | FlpStff of row 1 is 0
+        50 1e9 1e9\n 1␣ | 50 1e9 -1\n 1␣ | EdgStff of row 1 is -1
+        50 1e9 1e9\n 1␣ | 50 1e9\n 1␣ | EdgStff
+        1 AdjFlSt | 0 AdjFlSt | AdjFlSt
+        1 AdjEdSt | -1 AdjEdSt | AdjEdSt
+        0.25 13 50 | 0.25 x 50 | StrcTwst
+        "#;
+    for [from, to, message] in rows(table) {
+        BLADE.says(from);
         let error = with_blade(&BLADE.replace(from, to)).expect_err("a mistake");
-        assert!(error.to_string().contains(message), "{error}");
+        error.says(message);
     }
 }

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
+pub use crate::sources::source;
 use towermodes_files::elastodyn::{ElastoDynDeck, MainFile, read_elastodyn, read_main_file};
-use towermodes_files::{InMemory, ReadOptions, Source};
+use towermodes_files::{InMemory, ReadOptions};
 
 /// The parameters of a main file of OpenFAST 5 by section; `+` before those that older versions do
 /// not have.
@@ -176,13 +177,6 @@ of 10 m
  1 0.25 0 50 1e9 1e9
 ";
 
-pub fn source(name: &str, text: impl Into<String>) -> Source {
-    Source {
-        name: name.to_owned(),
-        text: text.into(),
-    }
-}
-
 pub fn files(tower: &str) -> InMemory {
     let files = [("tower.dat", tower), ("parts\\blade.dat", BLADE)];
     InMemory {
@@ -207,8 +201,6 @@ pub fn deck(changes: &[(&str, &str)]) -> ElastoDynDeck {
 }
 
 pub fn close(value: f64, expected: f64, tolerance: f64) {
-    assert!(
-        (value - expected).abs() <= tolerance,
-        "{value} is not {expected}"
-    );
+    let holds = (value - expected).abs() <= tolerance;
+    assert!(holds, "{value} is not {expected}");
 }

@@ -4,6 +4,7 @@ use towermodes::Inertia;
 use towermodes::turbine::TurbineModel;
 use towermodes_files::elastodyn::{ElastoDynDeck, read_elastodyn};
 use towermodes_files::{NoteKind, ReadOptions, RotorLock, Setting};
+use towermodes_testing::{Says, rows, with, words};
 
 use crate::elastodyn::texts::{BLADE, TOWER, close, deck, files, main_text, source};
 
@@ -43,10 +44,7 @@ fn a_deck_has_the_numbers_of_its_turbine() {
     assert_eq!(turbine.nacelle.mass_kg, 2000.0);
     assert_eq!(turbine.nacelle.center_m, [1.0, 0.5, 1.0]);
     // 4000 − 2000 (1² + 0.5²).
-    let own = Inertia {
-        zz: 1500.0,
-        ..Inertia::default()
-    };
+    let own = with!(Inertia, zz = 1500.0);
     assert_eq!(turbine.nacelle.inertia_kg_m2, own);
     assert_eq!(turbine.yaw_bearing_mass_kg, 300.0);
     assert_eq!(turbine.yaw_n_m_per_rad, f64::INFINITY);
@@ -55,10 +53,8 @@ fn a_deck_has_the_numbers_of_its_turbine() {
     close(turbine.cone_rad.to_degrees(), -3.0, 1e-12);
     let hub = turbine.hub;
     assert_eq!((hub.mass_kg, hub.center_m), (500.0, 1.0));
-    assert_eq!(
-        (hub.polar_inertia_kg_m2, hub.transverse_inertia_kg_m2),
-        (70.0, 0.0)
-    );
+    assert_eq!(hub.polar_inertia_kg_m2, 70.0);
+    assert_eq!(hub.transverse_inertia_kg_m2, 0.0);
     assert_eq!(turbine.shaft_n_m_per_rad, 5e7);
     let generator = turbine.generator;
     assert_eq!((generator.inertia_kg_m2, generator.gear_ratio), (2.0, 3.0));
@@ -118,74 +114,40 @@ fn what_is_assumed_of_the_turbine_is_said() {
 #[test]
 fn a_rotor_that_the_user_frees_has_a_free_generator() {
     let main = source("main.dat", main_text(5, &[]));
-    let options = ReadOptions {
-        rotor: RotorLock::Free,
-        ..ReadOptions::default()
-    };
+    let options = with!(ReadOptions, rotor = RotorLock::Free);
     let deck = read_elastodyn(main, &files(TOWER), &options).expect("a deck");
     let turbine = deck.input.turbine.as_ref().expect("a turbine");
     assert!(!turbine.generator.is_locked);
-    assert!(notes(&deck)[0].contains("as --rotor free says"));
+    notes(&deck)[0].says("as --rotor free says");
 }
 
 #[test]
 fn a_model_that_makes_no_turbine_says_why() {
-    for (changes, reason) in [
-        (
-            &[("NumBl", "2"), ("HubIner_Teeter", "600")][..],
-            "main.dat:45: a rotor of 2 blades is not solved: its inertia and stiffness, seen from the tower, turn with the rotor, so that no speed has natural frequencies; the number of blades must be 3 or more",
-        ),
-        (
-            &[
-                ("NumBl", "2"),
-                ("HubIner_Teeter", "600"),
-                ("TeetDOF", "True"),
-            ],
-            "the number of blades must be 3 or more; its teeter (TeetDOF) is not solved either",
-        ),
-        (
-            &[("Furling", "True")],
-            "Furling is True: a rotor and a tail that furl (FurlFile) are not solved; for the frequencies of the turbine it must be False",
-        ),
-        (
-            &[("PreCone(3)", "-2.5")],
-            "main.dat:50: PreCone(3) is -2.5 degrees and PreCone(1) is 0 degrees: unlike blades are not solved; both must be equal",
-        ),
-        (
-            &[("BlPitch(2)", "90")],
-            "BlPitch(2) is 90 degrees and BlPitch(1) is 0 degrees",
-        ),
-        (
-            &[("TipMass(2)", "90")],
-            "TipMass(2) is 90 kg and TipMass(1) is 0 kg",
-        ),
-        (
-            &[("DrTrDOF", "True"), ("GenDOF", "True")],
-            "DTTorSpr is 0 N m/rad although DrTrDOF is True: nothing holds rotor and generator together; DTTorSpr must be greater than 0, or DrTrDOF False for a rigid shaft",
-        ),
-        (
-            &[("GBRatio", "-3")],
-            "the gear ratio is -3; it must be positive",
-        ),
-        (
-            &[("GenDOF", "True"), ("GenIner", "0")],
-            "the inertia of a free generator is 0; it must be positive",
-        ),
-        (
-            &[("ShftTilt", "60")],
-            "the tilt of the shaft is 60.00 degrees; it must be between -45 and 45 degrees",
-        ),
-    ] {
-        let found = missing(&deck(changes));
-        assert!(found.contains(reason), "{found}");
-        assert!(found.starts_with("main.dat:"), "{found}");
+    let table = r#"
+        NumBl 2 & HubIner_Teeter 600 | main.dat:45: a rotor of 2 blades is not solved: its inertia and stiffness, seen from the tower, turn with the rotor, so that no speed has natural frequencies; the number of blades must be 3 or more
+        NumBl 2 & HubIner_Teeter 600 & TeetDOF True | the number of blades must be 3 or more; its teeter (TeetDOF) is not solved either
+        Furling True | Furling is True: a rotor and a tail that furl (FurlFile) are not solved; for the frequencies of the turbine it must be False
+        PreCone(3) -2.5 | main.dat:50: PreCone(3) is -2.5 degrees and PreCone(1) is 0 degrees: unlike blades are not solved; both must be equal
+        BlPitch(2) 90 | BlPitch(2) is 90 degrees and BlPitch(1) is 0 degrees
+        TipMass(2) 90 | TipMass(2) is 90 kg and TipMass(1) is 0 kg
+        DrTrDOF True & GenDOF True | DTTorSpr is 0 N m/rad although DrTrDOF is True: nothing holds rotor and generator together; DTTorSpr must be greater than 0, or DrTrDOF False for a rigid shaft
+        GBRatio -3 | the gear ratio is -3; it must be positive
+        GenDOF True & GenIner 0 | the inertia of a free generator is 0; it must be positive
+        ShftTilt 60 | the tilt of the shaft is 60.00 degrees; it must be between -45 and 45 degrees
+    "#;
+    for [changes, reason] in rows(table) {
+        let changes = words(changes).into_iter();
+        let changes: Vec<_> = changes.filter_map(|one| one.split_once(' ')).collect();
+        let found = missing(&deck(&changes));
+        found.says(reason);
+        found.begins("main.dat:");
     }
 }
 
 #[test]
 fn a_hanging_tower_has_no_turbine() {
     let hangs = deck(&[("TowerHt", "-40"), ("TowerBsHt", "-10"), ("OverHang", "4")]);
-    assert!(missing(&hangs).contains("a turbine on a tower that hangs is not solved"));
+    missing(&hangs).says("a turbine on a tower that hangs is not solved");
 }
 
 /// A deck whose second blade has a file of its own.
@@ -193,11 +155,8 @@ fn with_second_blade(blade: &str) -> ElastoDynDeck {
     let mut companions = files(TOWER);
     companions.files.insert("other.dat".into(), blade.into());
     let main = main_text(5, &[("BldFile(2)", "\"other.dat\"")]);
-    let deck = read_elastodyn(
-        source("main.dat", main),
-        &companions,
-        &ReadOptions::default(),
-    );
+    let expected = source("main.dat", main);
+    let deck = read_elastodyn(expected, &companions, &ReadOptions::default());
     deck.expect("a deck")
 }
 
@@ -207,7 +166,7 @@ fn blades_of_equal_files_are_equal_and_others_are_not() {
     let heavier = with_second_blade(&BLADE.replace(" 2 AdjBlMs", " 2.1 AdjBlMs"));
     let found = missing(&heavier);
     let reason = "blade 2 (other.dat) has another table or other factors than blade 1 (parts\\blade.dat): unlike blades are not solved; all files BldFile must have the same content";
-    assert!(found.contains(reason), "{found}");
+    found.says(reason);
 }
 
 #[test]
@@ -220,21 +179,18 @@ fn a_table_of_very_many_rows_makes_no_turbine() {
     companions.files.insert("parts\\blade.dat".into(), text);
     let main = source("main.dat", main_text(5, &[]));
     let deck = read_elastodyn(main, &companions, &ReadOptions::default()).expect("a deck");
-    assert!(missing(&deck).contains("the blade file has 1501 rows"));
+    missing(&deck).says("the blade file has 1501 rows");
 }
 
 #[test]
 fn wrong_numbers_of_the_drivetrain_are_refused_at_their_lines() {
-    for (key, value, words) in [
-        (
-            "DTTorSpr",
-            "-1",
-            "DTTorSpr (torsional stiffness of the shaft, N m/rad) is -1, but must be non-negative",
-        ),
-        ("DTTorSpr", "NaN", "DTTorSpr"),
-        ("GenDOF", "perhaps", "GenDOF"),
-        ("YawDOF", "3.5", "YawDOF"),
-    ] {
+    let table = r#"
+        DTTorSpr | -1 | DTTorSpr (torsional stiffness of the shaft, N m/rad) is -1, but must be non-negative
+        DTTorSpr | NaN | DTTorSpr
+        GenDOF | perhaps | GenDOF
+        YawDOF | 3.5 | YawDOF
+    "#;
+    for [key, value, said] in rows(table) {
         let main = source("main.dat", main_text(5, &[(key, value)]));
         let read = read_elastodyn(main.clone(), &files(TOWER), &ReadOptions::default());
         let error = read.expect_err("refused").to_string();
@@ -243,7 +199,7 @@ fn wrong_numbers_of_the_drivetrain_are_refused_at_their_lines() {
             .lines()
             .position(|line| line.contains(&format!(" {key} ")));
         let place = format!("main.dat:{}:", line.expect("a line") + 1);
-        assert!(error.contains(words) && error.contains(&place), "{error}");
+        assert!(error.contains(said) && error.contains(&place), "{error}");
     }
 }
 
@@ -286,33 +242,23 @@ fn the_yaw_spring_is_that_of_servodyn() {
         let deck = by_fst(lines, servo);
         let turbine = deck.input.turbine.as_ref().expect("a turbine");
         assert_eq!(turbine.yaw_n_m_per_rad, f64::INFINITY);
-        assert!(
-            notes(&deck).iter().any(|note| note.contains(words)),
-            "{words}"
-        );
+        let holds = notes(&deck).iter().any(|note| note.contains(words));
+        assert!(holds, "{words}");
     }
-    for (servo, words) in [
-        (
-            "x\n0 YawSpr\n",
-            "servo.dat:2: YawSpr is 0 N m/rad although YawDOF is True",
-        ),
-        (
-            "x\n-5 YawSpr\n",
-            "servo.dat:2: YawSpr (stiffness of the yaw drive, N m/rad) is -5, but must be non-negative",
-        ),
-        ("x\nstiff YawSpr\n", "servo.dat:2: "),
-    ] {
-        let found = missing(&by_fst(named, servo));
-        assert!(found.contains(words), "{found}");
+    let table = r#"
+        x\n0 YawSpr\n | servo.dat:2: YawSpr is 0 N m/rad although YawDOF is True
+        x\n-5 YawSpr\n | servo.dat:2: YawSpr (stiffness of the yaw drive, N m/rad) is -5, but must be non-negative
+        x\nstiff YawSpr\n | servo.dat:2:␣
+    "#;
+    for [servo, said] in rows(table) {
+        missing(&by_fst(named, servo)).says(said);
     }
 }
 
 #[test]
 fn blades_of_beamdyn_are_said() {
-    let deck = by_fst(
-        "2 CompElast\n1 CompServo\n\"servo.dat\" ServoFile\n",
-        "x\n1e9 YawSpr\n",
-    );
+    let lines = "2 CompElast\n1 CompServo\n\"servo.dat\" ServoFile\n";
+    let deck = by_fst(lines, "x\n1e9 YawSpr\n");
     assert!(notes(&deck).iter().any(|note| note.contains("BeamDyn")));
 }
 
@@ -327,18 +273,11 @@ fn a_changed_assembly_or_none_has_no_turbine() {
         .as_ref()
         .expect("a reason")
         .to_string();
-    assert!(
-        input.turbine.is_none() && reason.contains("changed by --set"),
-        "{reason}"
-    );
-    let options = ReadOptions {
-        without_rna: true,
-        ..ReadOptions::default()
-    };
-    let main = source(
-        "main.dat",
-        main_text(5, &[("NumBl", "2"), ("HubIner_Teeter", "600")]),
-    );
+    assert!(input.turbine.is_none(), "{reason}");
+    reason.says("changed by --set");
+    let options = with!(ReadOptions, without_rna = true);
+    let text = main_text(5, &[("NumBl", "2"), ("HubIner_Teeter", "600")]);
+    let main = source("main.dat", text);
     let deck = read_elastodyn(main, &files(TOWER), &options).expect("a deck");
     assert!(deck.input.turbine.is_none() && deck.input.turbine_missing.is_none());
 }

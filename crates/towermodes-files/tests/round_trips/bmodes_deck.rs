@@ -2,6 +2,7 @@
 
 use towermodes::{Foundation, Inertia, PointMass, SoilRow, SoilStiffness, TowerDescription, Wires};
 use towermodes_files::{BmodesWriteError, FileFormat};
+use towermodes_testing::with;
 
 use super::comparison::{
     assert_near, frequencies_hz, largest_difference, weights_n_m, without_shear_and_weights,
@@ -63,12 +64,7 @@ fn spread(mass: &PointMass, width_m: f64) -> impl Iterator<Item = PointMass> + u
         height_m: mass.height_m + width_m * ((k as f64 + 0.5) / PARTS as f64 - 0.5),
         mass_kg: mass.mass_kg / PARTS as f64,
         // No body can have an inertia about one axis alone.
-        inertia_kg_m2: Inertia {
-            xx: 0.5 * zz,
-            yy: 0.5 * zz,
-            zz,
-            ..Inertia::default()
-        },
+        inertia_kg_m2: with!(Inertia, xx = 0.5 * zz, yy = 0.5 * zz, zz),
     })
 }
 

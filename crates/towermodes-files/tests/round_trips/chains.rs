@@ -51,10 +51,8 @@ fn a_tower_in_the_air_goes_round() {
 #[test]
 fn notes_accumulate() {
     let description = towers::in_soil();
-    let (last, notes) = along(
-        &description,
-        &[Target::Toml, Target::Bmodes, Target::WindIo, Target::Toml],
-    );
+    let chain = [Target::Toml, Target::Bmodes, Target::WindIo, Target::Toml];
+    let (last, notes) = along(&description, &chain);
     for words in [
         "BModes has no gravity",
         "BModes has no shear deformation",

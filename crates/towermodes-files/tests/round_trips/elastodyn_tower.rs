@@ -6,6 +6,7 @@ use towermodes::{Planes, PointMass, Properties, PropertyStation, Station, TowerD
 use towermodes_analysis::elastodyn::Rows;
 use towermodes_analysis::elastodyn::{DEFAULT_NODES, MakeOptions};
 use towermodes_files::FileFormat;
+use towermodes_testing::with;
 
 use super::comparison::{alone, assert_near, bending_hz, largest_difference};
 use super::formats::{Target, elastodyn, there_and_back, tower};
@@ -68,10 +69,7 @@ fn spread(mass: &PointMass, width_m: f64) -> impl Iterator<Item = PointMass> + u
 #[test]
 fn a_number_of_rows_is_kept() {
     let description = towers::example("nrel-5mw");
-    let options = MakeOptions {
-        rows: Rows::Count(11),
-        ..MakeOptions::default()
-    };
+    let options = with!(MakeOptions, rows = Rows::Count(11));
     let input = elastodyn(&description, &options).read();
     assert_eq!(input.description.properties.len(), 11);
     let rows = (0..=10).map(|k| {
@@ -84,10 +82,7 @@ fn a_number_of_rows_is_kept() {
             2.1e11 * PI / 64.0 * (d.powi(4) - inner.powi(4)),
         )
     });
-    let expected = TowerDescription {
-        properties: rows.collect(),
-        ..TowerDescription::default()
-    };
+    let expected = with!(TowerDescription, properties = rows.collect());
     for (found, expected) in input
         .description
         .properties
@@ -134,10 +129,7 @@ fn a_step_has_its_rows_whatever_the_number() {
         ],
         ..towers::plain()
     };
-    let options = MakeOptions {
-        rows: Rows::Count(2),
-        ..MakeOptions::default()
-    };
+    let options = with!(MakeOptions, rows = Rows::Count(2));
     let input = elastodyn(&description, &options).read();
     let heights: Vec<f64> = input
         .description

@@ -1,5 +1,6 @@
 //! Writing to each format and reading back as a user's program would.
 
+use crate::sources::source;
 use towermodes::{Tower, TowerDescription};
 use towermodes_analysis::elastodyn::MakeOptions;
 use towermodes_files::elastodyn::{left_out, make_tower_file, write_tower_file};
@@ -7,6 +8,7 @@ use towermodes_files::{
     BmodesWriteError, BmodesWriteOptions, InMemory, Input, Note, ReadOptions, Source, TowerInput,
     read_source, write_bmodes, write_toml, write_windio,
 };
+use towermodes_testing::with;
 
 /// A format that towers are written in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,10 +34,7 @@ impl Written {
     /// A file alone, by a name that must not be needed to know its format.
     fn alone(name: &str, text: String, notes: Vec<Note>) -> Self {
         Self {
-            source: Source {
-                name: name.into(),
-                text,
-            },
+            source: source(name, text),
             companions: InMemory::default(),
             notes,
         }
@@ -44,11 +43,8 @@ impl Written {
     /// The tower in it.
     #[track_caller]
     pub fn read(&self) -> TowerInput {
-        let read = read_source(
-            self.source.clone(),
-            &self.companions,
-            &ReadOptions::default(),
-        );
+        let expected = self.source.clone();
+        let read = read_source(expected, &self.companions, &ReadOptions::default());
         match read {
             Ok(Input::Tower(input)) => *input,
             other => panic!("no tower: {other:?}\n{}", self.source.text),
@@ -87,10 +83,7 @@ pub fn bmodes(description: &TowerDescription) -> Result<Written, BmodesWriteErro
 
 /// As for OpenFAST 4.2 and newer.
 pub fn with_masses_listed() -> MakeOptions {
-    MakeOptions {
-        has_concentrated_masses: true,
-        ..MakeOptions::default()
-    }
+    with!(MakeOptions, has_concentrated_masses = true)
 }
 
 #[track_caller]

@@ -2,9 +2,10 @@
 //! names it.
 
 use towermodes::{
-    AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, Inertia, Planes, PointMass,
-    Properties, Rna, Rotor, Shear, SoilRow, SoilStiffness, Station, TowerDescription, Water,
+    FloatingPlatform, Foundation, Inertia, Planes, PointMass, Properties, Rna, Shear, SoilRow,
+    SoilStiffness, Station, TowerDescription, Water,
 };
+use towermodes_testing::{parts, rotor, with};
 
 use super::comparison::{alone, bending_hz, frequencies_hz, largest_difference};
 use super::formats::{Target, tower, written};
@@ -112,12 +113,7 @@ fn tubes() -> Vec<Case> {
 }
 
 fn masses() -> Vec<Case> {
-    let inertia = Inertia {
-        xx: 5e7,
-        yy: 5e7,
-        zz: 5e7,
-        ..Inertia::default()
-    };
+    let inertia = with!(Inertia, xx = 5e7, yy = 5e7, zz = 5e7);
     let machine = |d: &mut TowerDescription| d.rna.inertia_kg_m2.yz = -9e6;
     let mut alone = plain();
     alone.rna = Rna::default();
@@ -160,11 +156,7 @@ fn masses() -> Vec<Case> {
 }
 
 fn mass(height_m: f64, mass_kg: f64) -> PointMass {
-    PointMass {
-        height_m,
-        mass_kg,
-        ..PointMass::default()
-    }
+    with!(PointMass, height_m, mass_kg)
 }
 
 fn tables() -> Vec<Case> {
@@ -228,15 +220,7 @@ fn tables() -> Vec<Case> {
 }
 
 fn grounds() -> Vec<Case> {
-    let springs = |coupling_n| {
-        Foundation::Springs(FoundationSprings {
-            lateral_n_per_m: 3e8,
-            rocking_n_m: 3e10,
-            coupling_n,
-            vertical_n_per_m: 3e9,
-            torsion_n_m: 4e9,
-        })
-    };
+    let springs = |coupling_n| Foundation::Springs(parts::springs(3e8, 3e10, coupling_n, 3e9, 4e9));
     let mut on_springs = plain();
     on_springs.foundation = springs(0.0);
     vec![
@@ -281,27 +265,14 @@ fn surroundings() -> Vec<Case> {
         };
         vec![row(0.0), row(20.0)]
     };
-    let along = SoilStiffness {
-        z_n_per_m2: 1e9,
-        ..SoilStiffness::default()
-    };
-    let twist = SoilStiffness {
-        torsion_n: 1e10,
-        ..SoilStiffness::default()
-    };
-    let across = SoilStiffness {
-        x_n_per_m2: 3e7,
-        y_n_per_m2: 3e7,
-        ..SoilStiffness::default()
-    };
+    let along = with!(SoilStiffness, z_n_per_m2 = 1e9);
+    let twist = with!(SoilStiffness, torsion_n = 1e10);
+    let across = with!(SoilStiffness, x_n_per_m2 = 3e7, y_n_per_m2 = 3e7);
     let soil_said = |bmodes| [bmodes, Said("the soil"), Said("the soil")];
     let lost = Said("no vertical and no torsional springs");
     let mut by_the_sea = plain();
     by_the_sea.stations = flooded().stations;
-    let growth = |height_m| AddedMassRow {
-        height_m,
-        mass_kg_per_m: 3e3,
-    };
+    let growth = |height_m| parts::added_mass_row(height_m, 3e3);
     let dry = |bmodes| [bmodes, Said("the water"), Said("the water")];
     vec![
         plain_with("soil", soil_said(Kept), |d| d.soil = vec![soil(across)]),
@@ -400,11 +371,7 @@ fn all_things_of_a_tower_come_back_or_are_said() {
 fn a_rotor_comes_back_or_is_said() {
     for (lowest_rpm, highest_rpm) in [(6.9, 12.1), (17.0, 17.0)] {
         let mut description = plain();
-        description.rotor = Some(Rotor {
-            blades: 2,
-            lowest_rpm,
-            highest_rpm,
-        });
+        description.rotor = Some(rotor(2, lowest_rpm, highest_rpm));
         for target in Target::ALL {
             let writing = written(&description, target);
             let read = writing.read().description.rotor;

@@ -6,6 +6,7 @@ use towermodes::{PointMass, TowerDescription};
 use towermodes_analysis::elastodyn::MakeOptions;
 use towermodes_analysis::elastodyn::TowerShape;
 use towermodes_files::elastodyn::{make_tower_file, write_tower_file};
+use towermodes_testing::{Says, with};
 
 use super::formats::{tower, with_masses_listed};
 use super::towers;
@@ -198,10 +199,8 @@ fn every_tower_file_passes() {
     for (name, description) in towers::all() {
         for options in [MakeOptions::default(), with_masses_listed()] {
             let (text, has_masses) = text_of(&description, &options);
-            assert_eq!(
-                has_masses,
-                options.has_concentrated_masses && !description.point_masses.is_empty()
-            );
+            let expected = options.has_concentrated_masses && !description.point_masses.is_empty();
+            assert_eq!(has_masses, expected);
             if let Err(broken) = rules(&text, has_masses) {
                 panic!("{name}: {broken}\n{text}");
             }
@@ -264,11 +263,9 @@ fn assert_best(shape: &TowerShape) {
 #[test]
 fn broken_files_do_not_pass() {
     let mut description = towers::with_masses();
-    description.point_masses.push(PointMass {
-        height_m: 90.0,
-        mass_kg: 1.0,
-        ..PointMass::default()
-    });
+    description
+        .point_masses
+        .push(with!(PointMass, height_m = 90.0, mass_kg = 1.0));
     let (text, _) = text_of(&description, &with_masses_listed());
     assert_eq!(rules(&text, true), Ok(()));
     let lines: Vec<&str> = text.lines().collect();
@@ -291,7 +288,7 @@ fn broken_files_do_not_pass() {
         (last_row + 2, "   Tw", "1  Tw"),
     ];
     for (line, from, to) in edits {
-        assert!(lines[line].contains(from), "{}", lines[line]);
+        lines[line].says(from);
         let mut edited: Vec<String> = lines.iter().map(|&line| line.to_owned()).collect();
         edited[line] = edited[line].replacen(from, to, 1);
         assert!(rules(&edited.join("\n"), true).is_err(), "{}", edited[line]);
@@ -299,9 +296,7 @@ fn broken_files_do_not_pass() {
     for gone in [1, 5, 17, 25, last_row + 1, last_row + 7] {
         let mut edited = lines.clone();
         edited.remove(gone);
-        assert!(
-            rules(&edited.join("\n"), true).is_err(),
-            "without line {gone}"
-        );
+        let holds = rules(&edited.join("\n"), true).is_err();
+        assert!(holds, "without line {gone}");
     }
 }

@@ -4,12 +4,12 @@
 use std::f64::consts::PI;
 
 use towermodes::{
-    AddedMassRow, FootingFormula, Foundation, FoundationSprings, HalfSpace, Inertia, Material,
-    Monopile, PileFormula, PileTube, Planes, PointMass, Properties, PropertyStation,
-    RectangularFooting, Rna, Shear, SoilProfile, SoilRow, SoilStiffness, Station,
-    StiffnessFoundation, SuctionCaisson, TowerDescription, Water, Wires,
+    FootingFormula, Foundation, Material, Monopile, PileFormula, PileTube, Planes, PointMass,
+    Properties, PropertyStation, RectangularFooting, Shear, SoilProfile, SoilRow, SoilStiffness,
+    Station, StiffnessFoundation, SuctionCaisson, TowerDescription,
 };
 use towermodes_files::description_from_toml;
+use towermodes_testing::{changed, parts, rna, stations, tube, with};
 
 /// A tower and what to call it.
 pub type Named = (&'static str, TowerDescription);
@@ -87,22 +87,8 @@ fn by_hand() -> Vec<Named> {
 pub fn plain() -> TowerDescription {
     TowerDescription {
         name: "Tower of the test".into(),
-        materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-        stations: vec![
-            Station::new(0.0, 6.0, 0.035),
-            Station::new(90.0, 3.9, 0.022),
-        ],
-        rna: Rna {
-            mass_kg: 250e3,
-            center_m: [-0.4, 0.0, 1.9],
-            inertia_kg_m2: Inertia {
-                xx: 4.1e7,
-                yy: 2.3e7,
-                zz: 2.2e7,
-                ..Inertia::default()
-            },
-        },
-        ..TowerDescription::default()
+        rna: rna(250e3, [-0.4, 0.0, 1.9], [4.1e7, 2.3e7, 2.2e7]),
+        ..tube(&[(0.0, 6.0, 0.035), (90.0, 3.9, 0.022)])
     }
 }
 
@@ -130,10 +116,7 @@ pub fn several_materials() -> TowerDescription {
             Material::from_poissons_ratio(2500.0, 4e10, 0.2),
         ],
         stations: vec![
-            Station {
-                material: 1,
-                ..Station::new(0.0, 8.0, 0.4)
-            },
+            changed!(Station::new(0.0, 8.0, 0.4), material = 1),
             Station::new(40.0, 6.0, 0.4),
             Station::new(40.0, 6.0, 0.03),
             Station::new(90.0, 4.0, 0.02),
@@ -145,11 +128,7 @@ pub fn several_materials() -> TowerDescription {
 
 /// Masses at heights, two of them at one.
 pub fn with_masses() -> TowerDescription {
-    let mass = |height_m, mass_kg| PointMass {
-        height_m,
-        mass_kg,
-        ..PointMass::default()
-    };
+    let mass = |height_m, mass_kg| with!(PointMass, height_m, mass_kg);
     TowerDescription {
         point_masses: vec![mass(61.3, 9e3), mass(20.0, 4e3), mass(20.0, 2e3)],
         ..plain()
@@ -231,20 +210,10 @@ pub fn in_soil() -> TowerDescription {
         },
     };
     TowerDescription {
-        stations: vec![
-            Station::new(-30.0, 6.0, 0.06),
-            Station::new(5.0, 6.0, 0.06),
-            Station::new(90.0, 3.9, 0.022),
-        ],
+        stations: stations(&[(-30.0, 6.0, 0.06), (5.0, 6.0, 0.06), (90.0, 3.9, 0.022)]),
         shear: Shear::Cowper,
         soil: vec![vec![soil(-30.0, 9e7), soil(-18.0, 3e7), soil(-11.0, 0.0)]],
-        foundation: Foundation::Springs(FoundationSprings {
-            lateral_n_per_m: 2e8,
-            rocking_n_m: 3e10,
-            coupling_n: -1e8,
-            vertical_n_per_m: 2e10,
-            torsion_n_m: 3e10,
-        }),
+        foundation: Foundation::Springs(parts::springs(2e8, 3e10, -1e8, 2e10, 3e10)),
         gravity_m_per_s2: 9.81,
         ..plain()
     }
@@ -252,22 +221,10 @@ pub fn in_soil() -> TowerDescription {
 
 /// In water, with water inside and a growth of mussels.
 pub fn flooded() -> TowerDescription {
-    let growth = |height_m, mass_kg_per_m| AddedMassRow {
-        height_m,
-        mass_kg_per_m,
-    };
+    let growth = |height_m, mass_kg_per_m| parts::added_mass_row(height_m, mass_kg_per_m);
     TowerDescription {
-        stations: vec![
-            Station::new(-25.0, 7.0, 0.06),
-            Station::new(90.0, 3.9, 0.022),
-        ],
-        water: Some(Water {
-            level_m: 0.0,
-            bed_m: None,
-            density_kg_per_m3: 1025.0,
-            added_mass_coefficient: 1.0,
-            flooded: true,
-        }),
+        stations: stations(&[(-25.0, 7.0, 0.06), (90.0, 3.9, 0.022)]),
+        water: Some(parts::water(0.0, None, 1025.0, 1.0, true)),
         added_mass: vec![vec![growth(-20.0, 500.0), growth(-3.0, 1500.0)]],
         ..plain()
     }
@@ -275,27 +232,14 @@ pub fn flooded() -> TowerDescription {
 
 /// Held by wires at two heights.
 pub fn wired() -> TowerDescription {
-    let wires = |height_m, angle_deg| Wires {
-        height_m,
-        count: 4,
-        stiffness_n_per_m: 3e6,
-        angle_deg,
-    };
-    TowerDescription {
-        wires: vec![wires(41.0, 40.0), wires(70.0, 55.0)],
-        ..plain()
-    }
+    let wires = |height_m, angle_deg| parts::wires(height_m, 4, 3e6, angle_deg);
+    changed!(plain(), wires = vec![wires(41.0, 40.0), wires(70.0, 55.0)])
 }
 
 /// On a footing.
 pub fn on_half_space() -> TowerDescription {
     TowerDescription {
-        foundation: Foundation::HalfSpace(HalfSpace {
-            radius_m: 8.0,
-            embedment_m: 2.0,
-            shear_modulus_pa: 5e7,
-            poissons_ratio: 0.35,
-        }),
+        foundation: Foundation::HalfSpace(parts::half_space(8.0, 2.0, 5e7, 0.35)),
         ..plain()
     }
 }

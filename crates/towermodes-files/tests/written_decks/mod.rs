@@ -2,19 +2,15 @@
 
 #![allow(dead_code, reason = "each file of tests uses a part")]
 
-use towermodes::{Material, Station, Tower, TowerDescription};
+use towermodes::{Tower, TowerDescription};
 use towermodes_files::{BmodesFiles, BmodesWriteError, BmodesWriteOptions, write_bmodes};
+use towermodes_testing::tube;
 
 /// A tube whose wall is as thick everywhere.
 pub fn tubes() -> TowerDescription {
     TowerDescription {
         name: "Tower of the test".into(),
-        materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-        stations: vec![
-            Station::new(0.0, 6.0, 0.027),
-            Station::new(100.0, 4.0, 0.02),
-        ],
-        ..TowerDescription::default()
+        ..tube(&[(0.0, 6.0, 0.027), (100.0, 4.0, 0.02)])
     }
 }
 
@@ -53,11 +49,8 @@ impl Deck {
     pub fn of(files: &BmodesFiles) -> Self {
         let sections: Vec<&str> = files.sections.lines().collect();
         let count = numbers(sections[1])[0] as usize;
-        assert_eq!(
-            sections.len(),
-            5 + count,
-            "one record for each section after five"
-        );
+        let found = sections.len();
+        assert_eq!(found, 5 + count, "one record for each section after five");
         let deck = Self {
             lines: files.deck.lines().map(str::to_owned).collect(),
             sections: sections[5..].iter().map(|line| numbers(line)).collect(),
@@ -69,16 +62,12 @@ impl Deck {
         };
         assert!(deck.sections.iter().all(|row| row.len() == 13));
         let heights: Vec<f64> = deck.sections.iter().map(|row| row[0]).collect();
-        assert!(
-            heights.windows(2).all(|pair| pair[0] < pair[1]),
-            "{heights:?}"
-        );
+        let holds = heights.windows(2).all(|pair| pair[0] < pair[1]);
+        assert!(holds, "{heights:?}");
         assert_eq!((heights[0], heights[heights.len() - 1]), (0.0, 1.0));
         let borders = deck.borders();
-        assert!(
-            borders.windows(2).all(|pair| pair[0] < pair[1]),
-            "{borders:?}"
-        );
+        let holds = borders.windows(2).all(|pair| pair[0] < pair[1]);
+        assert!(holds, "{borders:?}");
         assert_eq!((borders[0], borders[borders.len() - 1]), (0.0, 1.0));
         deck
     }
@@ -168,18 +157,13 @@ impl Deck {
 
     #[track_caller]
     pub fn says(&self, words: &str) {
-        assert!(
-            self.notes.iter().any(|note| note.contains(words)),
-            "{:?}",
-            self.notes
-        );
+        let holds = self.notes.iter().any(|note| note.contains(words));
+        assert!(holds, "{:?}", self.notes);
     }
 }
 
 #[track_caller]
 pub fn assert_near(value: f64, expected: f64, share: f64) {
-    assert!(
-        (value - expected).abs() <= share * expected.abs(),
-        "{value} instead of {expected}"
-    );
+    let holds = (value - expected).abs() <= share * expected.abs();
+    assert!(holds, "{value} instead of {expected}");
 }

@@ -9,6 +9,7 @@ use towermodes::{Material, Options, Solution, Station, Tower, TowerDescription, 
 use towermodes_files::{Input, ReadOptions, TowerInput, read};
 use towermodes_report::figures;
 use towermodes_report::svg::{Figure, LabelBox, Look};
+use towermodes_testing::{stations, with};
 
 /// The towers of examples/.
 pub const EXAMPLES: [&str; 9] = [
@@ -43,11 +44,7 @@ pub fn input(name: &str) -> (TowerInput, Tower) {
 /// A tower of examples/ with its lowest modes.
 pub fn example(name: &str, modes: usize) -> (TowerDescription, Tower, Solution) {
     let (input, tower) = input(name);
-    let options = Options {
-        modes,
-        ..Options::default()
-    };
-    let solution = solve(&tower, &options).expect("its modes");
+    let solution = solve(&tower, &with!(Options, modes)).expect("its modes");
     (input.description, tower, solution)
 }
 
@@ -55,20 +52,14 @@ pub fn example(name: &str, modes: usize) -> (TowerDescription, Tower, Solution) 
 pub fn check(what: &str, figure: &Figure) {
     check_labels(what, figure);
     let svg = figure.to_svg(Look::Standalone);
-    assert!(
-        !svg.contains("NaN") && !svg.contains("inf"),
-        "{what}: no number"
-    );
-    assert!(
-        !figure.title.is_empty() && !figure.description.is_empty(),
-        "{what}"
-    );
+    assert!(!svg.contains("NaN"), "{what}: no number");
+    assert!(!svg.contains("inf"), "{what}: no number");
+    assert!(!figure.title.is_empty(), "{what}");
+    assert!(!figure.description.is_empty(), "{what}");
     let table = &figure.table;
     assert!(!table.rows.is_empty(), "{what}: no numbers");
-    assert!(
-        table.rows.iter().all(|row| row.len() == table.header.len()),
-        "{what}"
-    );
+    let holds = table.rows.iter().all(|row| row.len() == table.header.len());
+    assert!(holds, "{what}");
 }
 
 /// Whether every text is inside the picture, apart from the others and large enough.
@@ -79,10 +70,8 @@ pub fn check_labels(what: &str, figure: &Figure) {
     let labels = figure.labels();
     assert!(!labels.is_empty(), "{what}: no text");
     for (index, label) in labels.iter().enumerate() {
-        assert!(
-            is_inside(label, width, height),
-            "{what}: {label:?} reaches beyond"
-        );
+        let holds = is_inside(label, width, height);
+        assert!(holds, "{what}: {label:?} reaches beyond");
         for other in &labels[index + 1..] {
             assert!(!label.overlaps(other), "{what}: {label:?} and {other:?}");
         }
@@ -90,10 +79,8 @@ pub fn check_labels(what: &str, figure: &Figure) {
     let svg = figure.to_svg(Look::Standalone);
     for size in svg.split("font-size=\"").skip(1) {
         let size = size.split('"').next().expect("its end");
-        assert!(
-            size.parse::<f64>().expect("a number") >= SMALLEST,
-            "{what}: text of {size}"
-        );
+        let holds = size.parse::<f64>().expect("a number") >= SMALLEST;
+        assert!(holds, "{what}: text of {size}");
     }
 }
 
@@ -111,17 +98,11 @@ pub fn steel(stations: Vec<Station>) -> TowerDescription {
 }
 
 pub fn plain() -> TowerDescription {
-    steel(vec![
-        Station::new(0.0, 6.0, 0.027),
-        Station::new(87.6, 3.87, 0.019),
-    ])
+    steel(stations(&[(0.0, 6.0, 0.027), (87.6, 3.87, 0.019)]))
 }
 
 pub fn solved(tower: &Tower, modes: usize) -> Solution {
-    let options = Options {
-        modes,
-        ..Options::default()
-    };
+    let options = with!(Options, modes);
     solve(tower, &options).expect("its modes")
 }
 

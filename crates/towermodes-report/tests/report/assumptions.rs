@@ -3,12 +3,13 @@
 use std::path::Path;
 
 use towermodes::{
-    CircularFooting, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Method, Monopile,
-    Options, PileFormula, PileTube, Planes, PointMass, Properties, PropertyStation, ReferredMatrix,
-    Rna, Shear, SoilProfile, SoilRow, SoilStiffness, StiffnessFoundation, SuctionCaisson,
-    TowerDescription, Water, Wires,
+    CircularFooting, FloatingPlatform, Foundation, FoundationSprings, Method, Monopile, Options,
+    PileFormula, PileTube, Planes, PointMass, Properties, PropertyStation, ReferredMatrix, Rna,
+    Shear, SoilProfile, SoilRow, SoilStiffness, StiffnessFoundation, SuctionCaisson,
+    TowerDescription,
 };
 use towermodes_files::{Input, ReadOptions, read};
+use towermodes_testing::{changed, parts, with, words};
 
 use super::{content_by, page_of, pole, section};
 
@@ -19,42 +20,41 @@ struct Row {
     options: Options,
     reading: &'static str,
     section: &'static str,
-    said: &'static [&'static str],
-    unsaid: &'static [&'static str],
+    said: Vec<&'static str>,
+    unsaid: Vec<&'static str>,
 }
 
-fn row(
-    name: &'static str,
-    description: TowerDescription,
-    said: &'static [&'static str],
-    unsaid: &'static [&'static str],
-) -> Row {
+fn row(name: &'static str, description: TowerDescription) -> Row {
     Row {
         name,
         description,
         options: Options::default(),
         reading: "",
         section: "assumptions",
-        said,
-        unsaid,
+        said: Vec::new(),
+        unsaid: Vec::new(),
     }
 }
 
 impl Row {
-    fn by(self, method: Method) -> Self {
-        let options = Options {
-            method,
-            ..self.options
-        };
-        Self { options, ..self }
+    fn says(mut self, said: &'static str) -> Self {
+        self.said.extend(words(said));
+        self
     }
 
-    fn without_rotary_inertia(self) -> Self {
-        let options = Options {
-            rotary_inertia: false,
-            ..self.options
-        };
-        Self { options, ..self }
+    fn omits(mut self, unsaid: &'static str) -> Self {
+        self.unsaid.extend(words(unsaid));
+        self
+    }
+
+    fn by(mut self, method: Method) -> Self {
+        self.options.method = method;
+        self
+    }
+
+    fn without_rotary_inertia(mut self) -> Self {
+        self.options.rotary_inertia = false;
+        self
     }
 
     fn of(self, section: &'static str) -> Self {
@@ -91,89 +91,49 @@ fn rows() -> Vec<Row> {
 fn beams() -> Vec<Row> {
     let sheared = |shear| TowerDescription { shear, ..pole() };
     vec![
-        row(
-            "clamped tube",
-            pole(),
-            &[
-                "a Rayleigh beam",
-                "Torsion and axial deformation are included.",
-                "The base is clamped",
-                "by 5 % at a load factor of 10.",
-                "There is no rotor-nacelle assembly.",
+        row("clamped tube", pole())
+            .says("a Rayleigh beam & Torsion and axial deformation are included.")
+            .says("The base is clamped & by 5 % at a load factor of 10.")
+            .says("There is no rotor-nacelle assembly.")
+            .says(
                 "no soil along the tower, no water along the tower, no guy wires, no point masses",
-            ],
-            &["table", "BModes", "infinite", "at the tower top"],
-        ),
-        row(
-            "Cowper",
-            sheared(Shear::Cowper),
-            &["a Timoshenko beam", "Cowper (1966)"],
-            &[],
-        ),
-        row(
-            "tube, --no-rotary-inertia",
-            pole(),
-            &["an Euler-Bernoulli beam", "neglected (--no-rotary-inertia)"],
-            &["table"],
-        )
-        .without_rotary_inertia(),
+            )
+            .omits("table & BModes & infinite & at the tower top"),
+        row("Cowper", sheared(Shear::Cowper)).says("a Timoshenko beam & Cowper (1966)"),
+        row("tube, --no-rotary-inertia", pole())
+            .says("an Euler-Bernoulli beam & neglected (--no-rotary-inertia)")
+            .omits("table")
+            .without_rotary_inertia(),
         row(
             "Timoshenko, --no-rotary-inertia",
             sheared(Shear::Coefficient(0.5)),
-            &[
-                "with shear deformation but without rotary inertia",
-                "shear coefficient is 0.5",
-            ],
-            &[],
         )
+        .says("with shear deformation but without rotary inertia")
+        .says("shear coefficient is 0.5")
         .without_rotary_inertia(),
-        row(
-            "tube by bmodes",
-            pole(),
-            &[
-                "an Euler-Bernoulli beam",
-                "The element of BModes has no rotary inertia",
-            ],
-            &["(--no-rotary-inertia)"],
-        )
-        .by(Method::Bmodes),
-        row(
-            "Timoshenko by bmodes",
-            sheared(Shear::Cowper),
-            &[
-                "an Euler-Bernoulli beam",
-                "rotary inertia and shear stiffness of the input are neglected",
-            ],
-            &["Cowper"],
-        )
-        .by(Method::Bmodes),
-        row(
-            "table without rotary inertia",
-            table(0.0),
-            &[
-                "an Euler-Bernoulli beam",
-                "The table of the input has no rotary inertia.",
-                "a table: mass and stiffness vary linearly",
-                "Axial deformation is included, torsion is not",
-            ],
-            &["Rayleigh", "tubes", "(--no-rotary-inertia)"],
-        ),
-        row(
-            "table with rotary inertia",
-            table(900.0),
-            &["a Rayleigh beam", "squared radii of gyration"],
-            &["has no rotary inertia"],
-        ),
-        row(
-            "deck of ElastoDyn",
-            example("small-turbine/ElastoDyn.dat"),
-            &[
-                "an Euler-Bernoulli beam",
-                "Torsion and axial deformation are not included",
-                "rotor-nacelle assembly is one rigid body",
-            ],
-            &["Rayleigh", "Axial deformation is included"],
-        ),
+        row("tube by bmodes", pole())
+            .says("an Euler-Bernoulli beam & The element of BModes has no rotary inertia")
+            .omits("(--no-rotary-inertia)")
+            .by(Method::Bmodes),
+        row("Timoshenko by bmodes", sheared(Shear::Cowper))
+            .says("an Euler-Bernoulli beam")
+            .says("rotary inertia and shear stiffness of the input are neglected")
+            .omits("Cowper")
+            .by(Method::Bmodes),
+        row("table without rotary inertia", table(0.0))
+            .says("an Euler-Bernoulli beam")
+            .says("The table of the input has no rotary inertia.")
+            .says("a table: mass and stiffness vary linearly")
+            .says("Axial deformation is included, torsion is not")
+            .omits("Rayleigh & tubes & (--no-rotary-inertia)"),
+        row("table with rotary inertia", table(900.0))
+            .says("a Rayleigh beam & squared radii of gyration")
+            .omits("has no rotary inertia"),
+        row("deck of ElastoDyn", example("small-turbine/ElastoDyn.dat"))
+            .says("an Euler-Bernoulli beam")
+            .says("Torsion and axial deformation are not included")
+            .says("rotor-nacelle assembly is one rigid body")
+            .omits("Rayleigh & Axial deformation is included"),
     ]
 }
 
@@ -191,10 +151,7 @@ fn table(rotary_inertia_kg_m: f64) -> TowerDescription {
             shear_n: None,
         },
     };
-    TowerDescription {
-        properties: vec![row(0.0), row(80.0)],
-        ..TowerDescription::default()
-    }
+    with!(TowerDescription, properties = vec![row(0.0), row(80.0)])
 }
 
 fn example(name: &str) -> TowerDescription {
@@ -206,10 +163,7 @@ fn example(name: &str) -> TowerDescription {
 }
 
 fn on(foundation: Foundation) -> TowerDescription {
-    TowerDescription {
-        foundation,
-        ..pole()
-    }
+    changed!(pole(), foundation)
 }
 
 fn grounds() -> Vec<Row> {
@@ -223,16 +177,8 @@ fn grounds() -> Vec<Row> {
         matrices.stiffness[i][i] = [1e9, 1e9, f64::INFINITY, 1e11, 1e11, f64::INFINITY][i];
         matrices.inertia[i][i] = 1e5;
     }
-    let without_inertia = StiffnessFoundation {
-        inertia: [[0.0; 6]; 6],
-        ..matrices
-    };
-    let footing = HalfSpace {
-        radius_m: 9.0,
-        embedment_m: 0.0,
-        shear_modulus_pa: 5e7,
-        poissons_ratio: 0.3,
-    };
+    let without_inertia = changed!(matrices, inertia = [[0.0; 6]; 6]);
+    let footing = parts::half_space(9.0, 0.0, 5e7, 0.3);
     let stratum = CircularFooting {
         radius_m: 9.0,
         embedment_m: 2.0,
@@ -266,73 +212,51 @@ fn grounds() -> Vec<Row> {
         torsion_n_m: f64::INFINITY,
     };
     vec![
-        row(
-            "springs",
-            on(Foundation::Springs(springs)),
-            &[
-                "linear springs",
-                "Fixed degrees of freedom: z, rotation about z.",
-                "more so on a softer foundation",
-            ],
-            &["clamped", "inertia of the foundation"],
-        ),
+        row("springs", on(Foundation::Springs(springs)))
+            .says("linear springs & Fixed degrees of freedom: z, rotation about z.")
+            .says("more so on a softer foundation")
+            .omits("clamped & inertia of the foundation"),
         row(
             "springs that are all rigid",
             on(Foundation::Springs(FoundationSprings::RIGID)),
-            &["clamped: every spring of the foundation is rigid"],
-            &["linear springs"],
-        ),
+        )
+        .says("clamped: every spring of the foundation is rigid")
+        .omits("linear springs"),
         row(
             "stiffness matrix with inertia",
             on(Foundation::Stiffness(Box::new(matrices))),
-            &[
-                "linear springs",
-                "Fixed degrees of freedom: z, rotation about z.",
-                "The inertia of the foundation moves with the base",
-            ],
-            &["clamped"],
-        ),
+        )
+        .says("linear springs & Fixed degrees of freedom: z, rotation about z.")
+        .says("The inertia of the foundation moves with the base")
+        .omits("clamped"),
         row(
             "stiffness matrix without inertia",
             on(Foundation::Stiffness(Box::new(without_inertia))),
-            &["linear springs"],
-            &["inertia of the foundation"],
-        ),
-        row(
-            "half-space",
-            on(Foundation::HalfSpace(footing)),
-            &["elastic half-space"],
-            &["clamped"],
-        ),
+        )
+        .says("linear springs")
+        .omits("inertia of the foundation"),
+        row("half-space", on(Foundation::HalfSpace(footing)))
+            .says("elastic half-space")
+            .omits("clamped"),
         row(
             "circular footing",
             on(Foundation::CircularFooting(Box::new(stratum))),
-            &[
-                "elastic stratum over rock",
-                "static, coupled springs (DNV-OS-J101, Appendix G)",
-            ],
-            &["clamped", "half-space"],
-        ),
+        )
+        .says("elastic stratum over rock")
+        .says("static, coupled springs (DNV-OS-J101, Appendix G)")
+        .omits("clamped & half-space"),
         row(
             "suction caisson",
             on(Foundation::SuctionCaisson(Box::new(caisson))),
-            &[
-                "the lid of a rigid suction caisson",
-                "Jalbi, Shadlou & Bhattacharya (2018)",
-                "Fixed degrees of freedom: z, rotation about z.",
-            ],
-            &["clamped"],
-        ),
-        row(
-            "monopile",
-            on(Foundation::Monopile(Box::new(pile))),
-            &[
-                "the head of a monopile",
-                "Randolph (1981)",
-                "Fixed degrees of freedom: z, rotation about z.",
-            ],
-            &["clamped"],
-        ),
+        )
+        .says("the lid of a rigid suction caisson")
+        .says("Jalbi, Shadlou & Bhattacharya (2018)")
+        .says("Fixed degrees of freedom: z, rotation about z.")
+        .omits("clamped"),
+        row("monopile", on(Foundation::Monopile(Box::new(pile))))
+            .says("the head of a monopile & Randolph (1981)")
+            .says("Fixed degrees of freedom: z, rotation about z.")
+            .omits("clamped"),
     ]
 }
 
@@ -360,205 +284,102 @@ fn afloat() -> Vec<Row> {
         gravity_m_per_s2,
         ..on(Foundation::Floating(Box::new(platform)))
     };
-    let dry = FloatingPlatform {
-        added_mass: matrix([0.0; 6]),
-        ..platform
-    };
+    let dry = changed!(platform, added_mass = matrix([0.0; 6]));
     let platform_alone = on(Foundation::Floating(Box::new(dry)));
     vec![
-        row(
-            "floating with gravity",
-            with(9.81),
-            &[
-                "Gravity is included as linear geometric stiffness, g = 9.81",
-                "it determines roll and pitch",
-                "with constant added mass, hydrostatic stiffness, linear moorings",
-                "no water along the tower",
-            ],
-            &[
-                "no water,",
-                "lowers the bending frequencies",
-                "has no constant",
-            ],
-        ),
-        row(
-            "floating without gravity",
-            with(0.0),
-            &["(g = 0). It determines roll and pitch of a floating tower"],
-            &["would lower"],
-        ),
-        row(
-            "floating without added mass",
-            platform_alone,
-            &[
-                "The input has no constant added mass.",
-                "radiation damping is neglected",
-            ],
-            &["frequency dependence"],
-        ),
-        row(
-            "weights of the hydrostatic stiffness",
-            with(9.81),
-            &["Hydrostatic stiffness as given; the gravity terms of all masses are added to it"],
-            &["without gravity terms"],
-        )
-        .of("input"),
-        row(
-            "no weights of the hydrostatic stiffness",
-            with(0.0),
-            &["Hydrostatic stiffness as given, without gravity terms"],
-            &["are added to it"],
-        )
-        .of("input"),
-        row(
-            "names afloat",
-            with(9.81),
-            &["named after the largest rigid-body motion"],
-            &["A mode is named after"],
-        )
-        .of("frequencies"),
-        row(
-            "names ashore",
-            pole(),
-            &["A mode is named after the motion with the largest mean of both fractions."],
-            &["Surge"],
-        )
-        .of("frequencies"),
+        row("floating with gravity", with(9.81))
+            .says("Gravity is included as linear geometric stiffness, g = 9.81")
+            .says("it determines roll and pitch")
+            .says("with constant added mass, hydrostatic stiffness, linear moorings")
+            .says("no water along the tower")
+            .omits("no water, & lowers the bending frequencies & has no constant"),
+        row("floating without gravity", with(0.0))
+            .says("(g = 0). It determines roll and pitch of a floating tower")
+            .omits("would lower"),
+        row("floating without added mass", platform_alone)
+            .says("The input has no constant added mass. & radiation damping is neglected")
+            .omits("frequency dependence"),
+        row("weights of the hydrostatic stiffness", with(9.81))
+            .says("Hydrostatic stiffness as given; the gravity terms of all masses are added to it")
+            .omits("without gravity terms")
+            .of("input"),
+        row("no weights of the hydrostatic stiffness", with(0.0))
+            .says("Hydrostatic stiffness as given, without gravity terms")
+            .omits("are added to it")
+            .of("input"),
+        row("names afloat", with(9.81))
+            .says("named after the largest rigid-body motion")
+            .omits("A mode is named after")
+            .of("frequencies"),
+        row("names ashore", pole())
+            .says("A mode is named after the motion with the largest mean of both fractions.")
+            .omits("Surge")
+            .of("frequencies"),
     ]
 }
 
 fn around() -> Vec<Row> {
     let soil = |height_m| SoilRow {
         height_m,
-        stiffness: SoilStiffness {
-            x_n_per_m2: 2.5e6,
-            y_n_per_m2: 2.5e6,
-            ..SoilStiffness::default()
-        },
+        stiffness: with!(SoilStiffness, x_n_per_m2 = 2.5e6, y_n_per_m2 = 2.5e6),
     };
-    let soil = TowerDescription {
-        soil: vec![vec![soil(0.0), soil(10.0)]],
-        ..pole()
-    };
+    let soil = changed!(pole(), soil = vec![vec![soil(0.0), soil(10.0)]]);
     let water = TowerDescription {
-        water: Some(Water {
-            level_m: 15.0,
-            bed_m: None,
-            density_kg_per_m3: 1025.0,
-            added_mass_coefficient: 1.0,
-            flooded: false,
-        }),
+        water: Some(parts::water(15.0, None, 1025.0, 1.0, false)),
         ..pole()
     };
-    let wires = TowerDescription {
-        wires: vec![Wires {
-            height_m: 60.0,
-            count: 3,
-            stiffness_n_per_m: 7.5e4,
-            angle_deg: 45.0,
-        }],
-        ..pole()
-    };
+    let wires = changed!(pole(), wires = vec![parts::wires(60.0, 3, 7.5e4, 45.0)]);
     vec![
-        row("soil", soil, &["Winkler"], &["no soil"]),
-        row("water", water, &["Still water"], &["no water"]),
-        row(
-            "wires",
-            wires,
-            &["Guy wires are linear springs"],
-            &["no guy wires"],
-        ),
+        row("soil", soil).says("Winkler").omits("no soil"),
+        row("water", water).says("Still water").omits("no water"),
+        row("wires", wires)
+            .says("Guy wires are linear springs")
+            .omits("no guy wires"),
     ]
 }
 
 fn others() -> Vec<Row> {
-    let at = |height_m| PointMass {
-        height_m,
-        mass_kg: 350e3,
-        ..PointMass::default()
-    };
-    let topped = TowerDescription {
-        point_masses: vec![at(40.0), at(80.0)],
-        ..pole()
-    };
-    let rna = TowerDescription {
-        rna: Rna::point(350e3),
-        ..pole()
-    };
-    let sheared = TowerDescription {
-        shear: Shear::Cowper,
-        ..pole()
-    };
+    let at = |height_m| with!(PointMass, height_m, mass_kg = 350e3);
+    let topped = changed!(pole(), point_masses = vec![at(40.0), at(80.0)]);
+    let rna = changed!(pole(), rna = Rna::point(350e3));
+    let sheared = changed!(pole(), shear = Shear::Cowper);
     vec![
-        row(
-            "mass at the top",
-            topped,
-            &["There is no rotor-nacelle assembly. A mass of 350 t is at the tower top."],
-            &["no point masses"],
-        ),
-        row(
-            "rna",
-            rna,
-            &["The rotor-nacelle assembly is one rigid body"],
-            &["There is no rotor-nacelle assembly"],
-        ),
-        row(
-            "--no-rna",
-            pole(),
-            &["There is no rotor-nacelle assembly (--no-rna)."],
-            &[],
-        )
-        .read("--no-rna"),
-        row(
-            "spectral",
-            pole(),
-            &["from one polynomial degree, or from one element length, to the next"],
-            &["by comparison with those with"],
-        )
-        .by(Method::Spectral)
-        .of("frequencies"),
-        row(
-            "segments",
-            pole(),
-            &["by comparison with those with 50 and 25 segments"],
-            &["polynomial degree"],
-        )
-        .of("frequencies"),
-        row(
-            "bmodes beside it",
-            pole(),
-            &["The differences of bmodes", "lacks rotary inertia, which"],
-            &[],
-        )
-        .of("methods"),
-        row(
-            "bmodes beside shear",
-            sheared,
-            &["lacks rotary inertia and shear deformation, which"],
-            &[],
-        )
-        .of("methods"),
-        row(
-            "bmodes alike",
-            pole(),
-            &["decrease with more segments"],
-            &["The differences of bmodes"],
-        )
-        .without_rotary_inertia()
-        .of("methods"),
-        row(
-            "width of tubes",
-            pole(),
-            &["Height and diameter are to the same scale"],
-            &["nominal", "has no diameter"],
-        )
-        .of("animation"),
-        row(
-            "width of tables",
-            table(0.0),
-            &["the input has no diameter"],
-            &["Height and diameter"],
-        )
-        .of("animation"),
+        row("mass at the top", topped)
+            .says("There is no rotor-nacelle assembly. A mass of 350 t is at the tower top.")
+            .omits("no point masses"),
+        row("rna", rna)
+            .says("The rotor-nacelle assembly is one rigid body")
+            .omits("There is no rotor-nacelle assembly"),
+        row("--no-rna", pole())
+            .says("There is no rotor-nacelle assembly (--no-rna).")
+            .read("--no-rna"),
+        row("spectral", pole())
+            .says("from one polynomial degree, or from one element length, to the next")
+            .omits("by comparison with those with")
+            .by(Method::Spectral)
+            .of("frequencies"),
+        row("segments", pole())
+            .says("by comparison with those with 50 and 25 segments")
+            .omits("polynomial degree")
+            .of("frequencies"),
+        row("bmodes beside it", pole())
+            .says("The differences of bmodes & lacks rotary inertia, which")
+            .of("methods"),
+        row("bmodes beside shear", sheared)
+            .says("lacks rotary inertia and shear deformation, which")
+            .of("methods"),
+        row("bmodes alike", pole())
+            .says("decrease with more segments")
+            .omits("The differences of bmodes")
+            .without_rotary_inertia()
+            .of("methods"),
+        row("width of tubes", pole())
+            .says("Height and diameter are to the same scale")
+            .omits("nominal & has no diameter")
+            .of("animation"),
+        row("width of tables", table(0.0))
+            .says("the input has no diameter")
+            .omits("Height and diameter")
+            .of("animation"),
     ]
 }

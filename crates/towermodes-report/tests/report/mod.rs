@@ -8,9 +8,8 @@ use std::collections::HashSet;
 
 use towermodes::Rotor;
 use towermodes::{
-    AddedMassRow, Foundation, FoundationSprings, Inertia, Material, Method, Options, PartNames,
-    Planes, PointMass, Rna, SoilRow, SolveError, Solver, Station, Tower, TowerDescription, Water,
-    Wires, solve,
+    Foundation, FoundationSprings, Inertia, Material, Method, Options, PartNames, PointMass, Rna,
+    SoilRow, SolveError, Solver, Station, Tower, TowerDescription, solve,
 };
 use towermodes_analysis::elastodyn::tower_shapes;
 use towermodes_analysis::resonance::{CampbellError, CampbellOptions, campbell};
@@ -19,6 +18,7 @@ use towermodes_report::report::{
     Circumstances, ContentError, ElastoDynShapes, InputFile, ReportContent, ReportRequest,
     SilentComputation, TitleBlock, html, markdown,
 };
+use towermodes_testing::{Says, changed, parts, rotor, rows, with};
 
 use page::{Piece, attribute, pieces, read};
 
@@ -40,33 +40,20 @@ fn pole() -> TowerDescription {
 }
 
 /// 3P meets the first mode at 12.73 rpm, 4.9 % above the highest speed.
-const ROTOR: Rotor = Rotor {
-    blades: 3,
-    lowest_rpm: 6.9,
-    highest_rpm: 12.1,
-};
+const ROTOR: Rotor = rotor(3, 6.9, 12.1);
 
 fn content(description: TowerDescription, rotor: Option<Rotor>) -> ReportContent {
-    let options = Options {
-        rotary_inertia: false,
-        ..Options::default()
-    };
+    let options = with!(Options, rotary_inertia = false);
     content_by(description, rotor, options)
 }
 
 /// The shapes with frequencies that no one else has.
 fn elastodyn(tower: &Tower) -> Result<ElastoDynShapes, String> {
-    let options = Options {
-        method: Method::Spectral,
-        ..Options::default()
-    };
+    let options = with!(Options, method = Method::Spectral);
     let shapes = tower_shapes(tower, &options, tower.base_m());
     Ok(ElastoDynShapes {
         shapes: shapes.map_err(|error| error.to_string())?,
-        frequency_alone_hz: Planes {
-            fore_aft: [11.25, 12.25],
-            side_side: [13.25, 14.25],
-        },
+        frequency_alone_hz: parts::planes([11.25, 12.25], [13.25, 14.25]),
     })
 }
 
@@ -127,10 +114,7 @@ fn request(covers_excitations: bool) -> ReportRequest {
         blades: None,
         elastodyn: elastodyn(&tower),
         shapes_from_m: tower.base_m(),
-        options: Options {
-            modes: 2,
-            ..Options::default()
-        },
+        options: with!(Options, modes = 2),
         covers_excitations,
         rotor: Some(ROTOR),
         blade: None,
@@ -139,10 +123,7 @@ fn request(covers_excitations: bool) -> ReportRequest {
         soil_factors: None,
         sensitivities: false,
         compared_segments: 20,
-        circumstances: Circumstances {
-            notes: vec!["of the reader".to_owned()],
-            ..Circumstances::default()
-        },
+        circumstances: with!(Circumstances, notes = vec!["of the reader".to_owned()]),
         notes_on_shapes: vec!["of the shapes".to_owned()],
         description,
         tower,
@@ -155,34 +136,22 @@ fn request(covers_excitations: bool) -> ReportRequest {
 fn a_report_is_computed_in_one_call() {
     let compute = |request| ReportContent::compute(request, &SilentComputation);
     let content = compute(request(false)).expect("a report");
-    assert_eq!(
-        (content.options.modes, content.solution.modes.len()),
-        (2, 2)
-    );
+    assert_eq!(content.options.modes, 2);
+    assert_eq!(content.solution.modes.len(), 2);
     let [reader, uncovered, shapes] = &content.circumstances.notes[..] else {
         panic!("{:?}", content.circumstances.notes)
     };
     assert_eq!((&**reader, &**shapes), ("of the reader", "of the shapes"));
-    assert!(uncovered.contains("are not checked"), "{uncovered}");
+    uncovered.says("are not checked");
     let columns = content.comparison.expect("a comparison").columns;
     assert_eq!(columns.len(), Method::ALL.len());
     let content = compute(request(true)).expect("a report");
-    assert_eq!(
-        (content.options.modes, content.solution.modes.len()),
-        (4, 4)
-    );
-    assert_eq!(
-        content.circumstances.notes,
-        ["of the reader", "of the shapes"]
-    );
-    let nowhere = Options {
-        modes: usize::MAX,
-        ..Options::default()
-    };
-    let refused = compute(ReportRequest {
-        options: nowhere,
-        ..request(false)
-    });
+    assert_eq!(content.options.modes, 4);
+    assert_eq!(content.solution.modes.len(), 4);
+    let expected = ["of the reader", "of the shapes"];
+    assert_eq!(content.circumstances.notes, expected);
+    let nowhere = with!(Options, modes = usize::MAX);
+    let refused = compute(changed!(request(false), options = nowhere));
     assert!(matches!(refused, Err(ContentError::Solve(_))));
 }
 
@@ -192,10 +161,7 @@ fn the_influence_of_the_numbers_is_a_section_on_request() {
     let title = "Sensitivities";
     let without = compute_page(request(false));
     assert!(!without.contains(title));
-    let page = compute_page(ReportRequest {
-        sensitivities: true,
-        ..request(false)
-    });
+    let page = compute_page(changed!(request(false), sensitivities = true));
     let section = section(&page, "sensitivities");
     for words in [
         title,
@@ -203,7 +169,7 @@ fn the_influence_of_the_numbers_is_a_section_on_request() {
         "+0.5000",
         "material.density",
     ] {
-        assert!(section.contains(words), "{words}: {section}");
+        section.says(words);
     }
 }
 
@@ -230,19 +196,19 @@ fn section(page: &str, id: &str) -> String {
 }
 
 /// The sections in their order: the mark, the name in links, the title.
-const SECTIONS: [(&str, &str, &str); 11] = [
-    ("1", "summary", "Summary"),
-    ("2", "input", "Input"),
-    ("3", "assumptions", "Assumptions"),
-    ("4", "frequencies", "Natural frequencies"),
-    ("5", "resonance", "Resonance"),
-    ("6", "modes", "Mode shapes"),
-    ("7", "elastodyn", "Shapes for ElastoDyn (OpenFAST)"),
-    ("8", "notes", "Notes and warnings"),
-    ("9", "reproduction", "Reproduction"),
-    ("Appendix A", "methods", "Methods compared"),
-    ("Appendix B", "files", "Input files"),
-];
+const SECTIONS: &str = r#"
+    1 | summary | Summary
+    2 | input | Input
+    3 | assumptions | Assumptions
+    4 | frequencies | Natural frequencies
+    5 | resonance | Resonance
+    6 | modes | Mode shapes
+    7 | elastodyn | Shapes for ElastoDyn (OpenFAST)
+    8 | notes | Notes and warnings
+    9 | reproduction | Reproduction
+    Appendix A | methods | Methods compared
+    Appendix B | files | Input files
+"#;
 
 #[test]
 fn every_section_is_there_in_its_order() {
@@ -250,7 +216,7 @@ fn every_section_is_there_in_its_order() {
     let page = page_of(&content);
     let text = markdown(&content);
     let (mut in_page, mut in_text) = (0, 0);
-    for (mark, id, title) in SECTIONS {
+    for [mark, id, title] in rows(SECTIONS) {
         let at = page.find(&format!("<section id=\"{id}\"")).expect(id);
         assert!(at > in_page, "{id}");
         in_page = at;
@@ -266,10 +232,7 @@ fn every_section_is_there_in_its_order() {
 fn the_title_block_has_the_fields_that_were_given() {
     let mut content = content(pole(), None);
     assert!(!page_of(&content).contains("<dl class=\"title-block\">"));
-    assert!(
-        markdown(&content)
-            .starts_with("# Natural frequencies and mode shapes: pole\n\n## 1. Summary")
-    );
+    markdown(&content).begins("# Natural frequencies and mode shapes: pole\n\n## 1. Summary");
     content.circumstances.title_block = TitleBlock {
         document: "T-17-003".to_owned(),
         revision: " C ".to_owned(),
@@ -309,7 +272,7 @@ fn the_summary_begins_with_the_conclusion() {
         "In operation 1P covers 0.1150 to 0.2017 Hz and 3P covers 0.3450 to 0.6050 Hz",
         "1st fore-aft bending is at 0.6364 Hz: 1P is 68.3 % below it and 3P is 4.9 % below it",
     ] {
-        assert!(summary.contains(said), "{said}: {summary}");
+        summary.says(said);
     }
     // As Markdown there is no command that draws it, but its numbers are there.
     let row = "| 1st fore-aft bending | 0.6364 |";
@@ -318,10 +281,7 @@ fn the_summary_begins_with_the_conclusion() {
         .lines()
         .find(|line| line.starts_with(row) && line.contains("3P"));
     let numbers = numbers.expect("a row of numbers");
-    assert!(
-        numbers.ends_with("| 3P | 0.3450 to 0.6050 | 0.3286 to 0.6368 | \u{2212}4.9 | FAIL |"),
-        "{numbers}"
-    );
+    numbers.ends("| 3P | 0.3450 to 0.6050 | 0.3286 to 0.6368 | \u{2212}4.9 | FAIL |");
     let without = content_by(pole(), None, Options::default());
     assert!(!page_of(&without).contains("id=\"first-frequencies-title\""));
 }
@@ -337,20 +297,17 @@ fn the_input_file_is_in_the_report() {
     assert_eq!(read(&format!("<!DOCTYPE html>{text}")), POLE);
     let said = "The text differs from the file";
     // Its size is said to be 123 bytes, so it is another one.
-    assert!(section(&page, "files").contains(said));
+    section(&page, "files").says(said);
     content.circumstances.files[0].bytes = POLE.len() as u64;
     assert!(!section(&page_of(&content), "files").contains(said));
     let fenced = format!("**pole.toml**\n\n```text\n{POLE}```\n");
-    assert!(
-        markdown(&content).ends_with(&fenced),
-        "{}",
-        markdown(&content)
-    );
+    let holds = markdown(&content).ends_with(&fenced);
+    assert!(holds, "{}", markdown(&content));
     content.circumstances.files[0].text = format!("{HOSTILE}\n</pre>");
     content.circumstances.files[0].name = "a/b \"c\".toml".to_owned();
     let page = page_of(&content);
     nested(&pieces(&page));
-    assert!(section(&page, "files").contains(HOSTILE));
+    section(&page, "files").says(HOSTILE);
 }
 
 #[test]
@@ -369,7 +326,7 @@ fn the_summary_has_the_numbers_of_the_textbook() {
         "FAIL: 3P with 1st fore-aft bending (-4.9 % at 12.1 rpm) and 1st side-side bending (-4.9 % at 12.1 rpm).",
         "exactly 8 modes below",
     ] {
-        assert!(summary.contains(said), "{said}: {summary}");
+        summary.says(said);
     }
 }
 
@@ -383,43 +340,23 @@ fn the_summary_names_what_the_model_lacks() {
         section(&page_of(&content), "summary")
     };
     let whole = with_rna(&[]);
-    assert!(
-        whole.contains(": stiff-stiff. ") && !whole.contains("the missing parts"),
-        "{whole}"
-    );
+    whole.says(": stiff-stiff. ");
+    assert!(!whole.contains("the missing parts"), "{whole}");
     assert!(!whole.contains("Not in the model"), "{whole}");
     let lacking = with_rna(&["the floating platform is left out"]);
-    for said in [
-        "Not in the model",
-        "the floating platform is left out",
-        "The class and the distances are those of the model without the missing parts.",
-    ] {
-        assert!(lacking.contains(said), "{said}: {lacking}");
-    }
+    lacking.says_all("Not in the model & the floating platform is left out");
+    lacking.says("The class and the distances are those of the model without the missing parts.");
 }
 
 /// Modes come in pairs: of three the third is the first of the second pair.
 #[test]
 fn a_pair_that_the_list_cuts_is_said() {
-    let options = Options {
-        modes: 3,
-        ..Options::default()
-    };
+    let options = with!(Options, modes = 3);
     let content = content_by(pole(), None, options);
-    assert_eq!(
-        (
-            content.solution.modes.len(),
-            content.solution.certificate.count
-        ),
-        (3, 4)
-    );
+    assert_eq!(content.solution.modes.len(), 3);
+    assert_eq!(content.solution.certificate.count, 4);
     let summary = section(&page_of(&content), "summary");
-    assert!(
-        summary.contains(
-            "Mode list complete except for the other mode of the last pair: exactly 4 modes"
-        ),
-        "{summary}"
-    );
+    summary.says("Mode list complete except for the other mode of the last pair: exactly 4 modes");
 }
 
 /// Side-side is softer here, so that its mode comes first.
@@ -428,10 +365,7 @@ fn the_summary_goes_by_frequency() {
     let mut description = pole();
     description.rna = Rna {
         mass_kg: 200e3,
-        inertia_kg_m2: Inertia {
-            xx: 1e8,
-            ..Inertia::default()
-        },
+        inertia_kg_m2: with!(Inertia, xx = 1e8),
         ..Rna::default()
     };
     let summary = section(&page_of(&content(description, None)), "summary");
@@ -443,35 +377,17 @@ fn the_summary_goes_by_frequency() {
 fn shapes_for_elastodyn_have_its_frequency_and_what_it_lacks() {
     let clamped = content(pole(), None);
     let page = section(&page_of(&clamped), "elastodyn");
-    for said in ["11.25000", "12.25000", "13.25000", "14.25000"] {
-        assert!(page.contains(said), "{said}: {page}");
-    }
+    page.says_all("11.25000 & 12.25000 & 13.25000 & 14.25000");
     assert!(!page.contains("does not include"), "{page}");
     assert!(!page.contains("are subtracted"), "{page}");
-    assert!(page.contains("towermodes elastodyn tower pole.toml --output Tower.dat"));
+    page.says("towermodes elastodyn tower pole.toml --output Tower.dat");
     let mut description = pole();
-    description.wires = vec![Wires {
-        height_m: 50.0,
-        count: 3,
-        stiffness_n_per_m: 1e6,
-        angle_deg: 45.0,
-    }];
-    description.foundation = Foundation::Springs(FoundationSprings {
-        lateral_n_per_m: 1e9,
-        rocking_n_m: 1e11,
-        coupling_n: 0.0,
-        vertical_n_per_m: f64::INFINITY,
-        torsion_n_m: f64::INFINITY,
-    });
+    description.wires = vec![parts::wires(50.0, 3, 1e6, 45.0)];
+    description.foundation =
+        Foundation::Springs(parts::springs(1e9, 1e11, 0.0, f64::INFINITY, f64::INFINITY));
     let page = section(&page_of(&content(description, None)), "elastodyn");
-    assert!(
-        page.contains("does not include the base motion and the guy wires."),
-        "{page}"
-    );
-    assert!(
-        page.contains("are subtracted from each mode before the fit"),
-        "{page}"
-    );
+    page.says("does not include the base motion and the guy wires.");
+    page.says("are subtracted from each mode before the fit");
 }
 
 #[test]
@@ -479,14 +395,10 @@ fn margins_are_those_of_hand() {
     // 3P at 12.1 rpm is 0.605 Hz, 0.605/0.63637 − 1 = −4.93 %; 6P at 6.9 rpm 0.69 Hz, +8.43 %; 1P
     // at 12.1 rpm −68.3 %.
     let text = markdown(&content(pole(), Some(ROTOR)));
-    for row in [
-        "| 1st fore-aft bending | 3P | 12.10 | 0.6364 | 0.6050 | \u{2212}4.9 | **FAIL** |",
-        "| 1st fore-aft bending | 6P | 6.900 | 0.6364 | 0.6900 | +8.4 | **PASS** |",
-        "| 1st fore-aft bending | 1P | 12.10 | 0.6364 | 0.2017 | \u{2212}68.3 | **PASS** |",
-    ] {
-        assert!(text.contains(row), "{row}\n{text}");
-    }
-    assert!(text.contains("f is shifted by its error towards the excitation"));
+    text.says("| 1st fore-aft bending | 3P | 12.10 | 0.6364 | 0.6050 | \u{2212}4.9 | **FAIL** |");
+    text.says("| 1st fore-aft bending | 6P | 6.900 | 0.6364 | 0.6900 | +8.4 | **PASS** |");
+    text.says("| 1st fore-aft bending | 1P | 12.10 | 0.6364 | 0.2017 | \u{2212}68.3 | **PASS** |");
+    text.says("f is shifted by its error towards the excitation");
 }
 
 #[test]
@@ -494,24 +406,9 @@ fn the_input_is_tabulated() {
     let mut description = pole();
     description.rna = Rna::point(1000.0);
     description.gravity_m_per_s2 = 9.81;
-    description.point_masses = vec![PointMass {
-        height_m: 40.0,
-        mass_kg: 1234.5,
-        ..PointMass::default()
-    }];
-    description.water = Some(Water {
-        level_m: 15.0,
-        bed_m: None,
-        density_kg_per_m3: 1025.0,
-        added_mass_coefficient: 1.0,
-        flooded: true,
-    });
-    description.wires = vec![Wires {
-        height_m: 60.0,
-        count: 3,
-        stiffness_n_per_m: 7.5e4,
-        angle_deg: 45.0,
-    }];
+    description.point_masses = vec![with!(PointMass, height_m = 40.0, mass_kg = 1234.5)];
+    description.water = Some(parts::water(15.0, None, 1025.0, 1.0, true));
+    description.wires = vec![parts::wires(60.0, 3, 7.5e4, 45.0)];
     let row = |height_m: f64| SoilRow {
         height_m,
         stiffness: towermodes::SoilStiffness {
@@ -522,28 +419,10 @@ fn the_input_is_tabulated() {
     };
     description.soil = vec![vec![row(0.0), row(10.0)]];
     let input = section(&page_of(&content(description.clone(), None)), "input");
-    for said in [
-        "1234.5",
-        "2.5\u{b7}10\u{2076}",
-        "75000",
-        "200.0",
-        "7850",
-        "1025",
-        "9.81",
-        "158.3 t",
-    ] {
-        assert!(input.contains(said), "{said}: {input}");
-    }
+    input.says_all("1234.5 & 2.5\u{b7}10\u{2076} & 75000 & 200.0 & 7850 & 1025 & 9.81 & 158.3 t");
     let page = page_of(&content(description, None));
     let assumptions = section(&page, "assumptions");
-    for said in [
-        "g = 9.81 m/s\u{b2}",
-        "Winkler",
-        "Still water is modelled",
-        "Guy wires are",
-    ] {
-        assert!(assumptions.contains(said), "{said}: {assumptions}");
-    }
+    assumptions.says_all("g = 9.81 m/s\u{b2} & Winkler & Still water is modelled & Guy wires are");
 }
 
 #[test]
@@ -552,19 +431,10 @@ fn what_is_missing_is_said_with_the_reason() {
     content.comparison = Err(SolveError::NoModes);
     content.elastodyn = Err("the tower reaches from 0 m to 80 m".to_owned());
     let page = page_of(&content);
-    let resonance = section(&page, "resonance");
-    assert!(resonance.contains("rpm = [6.9, 12.1]"), "{resonance}");
-    let methods = section(&page, "methods");
-    assert!(
-        methods.contains("The methods were not compared"),
-        "{methods}"
-    );
-    let elastodyn = section(&page, "elastodyn");
-    assert!(
-        elastodyn.contains("the tower reaches from 0 m to 80 m"),
-        "{elastodyn}"
-    );
-    assert!(section(&page, "summary").contains("Not checked: the input gives no rotor speed."));
+    section(&page, "resonance").says("rpm = [6.9, 12.1]");
+    section(&page, "methods").says("The methods were not compared");
+    section(&page, "elastodyn").says("the tower reaches from 0 m to 80 m");
+    section(&page, "summary").says("Not checked: the input gives no rotor speed.");
 }
 
 #[test]
@@ -576,13 +446,10 @@ fn a_blade_without_modes_leaves_its_reason() {
     }));
     let said = "The rotor excitations were not compared with the natural frequencies: the blade at 12.1 rpm: the number of modes is 0; it must be at least 1";
     let page = page_of(&content);
-    let resonance = section(&page, "resonance");
-    assert!(resonance.contains(said), "{resonance}");
-    assert!(
-        section(&page, "summary").contains("Not checked: the rotor blade could not be solved.")
-    );
+    section(&page, "resonance").says(said);
+    section(&page, "summary").says("Not checked: the rotor blade could not be solved.");
     let text = markdown(&content);
-    assert!(text.contains(said), "{text}");
+    text.says(said);
     assert!(!text.contains("--what campbell"), "{text}");
 }
 
@@ -598,7 +465,7 @@ fn a_report_can_be_reproduced() {
         "123",
         &"ba7816bf".repeat(8),
     ] {
-        assert!(reproduction.contains(said), "{said}");
+        reproduction.says(said);
     }
 }
 
@@ -627,7 +494,7 @@ fn hostile_names_stay_text() {
     );
     let text = read(&page);
     for what in ["title", "name", "note", "command", "file"] {
-        assert!(text.contains(&format!("{what} {HOSTILE}")), "{what}");
+        text.says(&format!("{what} {HOSTILE}"));
     }
     nested(&pieces);
     let text = markdown(&content);
@@ -679,10 +546,8 @@ fn the_page_is_sound() {
         }
         assert_eq!(levels.iter().filter(|level| **level == 1).count(), 1);
         assert_eq!(levels[0], 1);
-        assert!(
-            levels.windows(2).all(|pair| pair[1] <= pair[0] + 1),
-            "{levels:?}"
-        );
+        let holds = levels.windows(2).all(|pair| pair[1] <= pair[0] + 1);
+        assert!(holds, "{levels:?}");
         for piece in &pieces {
             let Piece::Start(_, attributes) = piece else {
                 continue;
@@ -718,18 +583,10 @@ fn turbine_page() -> String {
 fn a_turning_turbine_is_a_section_with_its_animation() {
     let page = turbine_page();
     let section = section(&page, "turbine");
-    for words in [
-        "1st flapwise backward whirl",
-        "1st edgewise forward whirl",
-        "no aerodynamics, no controller",
-        "12.1 rpm",
-        "counts prove that no mode below",
-        "whirls with",
-        "Distance of every excitation from every coupled mode",
-        "with the rotor as a rigid body and with the flexible rotor",
-    ] {
-        assert!(section.contains(words), "{words}: {section}");
-    }
+    section.says_all("1st flapwise backward whirl & 1st edgewise forward whirl");
+    section.says_all("no aerodynamics, no controller & 12.1 rpm & counts prove that no mode below");
+    section.says_all("whirls with & Distance of every excitation from every coupled mode");
+    section.says("with the rotor as a rigid body and with the flexible rotor");
     let data = page.split("id=\"whirl-data\">").nth(1).expect("its data");
     assert!(data.find("</script>").expect("an end") < 100_000);
     let without = page_of(&content(pole(), Some(ROTOR)));
@@ -765,11 +622,7 @@ fn the_page_asks_for_nothing() {
 /// A tower with something of each kind on it, under it and around it.
 fn surrounded() -> TowerDescription {
     let mut description = pole();
-    let mass = |mass_kg| PointMass {
-        height_m: 40.0,
-        mass_kg,
-        ..PointMass::default()
-    };
+    let mass = |mass_kg| with!(PointMass, height_m = 40.0, mass_kg);
     description.point_masses = vec![mass(2e3), mass(5e3)];
     description.rna = Rna::point(100e3);
     description.rotor = Some(Rotor { blades: 2, ..ROTOR });
@@ -782,26 +635,10 @@ fn surrounded() -> TowerDescription {
         },
     };
     description.soil = vec![vec![row(0.0), row(10.0)]];
-    description.water = Some(Water {
-        level_m: 25.0,
-        bed_m: Some(10.0),
-        density_kg_per_m3: 1025.0,
-        added_mass_coefficient: 1.0,
-        flooded: false,
-    });
-    description.wires = vec![Wires {
-        height_m: 60.0,
-        count: 3,
-        stiffness_n_per_m: 1e6,
-        angle_deg: 45.0,
-    }];
-    description.foundation = Foundation::Springs(FoundationSprings {
-        lateral_n_per_m: 1e9,
-        rocking_n_m: 1e11,
-        coupling_n: 0.0,
-        vertical_n_per_m: 1e9,
-        torsion_n_m: f64::INFINITY,
-    });
+    description.water = Some(parts::water(25.0, Some(10.0), 1025.0, 1.0, false));
+    description.wires = vec![parts::wires(60.0, 3, 1e6, 45.0)];
+    description.foundation =
+        Foundation::Springs(parts::springs(1e9, 1e11, 0.0, 1e9, f64::INFINITY));
     description
 }
 
@@ -855,10 +692,8 @@ fn what_is_around_the_tower_moves_with_it() {
     // The upper blade is as long as the lower one: 0.6 of the 55 m above the water, about the
     // middle of the nacelle.
     let [upper, lower] = [heights(of("rotor")[1]), heights(of("rotor")[2])];
-    assert!(
-        (upper[1] - lower[0] - 2.0 * 0.6 * 55.0).abs() < 0.05,
-        "{upper:?} {lower:?}"
-    );
+    let holds = (upper[1] - lower[0] - 2.0 * 0.6 * 55.0).abs() < 0.05;
+    assert!(holds, "{upper:?} {lower:?}");
     // Wires at 45° from 60 m meet the ground at 10 m, 50 m away.
     let anchor = |body: &&serde_json::Value| {
         body["form"] == "line" && body["points"][1] == serde_json::json!([50.0, 0.0, 10.0])
@@ -868,9 +703,7 @@ fn what_is_around_the_tower_moves_with_it() {
         .into_iter()
         .filter(|body| body["follows_m"] == 40.0);
     assert_eq!(masses.count(), 2);
-    assert!(
-        section(&page, "animation").contains("soil, water, the foundation or platform, springs")
-    );
+    section(&page, "animation").says("soil, water, the foundation or platform, springs");
 }
 
 #[test]
@@ -901,24 +734,15 @@ fn sections_turn_as_the_axis_bends() {
 #[test]
 fn masses_are_said_with_their_sum() {
     let input = section(&page_of(&content(surrounded(), None)), "input");
-    assert!(input.contains("2 point masses, 7 t in total;"), "{input}");
-    assert!(input.contains("mass (kg)"), "{input}");
+    input.says_all("2 point masses, 7 t in total; & mass (kg)");
 }
 
 #[test]
 fn columns_without_numbers_are_left_out() {
     let text = markdown(&content(surrounded(), None));
-    assert!(text.contains("| height z (m) | mass (kg) |\n"), "{text}");
-    assert!(
-        text.contains(
-            "columns not shown because all values are zero: Ixx, Iyy, Izz, Ixy, Ixz, Iyz."
-        ),
-        "{text}"
-    );
-    assert!(
-        text.contains("| height z (m) | x (N/m²) | y (N/m²) |\n"),
-        "{text}"
-    );
+    text.says("| height z (m) | mass (kg) |\n");
+    text.says("columns not shown because all values are zero: Ixx, Iyy, Izz, Ixy, Ixz, Iyz.");
+    text.says("| height z (m) | x (N/m²) | y (N/m²) |\n");
     assert!(
         text.contains(
             "linear between rows; columns not shown because all values are zero: z, torsion, rotation about x, rotation about y."
@@ -955,41 +779,26 @@ fn long_tables_are_short_and_whole() {
     description.stations = heights.map(|z| Station::new(z, 4.0, 0.02)).collect();
     let content = content(description, None);
     let page = page_of(&content);
-    assert!(page.contains("Show all 41 rows"));
-    let input = section(&page, "input");
-    assert!(input.contains("the first and the last 8 of 41 rows"));
+    page.says("Show all 41 rows");
+    section(&page, "input").says("the first and the last 8 of 41 rows");
     // Eight of each end, then all: the row of 14 m twice, that of 16 m once.
     let rows = |height: &str| {
         page.matches(&format!("<th scope=\"row\" class=\"number\">{height}</th>"))
             .count()
     };
-    assert_eq!(
-        (rows("14"), rows("16"), rows("64"), rows("66")),
-        (2, 1, 1, 2)
-    );
+    let expected = (rows("14"), rows("16"), rows("64"), rows("66"));
+    assert_eq!(expected, (2, 1, 1, 2));
     assert!(page.len() < 2_000_000);
 }
 
 #[test]
 fn parts_are_called_by_their_names() {
     let mut description = pole();
-    let mass = PointMass {
-        height_m: 40.0,
-        mass_kg: 10e3,
-        ..PointMass::default()
-    };
+    let mass = with!(PointMass, height_m = 40.0, mass_kg = 10e3);
     description.point_masses = vec![mass; 2];
-    let row = |height_m: f64| SoilRow {
-        height_m,
-        ..SoilRow::default()
-    };
+    let row = |height_m: f64| with!(SoilRow, height_m);
     description.soil = vec![vec![row(0.0), row(5.0)]];
-    description.wires = vec![Wires {
-        height_m: 50.0,
-        count: 3,
-        stiffness_n_per_m: 1e6,
-        angle_deg: 45.0,
-    }];
+    description.wires = vec![parts::wires(50.0, 3, 1e6, 45.0)];
     let without = markdown(&content(description.clone(), None));
     assert!(!without.contains("| name | height"), "{without}");
     let list = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect();
@@ -1001,32 +810,20 @@ fn parts_are_called_by_their_names() {
         ..PartNames::default()
     };
     let text = markdown(&content(description, None));
-    for said in [
-        "| steel S355 | 1 | 7850 |",
-        "| 0 | 4 | 20 | 200.0 | 1, steel S355 |",
-        "| \u{2013} | 40 | 10000 |",
-        "| platform | 40 | 10000 |",
-        "Soil springs per unit length (dense sand); linear between rows.",
-        "| strand of 20 mm | 50 | 3 |",
-    ] {
-        assert!(text.contains(said), "{said}\n{text}");
-    }
+    text.says_all("| steel S355 | 1 | 7850 | & | 0 | 4 | 20 | 200.0 | 1, steel S355 |");
+    text.says_all("| \u{2013} | 40 | 10000 | & | platform | 40 | 10000 |");
+    text.says("Soil springs per unit length (dense sand); linear between rows.");
+    text.says("| strand of 20 mm | 50 | 3 |");
 }
 
 #[test]
 fn hinges_that_were_put_elsewhere_are_said() {
     let by = |method, hinge_position| {
-        let options = Options {
-            method,
-            hinge_position,
-            segments: Some(20),
-            ..Options::default()
-        };
+        let options = with!(Options, method, hinge_position, segments = Some(20));
         section(&page_of(&content_by(pole(), None, options)), "frequencies")
     };
     let said = "hinges at 0.25 of the segment length from its ends";
-    let page = by(Method::Cardanic, 0.25);
-    assert!(page.contains(said), "{page}");
+    by(Method::Cardanic, 0.25).says(said);
     assert!(!by(Method::Cardanic, Options::default().hinge_position).contains("hinges at"));
     assert!(!by(Method::RmjeExact, 0.25).contains("hinges at"));
 }
@@ -1036,22 +833,11 @@ fn one_mass_is_one_and_rods_are_no_tubes() {
     let mut description = pole();
     description.name = String::new();
     let plain = markdown(&content(description.clone(), None));
-    assert!(plain.contains("| name | \u{2013} |"), "{plain}");
-    assert!(
-        plain.contains("Cross-sections are circular tubes of"),
-        "{plain}"
-    );
-    assert!(plain.contains("The total includes the tower."), "{plain}");
+    plain.says_all("| name | \u{2013} | & Cross-sections are circular tubes of");
+    plain.says("The total includes the tower.");
     description.stations = [0.0, 80.0].map(|z| Station::new(z, 4.0, 2.0)).to_vec();
-    description.point_masses = vec![PointMass {
-        height_m: 40.0,
-        mass_kg: 10e3,
-        ..PointMass::default()
-    }];
-    let row = |height_m| AddedMassRow {
-        height_m,
-        mass_kg_per_m: 100.0,
-    };
+    description.point_masses = vec![with!(PointMass, height_m = 40.0, mass_kg = 10e3)];
+    let row = |height_m| parts::added_mass_row(height_m, 100.0);
     description.added_mass = vec![vec![row(0.0), row(10.0)]];
     description.foundation = Foundation::Springs(FoundationSprings {
         lateral_n_per_m: f64::INFINITY,
@@ -1066,7 +852,7 @@ fn one_mass_is_one_and_rods_are_no_tubes() {
         "; 1 point mass of 10 t; added mass along the tower; clamped at the base.",
         "The total includes the tower, its point masses and the added mass of the water in x and y.",
     ] {
-        assert!(text.contains(said), "{said}\n{text}");
+        text.says(said);
     }
 }
 
@@ -1085,18 +871,18 @@ fn thousands_of_stations_are_in_the_page_and_counted_in_markdown() {
     assert_eq!(rows.count(), 2016);
     let shown = "the first and the last 8 of 2000 rows";
     for said in [shown, "Show all 2000 rows"] {
-        assert!(page.contains(said), "{said}");
+        page.says(said);
     }
-    assert!(markdown(&content).contains(shown));
+    markdown(&content).says(shown);
     let content = stations(5000);
     let page = page_of(&content);
     let rows = page.matches("<td class=\"number\">4</td><td class=\"number\">20</td>");
     assert_eq!(rows.count(), 4016);
     let shown = "the first and the last 8 of 5000 rows";
     for said in [shown, "Show the first and the last 2000 of 5000 rows"] {
-        assert!(page.contains(said), "{said}");
+        page.says(said);
     }
-    assert!(markdown(&content).contains(shown));
+    markdown(&content).says(shown);
 }
 
 /// A hundred stations are whole in Markdown; of a hundred and one there are eight of each end with
@@ -1121,7 +907,7 @@ fn markdown_shortens_tables_of_more_than_a_hundred_rows() {
     let (heights, text) = stations(101);
     assert_eq!(heights.len(), 17, "{heights:?}");
     assert_eq!(heights[7..10], ["7", "\u{2026}", "93"]);
-    assert!(text.contains("Shown: the first and the last 8 of 101 rows."));
+    text.says("Shown: the first and the last 8 of 101 rows.");
 }
 
 #[test]
@@ -1146,14 +932,10 @@ fn markdown_has_sound_tables_and_commands() {
         "towermodes plot pole.toml --part tower --what campbell --method rmje-exact --modes 8 --no-rotary-inertia --rpm 6.9,12.1 --blades 3 --multiples 1,3,6,9 --output campbell.svg",
         "towermodes plot pole.toml --part tower --what error --modes 8 --no-rotary-inertia --output error.svg",
     ] {
-        assert!(text.contains(command), "{command}\n{text}");
+        text.says(command);
     }
     content.circumstances.files[0].name = "-dash.toml".to_owned();
     let text = markdown(&content);
-    for command in [
-        "towermodes plot --part tower --what tower --output tower.svg -- -dash.toml",
-        "towermodes elastodyn tower --part tower --output Tower.dat -- -dash.toml",
-    ] {
-        assert!(text.contains(command), "{command}\n{text}");
-    }
+    text.says("towermodes plot --part tower --what tower --output tower.svg -- -dash.toml");
+    text.says("towermodes elastodyn tower --part tower --output Tower.dat -- -dash.toml");
 }

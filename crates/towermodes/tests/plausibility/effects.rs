@@ -3,9 +3,10 @@
 use super::towers::{reference, rich};
 use super::{of, one, quiet};
 use towermodes::{
-    AddedMassRow, Foundation, FoundationSprings, Ineffective, Inertia, Material, PointMass, Rna,
-    SoilRow, Station, TowerDescription, Warning, Water, Wires,
+    Foundation, FoundationSprings, Ineffective, Inertia, Material, PointMass, Rna, SoilRow,
+    Station, TowerDescription, Warning, Water,
 };
+use towermodes_testing::{Says, assert_matches, changed, parts, with};
 
 #[track_caller]
 fn without_effect(
@@ -14,23 +15,14 @@ fn without_effect(
     change: impl FnOnce(&mut TowerDescription),
 ) {
     let (warning, said) = one(description, change);
-    assert!(
-        matches!(warning, Warning::NoEffect { what: got, .. } if got == what),
-        "{said}"
-    );
-    assert!(
-        said.contains("no effect") || what == Ineffective::UprightWires,
-        "{said}"
-    );
+    assert_matches!(warning, Warning::NoEffect { what: got, .. } if *got == what);
+    let holds = said.contains("no effect") || what == Ineffective::UprightWires;
+    assert!(holds, "{said}");
 }
 
 fn mass(height_m: f64) -> impl FnOnce(&mut TowerDescription) {
     move |t| {
-        t.point_masses = vec![PointMass {
-            height_m,
-            mass_kg: 5e3,
-            ..PointMass::default()
-        }];
+        t.point_masses = vec![with!(PointMass, height_m, mass_kg = 5e3)];
     }
 }
 
@@ -41,16 +33,8 @@ fn masses_at_a_clamped_base() {
     // On springs the base moves.
     quiet(reference(), |t| {
         mass(0.0)(t);
-        t.foundation = Foundation::Springs(FoundationSprings {
-            rocking_n_m: 1e11,
-            ..FoundationSprings::RIGID
-        });
-        t.point_masses[0].inertia_kg_m2 = Inertia {
-            xx: 1e4,
-            yy: 1e4,
-            zz: 1e4,
-            ..Inertia::default()
-        };
+        t.foundation = Foundation::Springs(changed!(FoundationSprings::RIGID, rocking_n_m = 1e11));
+        t.point_masses[0].inertia_kg_m2 = with!(Inertia, xx = 1e4, yy = 1e4, zz = 1e4);
     });
 }
 
@@ -61,31 +45,20 @@ fn masses_of_nothing() {
         t.point_masses[0].mass_kg = 0.0;
     });
     without_effect(Ineffective::CentreOfNothing, reference(), |t| {
-        t.rna = Rna {
-            center_m: [-0.4, 0.0, 2.0],
-            ..Rna::default()
-        };
+        t.rna = with!(Rna, center_m = [-0.4, 0.0, 2.0]);
     });
 }
 
 fn wires(height_m: f64, angle_deg: f64) -> impl FnOnce(&mut TowerDescription) {
     move |t| {
-        t.wires = vec![Wires {
-            height_m,
-            count: 4,
-            stiffness_n_per_m: 1e6,
-            angle_deg,
-        }];
+        t.wires = vec![parts::wires(height_m, 4, 1e6, angle_deg)];
     }
 }
 
 #[test]
 fn wires_at_a_clamped_base_and_upright_wires() {
-    without_effect(
-        Ineffective::WiresAtClampedBase,
-        reference(),
-        wires(0.0, 45.0),
-    );
+    let what = Ineffective::WiresAtClampedBase;
+    without_effect(what, reference(), wires(0.0, 45.0));
     quiet(reference(), wires(40.0, 45.0));
     without_effect(Ineffective::UprightWires, reference(), wires(40.0, 85.1));
     quiet(reference(), wires(40.0, 84.9));
@@ -113,10 +86,7 @@ fn soil_and_added_mass_of_zeros() {
         move |t: &mut TowerDescription| {
             t.stations[0] = Station::new(-10.0, 6.0, 0.06);
             let row = |height_m| {
-                let mut row = SoilRow {
-                    height_m,
-                    ..SoilRow::default()
-                };
+                let mut row = with!(SoilRow, height_m);
                 (row.stiffness.x_n_per_m2, row.stiffness.y_n_per_m2) = (x_n_per_m2, x_n_per_m2);
                 row
             };
@@ -131,10 +101,7 @@ fn soil_and_added_mass_of_zeros() {
     quiet(reference(), soil(1e7));
     let added = |mass_kg_per_m: f64| {
         move |t: &mut TowerDescription| {
-            let row = |height_m| AddedMassRow {
-                height_m,
-                mass_kg_per_m,
-            };
+            let row = |height_m| parts::added_mass_row(height_m, mass_kg_per_m);
             t.added_mass = vec![vec![row(0.0), row(10.0)]];
         }
     };
@@ -160,16 +127,13 @@ fn water(
 
 #[test]
 fn water_of_zeros_and_towers_under_water() {
-    without_effect(
-        Ineffective::WaterOfZeros,
-        reference(),
-        water(20.0, 0.0, false),
-    );
+    let what = Ineffective::WaterOfZeros;
+    without_effect(what, reference(), water(20.0, 0.0, false));
     quiet(reference(), water(20.0, 0.0, true));
     quiet(reference(), water(87.6, 1.0, false));
     for level_m in [87.7, 20000.0] {
         let (warning, said) = one(reference(), water(level_m, 1.0, false));
         assert!(matches!(warning, Warning::UnderWater { .. }), "{said}");
-        assert!(said.contains("is above the tower top at 87.6 m"), "{said}");
+        said.says("is above the tower top at 87.6 m");
     }
 }

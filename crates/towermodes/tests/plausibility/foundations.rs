@@ -1,11 +1,15 @@
 //! Springs, stiffness matrices and footings under the tower.
 
-use super::towers::{monopile, reference, reference_350t};
+use super::towers::{monopile, reference, reference_350t as tower};
 use super::{odd, of, one, quiet};
-use towermodes::{
-    Foundation, FoundationSprings, HalfSpace, Place, Quantity, StiffnessFoundation,
-    TowerDescription, Warning,
+use towermodes::Quantity::{
+    Embedment, FootingRadius, LateralFrequency, LateralStiffness, RockingStiffness,
+    SoilShearModulus, SpringLever, TorsionStiffness, VerticalFrequency,
 };
+use towermodes::{
+    Foundation, FoundationSprings, HalfSpace, Place, StiffnessFoundation, TowerDescription, Warning,
+};
+use towermodes_testing::{Says, assert_matches, changed, parts};
 
 /// EI of the reference tower at its base, pi/64 (6.000^4 - 5.946^4) = 2.259 m4 of steel, N m2, and
 /// its height, m.
@@ -13,13 +17,7 @@ const BENDING_N_M2: f64 = 2.1e11 * std::f64::consts::PI / 64.0 * (1296.0 - 1_249
 const HEIGHT_M: f64 = 87.6;
 
 /// Ordinary springs under a tower with 350 t on top.
-const ORDINARY: FoundationSprings = FoundationSprings {
-    lateral_n_per_m: 2e9,
-    rocking_n_m: 1e11,
-    coupling_n: 0.0,
-    vertical_n_per_m: 1e10,
-    torsion_n_m: 1e11,
-};
+const ORDINARY: FoundationSprings = parts::springs(2e9, 1e11, 0.0, 1e10, 1e11);
 
 fn on(springs: FoundationSprings) -> impl FnOnce(&mut TowerDescription) {
     move |t| t.foundation = Foundation::Springs(springs)
@@ -31,7 +29,6 @@ fn at(key: &'static str) -> Place {
 
 #[test]
 fn soft_springs() {
-    let tower = reference_350t;
     quiet(tower(), on(ORDINARY));
     let rocking = |ratio: f64| {
         on(FoundationSprings {
@@ -42,54 +39,19 @@ fn soft_springs() {
         })
     };
     quiet(tower(), rocking(0.202));
-    odd(
-        Quantity::RockingStiffness,
-        at("rocking"),
-        tower(),
-        rocking(0.198),
-    );
-    let torsion = |torsion_n_m: f64| {
-        on(FoundationSprings {
-            torsion_n_m,
-            ..ORDINARY
-        })
-    };
+    odd(RockingStiffness, at("rocking"), tower(), rocking(0.198));
+    let torsion = |torsion_n_m: f64| on(changed!(ORDINARY, torsion_n_m));
     // GJ/H is 2 G/E times EI/H: 4.17e9 N m.
     quiet(tower(), torsion(0.85e9));
-    odd(
-        Quantity::TorsionStiffness,
-        at("torsion"),
-        tower(),
-        torsion(0.81e9),
-    );
-    let lateral = |lateral_n_per_m: f64| {
-        on(FoundationSprings {
-            lateral_n_per_m,
-            ..ORDINARY
-        })
-    };
+    odd(TorsionStiffness, at("torsion"), tower(), torsion(0.81e9));
+    let lateral = |lateral_n_per_m: f64| on(changed!(ORDINARY, lateral_n_per_m));
     // EI/H^3 is 7.07e5 N/m, and 617.6 t on 1.56e7 N/m have 0.8 Hz: the ratio is the stricter one.
     quiet(tower(), lateral(2.14e7));
-    odd(
-        Quantity::LateralStiffness,
-        at("lateral"),
-        tower(),
-        lateral(2.10e7),
-    );
+    odd(LateralStiffness, at("lateral"), tower(), lateral(2.10e7));
     // 617.6 t on 5.49e7 N/m have 1.5 Hz.
-    let vertical = |vertical_n_per_m: f64| {
-        on(FoundationSprings {
-            vertical_n_per_m,
-            ..ORDINARY
-        })
-    };
+    let vertical = |vertical_n_per_m: f64| on(changed!(ORDINARY, vertical_n_per_m));
     quiet(tower(), vertical(5.6e7));
-    odd(
-        Quantity::VerticalFrequency,
-        at("vertical"),
-        tower(),
-        vertical(5.4e7),
-    );
+    odd(VerticalFrequency, at("vertical"), tower(), vertical(5.4e7));
 }
 
 #[test]
@@ -98,32 +60,18 @@ fn a_heavy_tower_on_a_soft_lateral_spring() {
     let lateral = |lateral_n_per_m: f64| {
         move |t: &mut TowerDescription| {
             t.rna.mass_kg = 1.33e6;
-            t.foundation = Foundation::Springs(FoundationSprings {
-                lateral_n_per_m,
-                ..ORDINARY
-            });
+            t.foundation = Foundation::Springs(changed!(ORDINARY, lateral_n_per_m));
         }
     };
     // 1 597.6 t: 4.04e7 N/m.
-    quiet(reference_350t(), lateral(4.1e7));
-    odd(
-        Quantity::LateralFrequency,
-        at("lateral"),
-        reference_350t(),
-        lateral(4.0e7),
-    );
+    quiet(tower(), lateral(4.1e7));
+    odd(LateralFrequency, at("lateral"), tower(), lateral(4.0e7));
 }
 
 #[test]
 fn springs_in_kilonewtons() {
-    let kilo = FoundationSprings {
-        lateral_n_per_m: 2e6,
-        rocking_n_m: 1e8,
-        coupling_n: 0.0,
-        vertical_n_per_m: 1e7,
-        torsion_n_m: 1e8,
-    };
-    let said: Vec<String> = of(reference_350t(), on(kilo))
+    let kilo = parts::springs(2e6, 1e8, 0.0, 1e7, 1e8);
+    let said: Vec<String> = of(tower(), on(kilo))
         .iter()
         .map(ToString::to_string)
         .collect();
@@ -135,32 +83,13 @@ fn springs_in_kilonewtons() {
 fn lateral_and_rocking_exchanged() {
     // 1e11 N/m and 2e9 N m: the rocking spring is 0.35 EI/H, which is possible; a lever of 0.14 m
     // is not.
-    let exchanged = FoundationSprings {
-        lateral_n_per_m: 1e11,
-        rocking_n_m: 2e9,
-        ..ORDINARY
-    };
-    let lever_m = odd(
-        Quantity::SpringLever,
-        at("rocking"),
-        reference_350t(),
-        on(exchanged),
-    );
+    let exchanged = changed!(ORDINARY, lateral_n_per_m = 1e11, rocking_n_m = 2e9);
+    let lever_m = odd(SpringLever, at("rocking"), tower(), on(exchanged));
     assert!((lever_m - 0.02_f64.sqrt()).abs() < 1e-12);
     // Half of the section's sqrt(EI/m)/5000 = 2.10 m.
-    let lever = |m: f64| {
-        on(FoundationSprings {
-            lateral_n_per_m: 1e11 / (m * m),
-            ..ORDINARY
-        })
-    };
-    quiet(reference_350t(), lever(1.07));
-    odd(
-        Quantity::SpringLever,
-        at("rocking"),
-        reference_350t(),
-        lever(1.03),
-    );
+    let lever = |m: f64| on(changed!(ORDINARY, lateral_n_per_m = 1e11 / (m * m)));
+    quiet(tower(), lever(1.07));
+    odd(SpringLever, at("rocking"), tower(), lever(1.03));
 }
 
 /// A matrix with the diagonal of ordinary springs and two couplings.
@@ -181,49 +110,31 @@ fn matrix(entries: &[(usize, usize, f64)]) -> impl FnOnce(&mut TowerDescription)
 
 #[test]
 fn couplings_of_the_wrong_sign() {
-    quiet(reference_350t(), matrix(&[(0, 4, -5e9), (1, 3, 5e9)]));
-    let (warning, said) = one(reference_350t(), matrix(&[(0, 4, 5e9), (1, 3, -5e9)]));
+    quiet(tower(), matrix(&[(0, 4, -5e9), (1, 3, 5e9)]));
+    let (warning, said) = one(tower(), matrix(&[(0, 4, 5e9), (1, 3, -5e9)]));
     // 5e9/2e9 = 2.5 m.
-    assert!(
-        matches!(warning, Warning::ActsAbove { above_m, .. } if above_m == 2.5),
-        "{said}"
-    );
+    assert_matches!(warning, Warning::ActsAbove { above_m, .. } if *above_m == 2.5);
     assert_eq!(warning.place(), Some(at("matrix")));
-    assert!(said.contains("2.5 m above the tower base"), "{said}");
+    said.says("2.5 m above the tower base");
     // The limit is a 200th of the height: 0.438 m.
-    quiet(
-        reference_350t(),
-        matrix(&[(0, 4, 0.43 * 2e9), (1, 3, -0.43 * 2e9)]),
-    );
-    one(
-        reference_350t(),
-        matrix(&[(0, 4, 0.45 * 2e9), (1, 3, -0.45 * 2e9)]),
-    );
-    let (warning, _) = one(reference_350t(), matrix(&[(0, 4, -5e9), (1, 3, -5e9)]));
+    quiet(tower(), matrix(&[(0, 4, 0.43 * 2e9), (1, 3, -0.43 * 2e9)]));
+    one(tower(), matrix(&[(0, 4, 0.45 * 2e9), (1, 3, -0.45 * 2e9)]));
+    let (warning, _) = one(tower(), matrix(&[(0, 4, -5e9), (1, 3, -5e9)]));
     assert!(matches!(warning, Warning::CouplingSigns { .. }));
-    let springs = |coupling_n: f64| {
-        on(FoundationSprings {
-            coupling_n,
-            ..ORDINARY
-        })
-    };
-    quiet(reference_350t(), springs(-5e9));
-    let (warning, _) = one(reference_350t(), springs(5e9));
-    assert!(
-        matches!(warning, Warning::ActsAbove { .. }) && warning.place() == Some(at("coupling"))
-    );
+    let springs = |coupling_n: f64| on(changed!(ORDINARY, coupling_n));
+    quiet(tower(), springs(-5e9));
+    let (warning, _) = one(tower(), springs(5e9));
+    assert!(matches!(warning, Warning::ActsAbove { .. }));
+    assert!(warning.place() == Some(at("coupling")));
 }
 
 #[test]
 fn couplings_in_the_wrong_column() {
     // 5 % of sqrt(2e9 1e11) = 1.414e10 are 7.07e8.
-    quiet(reference_350t(), matrix(&[(0, 3, 7.0e8)]));
+    quiet(tower(), matrix(&[(0, 3, 7.0e8)]));
     for (row, column) in [(0, 3), (1, 4)] {
-        let (warning, said) = one(reference_350t(), matrix(&[(row, column, -7.2e8)]));
-        assert!(
-            matches!(warning, Warning::CouplingAlongAxis { .. }),
-            "{said}"
-        );
+        let (warning, said) = one(tower(), matrix(&[(row, column, -7.2e8)]));
+        assert_matches!(warning, Warning::CouplingAlongAxis { .. });
         let place = format!("row {}, column {} is -7.2e8", row + 1, column + 1);
         assert!(said.contains(&place), "{said}");
     }
@@ -231,81 +142,32 @@ fn couplings_in_the_wrong_column() {
 
 #[test]
 fn footings() {
-    let footing = HalfSpace {
-        radius_m: 8.0,
-        embedment_m: 2.0,
-        shear_modulus_pa: 5e7,
-        poissons_ratio: 0.35,
-    };
+    let footing = parts::half_space(8.0, 2.0, 5e7, 0.35);
     let on = |footing: HalfSpace| {
         move |t: &mut TowerDescription| t.foundation = Foundation::HalfSpace(footing)
     };
-    let modulus = |shear_modulus_pa: f64| {
-        on(HalfSpace {
-            shear_modulus_pa,
-            ..footing
-        })
-    };
+    let modulus = |shear_modulus_pa: f64| on(changed!(footing, shear_modulus_pa));
     quiet(reference(), modulus(1.01e6));
-    odd(
-        Quantity::SoilShearModulus,
-        at("soil_shear_modulus"),
-        reference(),
-        modulus(0.99e6),
-    );
+    let place = at("soil_shear_modulus");
+    odd(SoilShearModulus, place, reference(), modulus(0.99e6));
     quiet(reference(), modulus(4.9e10));
-    odd(
-        Quantity::SoilShearModulus,
-        at("soil_shear_modulus"),
-        reference(),
-        modulus(5.1e10),
-    );
-    let embedment = |embedment_m: f64| {
-        on(HalfSpace {
-            embedment_m,
-            ..footing
-        })
-    };
+    let place = at("soil_shear_modulus");
+    odd(SoilShearModulus, place, reference(), modulus(5.1e10));
+    let embedment = |embedment_m: f64| on(changed!(footing, embedment_m));
     quiet(reference(), embedment(15.9));
-    odd(
-        Quantity::Embedment,
-        at("embedment"),
-        reference(),
-        embedment(16.1),
-    );
+    odd(Embedment, at("embedment"), reference(), embedment(16.1));
     // The tower is 6 m wide.
-    let radius = |radius_m: f64| {
-        on(HalfSpace {
-            radius_m,
-            ..footing
-        })
-    };
+    let radius = |radius_m: f64| on(changed!(footing, radius_m));
     quiet(reference(), radius(3.1));
-    odd(
-        Quantity::FootingRadius,
-        at("radius"),
-        reference(),
-        radius(2.9),
-    );
+    odd(FootingRadius, at("radius"), reference(), radius(2.9));
     quiet(reference(), radius(59.0));
-    odd(
-        Quantity::FootingRadius,
-        at("radius"),
-        reference(),
-        radius(61.0),
-    );
+    odd(FootingRadius, at("radius"), reference(), radius(61.0));
 }
 
 #[test]
 fn springs_beside_soil_need_not_hold() {
     quiet(monopile(), |_| {});
     quiet(monopile(), |t| {
-        t.foundation = Foundation::Springs(FoundationSprings {
-            lateral_n_per_m: 1e6,
-            rocking_n_m: 1e7,
-            coupling_n: 0.0,
-            vertical_n_per_m: 1e7,
-            torsion_n_m: 1e6,
-        });
+        t.foundation = Foundation::Springs(parts::springs(1e6, 1e7, 0.0, 1e7, 1e6));
     });
 }

@@ -3,20 +3,16 @@
 use crate::towers;
 
 use towermodes::{
-    Inertia, Material, Method, Options, PointMass, Rna, Rotor, Station, Tower, TowerDescription,
-    Warning,
+    Inertia, Material, Method, Options, PointMass, Rna, Station, Tower, TowerDescription, Warning,
 };
+use towermodes_testing::{Says, changed, rotor, stations, with};
 use towers::{elliptic, reference, reference_350t, rich, solved};
 
 /// The warnings of the reference tower changed.
 fn warned(change: impl FnOnce(&mut TowerDescription)) -> Vec<Warning> {
     let mut description = reference_350t();
     change(&mut description);
-    let options = Options {
-        segments: Some(200),
-        modes: 2,
-        ..Options::default()
-    };
+    let options = with!(Options, segments = Some(200), modes = 2);
     solved(&description, &options).warnings
 }
 
@@ -45,7 +41,7 @@ fn diameters_over_30_m() {
         }
     };
     assert!(warned(diameter(30.0)).is_empty());
-    assert!(only(diameter(30.1)).contains("30.1 m at z = 0 m is larger than 30 m"));
+    only(diameter(30.1)).says("30.1 m at z = 0 m is larger than 30 m");
 }
 
 #[test]
@@ -58,7 +54,7 @@ fn towers_over_1_km() {
         }
     };
     assert!(warned(height(1000.0)).is_empty());
-    assert!(only(height(1001.0)).contains("1001 m high, more than 1 km"));
+    only(height(1001.0)).says("1001 m high, more than 1 km");
 }
 
 #[test]
@@ -66,16 +62,12 @@ fn walls_thinner_than_a_500th_of_the_diameter() {
     let wall =
         |ratio: f64| move |t: &mut TowerDescription| t.stations[0].wall_thickness_m = 6.0 * ratio;
     assert!(warned(wall(1.0 / 499.0)).is_empty());
-    assert!(only(wall(1.0 / 510.0)).contains("1/510 of the diameter 6 m"));
+    only(wall(1.0 / 510.0)).says("1/510 of the diameter 6 m");
 }
 
 #[test]
 fn rotors_outside_3_to_100_rpm_on_towers_over_20_m() {
-    let turning = |highest_rpm: f64| Rotor {
-        blades: 3,
-        lowest_rpm: 0.0,
-        highest_rpm,
-    };
+    let turning = |highest_rpm: f64| rotor(3, 0.0, highest_rpm);
     let tower = Tower::new(reference_350t()).expect("a tower");
     let said = |highest_rpm: f64| {
         let warnings = tower.rotor_warnings(&turning(highest_rpm));
@@ -83,26 +75,20 @@ fn rotors_outside_3_to_100_rpm_on_towers_over_20_m() {
         texts.collect::<Vec<String>>().join("\n")
     };
     assert_eq!((said(3.0), said(100.0)), (String::new(), String::new()));
-    assert!(said(101.0).contains("101 rpm"));
+    said(101.0).says("101 rpm");
     // 1.27 rad/s is 12.1 rpm.
-    assert!(said(1.27).contains("1 rad/s is 9.55 rpm"));
+    said(1.27).says("1 rad/s is 9.55 rpm");
     // A solve of the tower has nothing to do with it.
     assert_eq!(warned(|t| t.rotor = Some(turning(1.27))), []);
     let small = TowerDescription {
-        stations: vec![
-            Station::new(0.0, 0.6, 0.008),
-            Station::new(19.0, 0.4, 0.006),
-        ],
+        stations: stations(&[(0.0, 0.6, 0.008), (19.0, 0.4, 0.006)]),
         ..reference_350t()
     };
     let small = Tower::new(small).expect("a tower");
     assert_eq!(small.rotor_warnings(&turning(200.0)), []);
     // A machine of some kilowatts on a high mast.
     let of_mass = |kg: f64| {
-        let description = TowerDescription {
-            rna: Rna::point(kg),
-            ..reference_350t()
-        };
+        let description = changed!(reference_350t(), rna = Rna::point(kg));
         let tower = Tower::new(description).expect("a tower");
         tower.rotor_warnings(&turning(188.0)).len()
     };
@@ -113,9 +99,7 @@ fn rotors_outside_3_to_100_rpm_on_towers_over_20_m() {
 fn machines_heavier_than_five_towers() {
     // The tower has 267 586 kg.
     assert!(warned(|t| t.rna.mass_kg = 1.337e6).is_empty());
-    assert!(
-        only(|t| t.rna.mass_kg = 1.339e6).contains("more than five times the mass of the tower")
-    );
+    only(|t| t.rna.mass_kg = 1.339e6).says("more than five times the mass of the tower");
 }
 
 #[test]
@@ -135,16 +119,11 @@ fn frequencies_outside_a_hundredth_to_a_hundred_hertz() {
 fn inertias_that_no_body_has() {
     let inertia = |xx: f64| {
         move |t: &mut TowerDescription| {
-            t.rna.inertia_kg_m2 = Inertia {
-                xx,
-                yy: 2e7,
-                zz: 2e7,
-                ..Inertia::default()
-            };
+            t.rna.inertia_kg_m2 = with!(Inertia, xx, yy = 2e7, zz = 2e7);
         }
     };
     assert!(warned(inertia(4e7)).is_empty());
-    assert!(only(inertia(4.1e7)).contains("exceeds the sum of the other two"));
+    only(inertia(4.1e7)).says("exceeds the sum of the other two");
 }
 
 #[test]
@@ -153,38 +132,31 @@ fn values_in_the_wrong_unit() {
         t.materials[0].density_kg_per_m3 = 8.5;
         t.rna = Rna::default();
     });
-    assert!(
-        light.contains("the density is 8.5 kg/m3; expected 300 to 25000 kg/m3"),
-        "{light}"
-    );
-    assert!(only(|t| t.outfitting_factor = 0.8).contains("7 % more is 1.07"));
-    assert!(only(|t| t.rna.mass_kg = 350.0).contains("the unit is kg"));
-    assert!(only(|t| t.rna.center_m[2] = 87.6).contains("from the tower top"));
-    assert!(only(|t| t.materials[0].shear_modulus_pa = 1.2e11).contains("Poisson's ratio"));
+    light.says("the density is 8.5 kg/m3; expected 300 to 25000 kg/m3");
+    only(|t| t.outfitting_factor = 0.8).says("7 % more is 1.07");
+    only(|t| t.rna.mass_kg = 350.0).says("the unit is kg");
+    only(|t| t.rna.center_m[2] = 87.6).says("from the tower top");
+    only(|t| t.materials[0].shear_modulus_pa = 1.2e11).says("Poisson's ratio");
 }
 
 #[test]
 fn rows_and_materials_that_hold_for_nothing() {
     let step = |t: &mut TowerDescription| t.stations.push(Station::new(87.6, 3.0, 0.02));
-    assert!(only(step).contains("has no effect"));
+    only(step).says("has no effect");
     let other = |t: &mut TowerDescription| {
         t.materials.push(t.materials[0]);
         t.stations[1].material = 1;
     };
-    assert!(only(other).contains("the material of the last row has no effect"));
+    only(other).says("the material of the last row has no effect");
 }
 
 #[test]
 fn more_segments_than_asked_for() {
     let masses = |t: &mut TowerDescription| {
-        let mass = |height_m| PointMass {
-            height_m,
-            mass_kg: 1.0,
-            ..PointMass::default()
-        };
+        let mass = |height_m| with!(PointMass, height_m, mass_kg = 1.0);
         t.point_masses = (1..250).map(|k| mass(0.35 * f64::from(k))).collect();
     };
-    assert!(only(masses).contains("250 segments are used instead of 200"));
+    only(masses).says("250 segments are used instead of 200");
 }
 
 /// The warnings of a table of properties with every row changed.
@@ -200,40 +172,29 @@ fn table_warned(change: impl Fn(&mut towermodes::Properties)) -> Vec<String> {
 #[test]
 fn tables_in_wrong_units() {
     let check = |warnings: Vec<String>, words: &str| {
-        assert!(
-            warnings.iter().any(|w| w.contains(words)),
-            "{words}: {warnings:?}"
-        );
+        let holds = warnings.iter().any(|w| w.contains(words));
+        assert!(holds, "{words}: {warnings:?}");
     };
     assert_eq!(table_warned(|_| ()), [""; 0]);
     check(table_warned(|p| p.mass_kg_per_m /= 1000.0), "sqrt(EA/mass)");
     check(table_warned(|p| p.axial_n /= 1000.0), "sqrt(EA/mass)");
-    check(
-        table_warned(|p| p.torsion_n_m2 /= 1000.0),
-        "sqrt(GJ/polar inertia)",
-    );
-    check(
-        table_warned(|p| p.bending_n_m2.fore_aft *= 1e6),
-        "sqrt(EI/EA)",
-    );
+    let text = "sqrt(GJ/polar inertia)";
+    check(table_warned(|p| p.torsion_n_m2 /= 1000.0), text);
+    let text = "sqrt(EI/EA)";
+    check(table_warned(|p| p.bending_n_m2.fore_aft *= 1e6), text);
     check(
         table_warned(|p| p.rotary_inertia_kg_m.fore_aft *= 2.0),
         "plane section",
     );
     // None at all is an Euler-Bernoulli beam, not a slip.
-    assert_eq!(
-        table_warned(|p| p.rotary_inertia_kg_m = Default::default()),
-        [""; 0]
-    );
+    let found = table_warned(|p| p.rotary_inertia_kg_m = Default::default());
+    assert_eq!(found, [""; 0]);
 }
 
 #[test]
 fn bmodes_says_that_it_leaves_shear_out() {
     let solve = |description, method| {
-        let options = Options {
-            method,
-            ..Options::default()
-        };
+        let options = with!(Options, method);
         solved(&description, &options).warnings
     };
     let has = |warnings: Vec<Warning>| warnings.contains(&Warning::ShearLeftOut);

@@ -2,7 +2,9 @@
 
 use super::towers::{reference, rich};
 use super::{odd, of, one, quiet};
-use towermodes::{Material, Place, Quantity, Station, TowerDescription, Warning};
+use towermodes::Quantity::{Density, MaterialWaveSpeed, YoungsModulus};
+use towermodes::{Material, Place, Station, TowerDescription, Warning};
+use towermodes_testing::{changed, stations};
 
 /// Eleven stations of the reference tower.
 fn eleven() -> TowerDescription {
@@ -10,10 +12,7 @@ fn eleven() -> TowerDescription {
         let s = k as f64 / 10.0;
         Station::new(87.6 * s, 6.0 - 2.13 * s, 0.027 - 0.008 * s)
     };
-    TowerDescription {
-        stations: (0..11).map(station).collect(),
-        ..reference()
-    }
+    changed!(reference(), stations = (0..11).map(station).collect())
 }
 
 fn is_wall(warning: &Warning, index: usize) -> bool {
@@ -39,10 +38,7 @@ fn walls_of_steel_thicker_than_a_30th_of_the_diameter() {
     );
     // A mast of a small turbine is a pipe.
     quiet(reference(), |d| {
-        d.stations = vec![
-            Station::new(0.0, 0.22, 0.02),
-            Station::new(12.0, 0.22, 0.02),
-        ];
+        d.stations = stations(&[(0.0, 0.22, 0.02), (12.0, 0.22, 0.02)]);
     });
     // Concrete has thick walls.
     quiet(rich(), |_| {});
@@ -124,43 +120,21 @@ fn densities_and_moduli() {
     };
     let at = |key| Place::Material { index: 0, key };
     quiet(reference(), with(301.0, 1e10));
-    odd(
-        Quantity::Density,
-        at("density"),
-        reference(),
-        with(299.0, 1e10),
-    );
+    odd(Density, at("density"), reference(), with(299.0, 1e10));
     quiet(reference(), with(24.9e3, 9e11));
-    odd(
-        Quantity::Density,
-        at("density"),
-        reference(),
-        with(25.1e3, 9e11),
-    );
+    odd(Density, at("density"), reference(), with(25.1e3, 9e11));
     quiet(reference(), with(400.0, 1.01e9));
     // E in GPa, in MPa.
     for modulus in [0.99e9, 210.0, 2.1e5] {
-        odd(
-            Quantity::YoungsModulus,
-            at("youngs_modulus"),
-            reference(),
-            with(400.0, modulus),
-        );
+        let place = at("youngs_modulus");
+        odd(YoungsModulus, place, reference(), with(400.0, modulus));
     }
     // Steel's modulus with the density of half of it: sqrt(2.1e11/2187) is 9800 m/s.
     quiet(reference(), with(2190.0, 2.1e11));
-    odd(
-        Quantity::MaterialWaveSpeed,
-        at("density"),
-        reference(),
-        with(2180.0, 2.1e11),
-    );
+    let change = with(2180.0, 2.1e11);
+    odd(MaterialWaveSpeed, at("density"), reference(), change);
     // sqrt(E/8500) = 1500 m/s.
     quiet(reference(), with(8500.0, 1.92e10));
-    odd(
-        Quantity::MaterialWaveSpeed,
-        at("density"),
-        reference(),
-        with(8500.0, 1.9e10),
-    );
+    let change = with(8500.0, 1.9e10);
+    odd(MaterialWaveSpeed, at("density"), reference(), change);
 }

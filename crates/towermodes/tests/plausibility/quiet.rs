@@ -9,6 +9,7 @@ use towermodes::{
     Foundation, FoundationSprings, Inertia, Material, Properties, PropertyStation, Rna, Station,
     Tower, TowerDescription,
 };
+use towermodes_testing::with;
 
 #[test]
 fn the_towers_of_the_manual_are_not_warned_of() {
@@ -88,12 +89,7 @@ fn with_machine(random: &mut Random, mut tower: TowerDescription) -> TowerDescri
     tower.rna = Rna {
         mass_kg,
         center_m: [-0.01 * height_m, 0.0, 0.02 * height_m],
-        inertia_kg_m2: Inertia {
-            xx: size,
-            yy: 0.6 * size,
-            zz: 0.55 * size,
-            ..Inertia::default()
-        },
+        inertia_kg_m2: with!(Inertia, xx = size, yy = 0.6 * size, zz = 0.55 * size),
     };
     tower
 }

@@ -3,16 +3,14 @@
 
 use super::towers::reference;
 use towermodes::{Place, Problem, Rna, Station, Tower, TowerDescription};
+use towermodes_testing::{Says, assert_matches, parts};
 
 #[track_caller]
 fn refused(change: impl FnOnce(&mut TowerDescription)) -> (Place, String) {
     let mut description = reference();
     change(&mut description);
     let error = Tower::new(description).expect_err("out of scale");
-    assert!(
-        matches!(error.problem, Problem::OutOfScale { .. }),
-        "{error}"
-    );
+    assert_matches!(error.problem, Problem::OutOfScale { .. });
     let said = error.to_string();
     assert!(said.len() < 160, "{said}");
     (error.place, said)
@@ -30,10 +28,7 @@ fn walls_of_nothing() {
     let (place, said) = refused(wall(1e-300));
     let (index, key) = (0, "wall");
     assert_eq!(place, Place::Station { index, key });
-    assert_eq!(
-        said,
-        "station 1: wall thickness is 1e-300 m; its magnitude must be from 1e-15 to 1e9 m"
-    );
+    said.reads("station 1: wall thickness is 1e-300 m; its magnitude must be from 1e-15 to 1e9 m");
     refused(wall(0.99e-15));
     let thin = |t| {
         let mut description = reference();
@@ -63,15 +58,10 @@ fn lengths_and_masses_beyond_all_measure() {
 
 #[test]
 fn huge_springs_are_still_rigid() {
-    use towermodes::{Foundation, FoundationSprings};
+    use towermodes::Foundation;
     let mut description = reference();
-    description.foundation = Foundation::Springs(FoundationSprings {
-        lateral_n_per_m: 1e21,
-        rocking_n_m: 1e21,
-        coupling_n: 0.0,
-        vertical_n_per_m: 1e21,
-        torsion_n_m: f64::INFINITY,
-    });
+    description.foundation =
+        Foundation::Springs(parts::springs(1e21, 1e21, 0.0, 1e21, f64::INFINITY));
     assert!(Tower::new(description).is_ok());
 }
 
@@ -86,8 +76,5 @@ fn heights_that_differ_look_different() {
     let said = Tower::new(description)
         .expect_err("above the top")
         .to_string();
-    assert!(
-        said.contains("height 87.60000001 m is not on the tower, which reaches from 0 m to 87.6 m"),
-        "{said}"
-    );
+    said.says("height 87.60000001 m is not on the tower, which reaches from 0 m to 87.6 m");
 }

@@ -2,7 +2,12 @@
 
 use super::towers::{elliptic, reference_table};
 use super::{of, quiet};
+use towermodes::Quantity::{
+    AxialWaveSpeed, PerpendicularAxes, PlaneRatio, RadiusOfSection, RadiusOfSectionByMass,
+    ShearWaveSpeed, TorsionWaveSpeed,
+};
 use towermodes::{Place, Plane, Planes, Properties, Quantity, TowerDescription, Warning};
+use towermodes_testing::Says;
 
 /// Every row changed.
 fn all(change: impl Fn(&mut Properties)) -> impl FnOnce(&mut TowerDescription) {
@@ -13,9 +18,14 @@ fn all(change: impl Fn(&mut Properties)) -> impl FnOnce(&mut TowerDescription) {
     }
 }
 
+/// The reference tower as a table.
+fn table() -> TowerDescription {
+    reference_table(1.0, 0.0)
+}
+
 /// The rows of the reference tower as ElastoDyn has them: mass and EI alone.
 fn bending_alone() -> TowerDescription {
-    let mut tower = reference_table(1.0, 0.0);
+    let mut tower = table();
     all(|p| {
         (p.torsion_n_m2, p.axial_n) = (f64::INFINITY, f64::INFINITY);
         (p.polar_inertia_kg_m, p.rotary_inertia_kg_m) = (0.0, Planes::both(0.0));
@@ -50,18 +60,10 @@ fn speeds_of_sound_in_half_of_the_rows() {
             p.bending_n_m2 = Planes::both(p.axial_n * 4.0);
         })
     };
-    quiet(reference_table(1.0, 0.0), speed(2010.0));
-    has(
-        Quantity::AxialWaveSpeed,
-        reference_table(1.0, 0.0),
-        speed(1990.0),
-    );
-    quiet(reference_table(1.0, 0.0), speed(7990.0));
-    has(
-        Quantity::AxialWaveSpeed,
-        reference_table(1.0, 0.0),
-        speed(8010.0),
-    );
+    quiet(table(), speed(2010.0));
+    has(AxialWaveSpeed, table(), speed(1990.0));
+    quiet(table(), speed(7990.0));
+    has(AxialWaveSpeed, table(), speed(8010.0));
 }
 
 #[test]
@@ -75,49 +77,33 @@ fn a_row_may_carry_a_mass_that_is_spread_over_it() {
         }
     };
     // 4970/sqrt(98) = 502 m/s.
-    quiet(reference_table(1.0, 0.0), heavier(40.0));
-    quiet(reference_table(1.0, 0.0), heavier(60.0));
-    has(
-        Quantity::AxialWaveSpeed,
-        reference_table(1.0, 0.0),
-        heavier(102.0),
-    );
+    quiet(table(), heavier(40.0));
+    quiet(table(), heavier(60.0));
+    has(AxialWaveSpeed, table(), heavier(102.0));
 }
 
 #[test]
 fn waves_of_torsion_and_shear() {
     let torsion =
         |m_per_s: f64| all(move |p| p.torsion_n_m2 = p.polar_inertia_kg_m * m_per_s * m_per_s);
-    quiet(reference_table(1.0, 0.0), torsion(1010.0));
-    has(
-        Quantity::TorsionWaveSpeed,
-        reference_table(1.0, 0.0),
-        torsion(990.0),
-    );
-    quiet(reference_table(1.0, 0.0), torsion(5990.0));
-    has(
-        Quantity::TorsionWaveSpeed,
-        reference_table(1.0, 0.0),
-        torsion(6010.0),
-    );
+    quiet(table(), torsion(1010.0));
+    has(TorsionWaveSpeed, table(), torsion(990.0));
+    quiet(table(), torsion(5990.0));
+    has(TorsionWaveSpeed, table(), torsion(6010.0));
     let shear = |m_per_s: f64| {
         all(move |p| p.shear_n = Some(Planes::both(p.mass_kg_per_m * m_per_s * m_per_s)))
     };
-    quiet(reference_table(1.0, 0.0), shear(310.0));
-    has(
-        Quantity::ShearWaveSpeed,
-        reference_table(1.0, 0.0),
-        shear(290.0),
-    );
+    quiet(table(), shear(310.0));
+    has(ShearWaveSpeed, table(), shear(290.0));
     // In kN, in one plane.
     let kilo = all(|p| {
         if let Some(shear) = &mut p.shear_n {
             shear.side_side /= 1e3;
         }
     });
-    has(Quantity::ShearWaveSpeed, elliptic(), kilo);
+    has(ShearWaveSpeed, elliptic(), kilo);
     // A tower that hardly shears.
-    quiet(reference_table(1.0, 0.0), shear(1e6));
+    quiet(table(), shear(1e6));
 }
 
 #[test]
@@ -130,24 +116,16 @@ fn radii_of_gyration_in_each_plane() {
             p.bending_n_m2 = Planes::both((factor * solid_m).powi(2) * p.axial_n);
         })
     };
-    quiet(reference_table(1.0, 0.0), of_solid(1.01));
-    has(
-        Quantity::RadiusOfSection,
-        reference_table(1.0, 0.0),
-        of_solid(0.99),
-    );
+    quiet(table(), of_solid(1.01));
+    has(RadiusOfSection, table(), of_solid(0.99));
     // The upper limit is 20 m, or a quarter of 87.6 m: 20 m.
     let radius = |m: f64| all(move |p| p.bending_n_m2 = Planes::both(m * m * p.axial_n));
-    quiet(reference_table(1.0, 0.0), radius(19.9));
-    has(
-        Quantity::RadiusOfSection,
-        reference_table(1.0, 0.0),
-        radius(20.1),
-    );
+    quiet(table(), radius(19.9));
+    has(RadiusOfSection, table(), radius(20.1));
     // EI in kN m2, also where only the mass is there to compare with.
     let kilo = || all(|p| p.bending_n_m2 = p.bending_n_m2.map(|x| x / 1e3));
-    has(Quantity::RadiusOfSection, reference_table(1.0, 0.0), kilo());
-    has(Quantity::RadiusOfSectionByMass, bending_alone(), kilo());
+    has(RadiusOfSection, table(), kilo());
+    has(RadiusOfSectionByMass, bending_alone(), kilo());
     // One plane alone, and the worst of all rows.
     let change = |t: &mut TowerDescription| {
         for row in &mut t.properties {
@@ -155,12 +133,10 @@ fn radii_of_gyration_in_each_plane() {
         }
         t.properties[6].properties.bending_n_m2.side_side /= 2.0;
     };
-    let (place, plane) = has(Quantity::RadiusOfSectionByMass, bending_alone(), change);
+    let (place, plane) = has(RadiusOfSectionByMass, bending_alone(), change);
     let (index, key) = (6, "ei_side_side_n_m2");
-    assert_eq!(
-        (place, plane),
-        (Place::Station { index, key }, Some(Plane::SideSide))
-    );
+    assert_eq!(place, Place::Station { index, key });
+    assert_eq!(plane, Some(Plane::SideSide));
 }
 
 #[test]
@@ -171,7 +147,7 @@ fn planes_that_differ() {
         quiet(bending_alone(), ratio(inside));
     }
     for outside in [5.1, 1.0 / 5.1, 1e-3] {
-        has(Quantity::PlaneRatio, bending_alone(), ratio(outside));
+        has(PlaneRatio, bending_alone(), ratio(outside));
     }
 }
 
@@ -231,29 +207,15 @@ fn the_worst_row_is_named() {
         .map(ToString::to_string)
         .find(|said| said.contains("check decimal point"))
         .expect("a row");
-    assert!(
-        said.starts_with("station 8: EI fore-aft at z = 61.32 m is "),
-        "{said}"
-    );
-    assert!(
-        said.contains(" 30.1 times the value expected from the adjacent rows"),
-        "{said}"
-    );
+    said.begins("station 8: EI fore-aft at z = 61.32 m is ");
+    said.says(" 30.1 times the value expected from the adjacent rows");
 }
 
 #[test]
 fn rotary_and_polar_inertia() {
     let sum = |factor: f64| all(move |p| p.polar_inertia_kg_m /= factor);
-    quiet(reference_table(1.0, 0.0), sum(1.04));
-    has(
-        Quantity::PerpendicularAxes,
-        reference_table(1.0, 0.0),
-        sum(1.06),
-    );
-    quiet(reference_table(1.0, 0.0), sum(0.96));
-    has(
-        Quantity::PerpendicularAxes,
-        reference_table(1.0, 0.0),
-        sum(0.94),
-    );
+    quiet(table(), sum(1.04));
+    has(PerpendicularAxes, table(), sum(1.06));
+    quiet(table(), sum(0.96));
+    has(PerpendicularAxes, table(), sum(0.94));
 }

@@ -4,6 +4,7 @@ use super::assert_near;
 use towermodes::internal::beam::TurningBlade;
 use towermodes::internal::rotor::Multiblade;
 use towermodes::{Blade, BladeDescription, BladeSection, Inertia, RigidBody};
+use towermodes_testing::changed;
 
 /// A uniform section, stiff beyond all rounding.
 const RIGID: BladeSection = BladeSection {
@@ -25,13 +26,7 @@ fn blade(section: BladeSection) -> BladeDescription {
     BladeDescription {
         hub_radius_m: 2.0,
         tip_radius_m: 52.0,
-        sections: vec![
-            section,
-            BladeSection {
-                span: 1.0,
-                ..section
-            },
-        ],
+        sections: vec![section, changed!(section, span = 1.0)],
         borders: vec![0.0, 1.0],
         tip_is_pulled: true,
         ..BladeDescription::default()
@@ -112,10 +107,7 @@ fn a_rigid_rotor_has_the_inertia_of_its_rods() {
     let across = third * (0.5 * cone.cos().powi(2) + cone.sin().powi(2));
     let center = second * cone.sin();
     let diagonal: Vec<f64> = (0..6).map(|i| hub[i][i]).collect();
-    assert_near(
-        &diagonal,
-        &[first, first, first, polar, across, across],
-        1e-12,
-    );
+    let exact = [first, first, first, polar, across, across];
+    assert_near(&diagonal, &exact, 1e-12);
     assert_near(&[hub[1][5], hub[2][4]], &[center, -center], 1e-12);
 }

@@ -3,15 +3,13 @@
 use super::{on_springs, sensitivities_of};
 use towermodes::{Change, Method, NoDerivative, Options, Solver, Station, TowerDescription};
 use towermodes_random::Class;
+use towermodes_testing::with;
 use towermodes_verify::towers::{monopile, reference_350t};
 
 #[test]
 fn a_number_that_splits_a_pair_gives_it_no_derivative() {
     for method in super::methods() {
-        let options = Options {
-            method,
-            ..Options::default()
-        };
+        let options = with!(Options, method);
         let names = ["rna.inertia.xy", "rna.inertia.xx", "rna.mass"];
         let result = sensitivities_of(&reference_350t(), &names, &options);
         let [coupling, one_plane, both] = [0, 1, 2].map(|change| &result.changes[change].modes);
@@ -42,15 +40,10 @@ fn soil_that_begins_at_the_foot_has_a_kink_there() {
         &Options::default(),
     );
     let modes = &result.changes[0].modes[..4];
-    assert!(
-        modes.iter().all(|m| *m == Err(NoDerivative::OneSided)),
-        "{modes:?}"
-    );
+    let holds = modes.iter().all(|m| *m == Err(NoDerivative::OneSided));
+    assert!(holds, "{modes:?}");
     // Two fronts at one height part without a solve, as solves say.
-    let spectral = Options {
-        method: Method::Spectral,
-        ..Options::default()
-    };
+    let spectral = with!(Options, method = Method::Spectral);
     let names = ["soil[0].rows[2].height", "water.bed"];
     let expected = sensitivities_of(&description, &names, &spectral);
     for change in 0..2 {
@@ -61,10 +54,8 @@ fn soil_that_begins_at_the_foot_has_a_kink_there() {
             let difference = (got.hz_per_unit - wanted.hz_per_unit).abs() / scale;
             assert!(difference < 1e-4, "{change} {mode}: {difference:.1e}");
             let error = got.error_hz_per_unit + wanted.error_hz_per_unit;
-            assert!(
-                difference * scale <= error,
-                "{change} {mode}: {difference:.1e}"
-            );
+            let holds = difference * scale <= error;
+            assert!(holds, "{change} {mode}: {difference:.1e}");
         }
     }
 }
@@ -109,11 +100,7 @@ fn what_is_added_to_a_number_has_the_derivative_of_the_number() {
         let names = [name.to_owned(), format!("add({name})")];
         let names = names.each_ref().map(String::as_str);
         for method in super::methods() {
-            let options = Options {
-                method,
-                ..Options::default()
-            };
-            let result = sensitivities_of(&on_springs(), &names, &options);
+            let result = sensitivities_of(&on_springs(), &names, &with!(Options, method));
             for mode in 0..2 {
                 let [of_number, added] = [0, 1].map(|i| super::derivative(&result, i, mode));
                 let case = format!("{}, {name}, mode {mode}", method.name());
@@ -135,11 +122,7 @@ fn gravity_of_a_weightless_tower_that_shears() {
         let mut description = shear.description(number);
         description.gravity_m_per_s2 = 0.0;
         let of = |method: Method| {
-            let options = Options {
-                method,
-                modes: 4,
-                ..Options::default()
-            };
+            let options = with!(Options, method, modes = 4);
             sensitivities_of(&description, &["gravity.acceleration"], &options)
         };
         let [own, beam] = [Method::RmjeExact, Method::Spectral].map(of);
@@ -152,10 +135,8 @@ fn gravity_of_a_weightless_tower_that_shears() {
             };
             let difference = own.hz_per_unit - beam.hz_per_unit;
             let case = format!("{number} {}: {difference:.1e}", mode.label());
-            assert!(
-                difference.abs() <= 2e-5 * beam.hz_per_unit.abs() + 1e-10,
-                "{case}"
-            );
+            let holds = difference.abs() <= 2e-5 * beam.hz_per_unit.abs() + 1e-10;
+            assert!(holds, "{case}");
             compared += 1;
         }
     }
@@ -172,11 +153,7 @@ fn the_error_of_a_derivative_holds_and_is_near() {
             let step = 1 + all.len() / 6;
             let changes: Vec<_> = all.into_iter().step_by(step).collect();
             let of = |method| {
-                let options = Options {
-                    method,
-                    modes: 5,
-                    ..Options::default()
-                };
+                let options = with!(Options, method, modes = 5);
                 Solver::new(options).sensitivities(&description, &changes)
             };
             let (Ok(a), Ok(b)) = (of(Method::RmjeExact), of(Method::Spectral)) else {
@@ -213,11 +190,8 @@ fn the_error_of_a_derivative_holds_and_is_near() {
     }
     ratios.sort_by(f64::total_cmp);
     let median = ratios[ratios.len() / 2];
-    assert!(
-        50 * missed.len() < held,
-        "{} of {held}: {missed:#?}",
-        missed.len()
-    );
+    let holds = 50 * missed.len() < held;
+    assert!(holds, "{} of {held}: {missed:#?}", missed.len());
     assert!((1.0..100.0).contains(&median), "{median}");
 }
 
@@ -227,12 +201,7 @@ fn the_error_of_a_derivative_holds_and_is_near() {
 fn few_segments_have_the_derivative_of_the_beam() {
     let names = ["scale(soil[0].rows[*].x)", "rna.mass", "stations[0].wall"];
     let of = |method: Method, segments: Option<usize>| {
-        let options = Options {
-            method,
-            segments,
-            modes: 4,
-            ..Options::default()
-        };
+        let options = with!(Options, method, segments, modes = 4);
         sensitivities_of(&monopile(), &names, &options)
     };
     let (few, beam) = (of(Method::RmjeExact, Some(20)), of(Method::Spectral, None));

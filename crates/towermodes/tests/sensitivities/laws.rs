@@ -1,7 +1,8 @@
 //! Laws of scaling and of invariance: exact, on every mesh.
 
 use super::{methods, sensitivities_of};
-use towermodes::{Family, Inertia, Method, Options, PointMass, Rna, TowerDescription};
+use towermodes::{Family, Inertia, Method, Options, TowerDescription};
+use towermodes_testing::{parts, rna, with};
 use towermodes_verify::towers::{monopile, reference, reference_350t};
 
 /// What rounding leaves of a sweep, and the steps of differenced quotients.
@@ -45,11 +46,7 @@ fn bends(family: Family) -> bool {
 #[test]
 fn a_slender_cone_scales_as_a_beam() {
     for method in methods() {
-        let options = Options {
-            method,
-            rotary_inertia: false,
-            ..Options::default()
-        };
+        let options = with!(Options, method, rotary_inertia = false);
         let check = |terms: &[(&str, f64)], expected: fn(Family) -> f64| {
             assert_sums(&reference(), &options, terms, expected);
         };
@@ -71,21 +68,8 @@ fn a_slender_cone_scales_as_a_beam() {
 #[test]
 fn a_tower_scaled_as_a_whole_has_frequencies_of_the_inverse_scale() {
     let description = TowerDescription {
-        rna: Rna {
-            mass_kg: 350e3,
-            center_m: [-0.41, 0.1, 1.97],
-            inertia_kg_m2: Inertia {
-                xx: 4.37e7,
-                yy: 2.353e7,
-                zz: 2.542e7,
-                ..Inertia::default()
-            },
-        },
-        point_masses: vec![PointMass {
-            height_m: 31.0,
-            mass_kg: 8e3,
-            inertia_kg_m2: Inertia::default(),
-        }],
+        rna: rna(350e3, [-0.41, 0.1, 1.97], [4.37e7, 2.353e7, 2.542e7]),
+        point_masses: vec![parts::point_mass(31.0, 8e3, Inertia::default())],
         shear: towermodes::Shear::Cowper,
         ..reference_350t()
     };
@@ -96,11 +80,7 @@ fn a_tower_scaled_as_a_whole_has_frequencies_of_the_inverse_scale() {
         ("scale(rna.inertia.xx,rna.inertia.yy,rna.inertia.zz)", 5.0),
     ];
     for method in methods() {
-        let options = Options {
-            method,
-            ..Options::default()
-        };
-        assert_sums(&description, &options, &terms, |_| -1.0);
+        assert_sums(&description, &with!(Options, method), &terms, |_| -1.0);
     }
 }
 
@@ -115,10 +95,7 @@ fn stiffness_and_gravity_go_with_the_square_of_frequencies() {
         ("gravity.acceleration", 1.0),
     ];
     for method in methods() {
-        let options = Options {
-            method,
-            ..Options::default()
-        };
+        let options = with!(Options, method);
         assert_sums(&super::on_springs(), &options, &terms, |_| 0.5);
     }
 }
@@ -128,19 +105,12 @@ fn a_tower_that_moves_with_its_surroundings_keeps_its_frequencies() {
     let everything = "add(stations[*].height,point_mass[*].height,soil[0].rows[*].height,\
                       soil[1].rows[*].height,water.level,water.bed,wires[*].height)";
     for method in methods() {
-        let options = Options {
-            method,
-            ..Options::default()
-        };
-        let result = sensitivities_of(&monopile(), &[everything], &options);
+        let result = sensitivities_of(&monopile(), &[everything], &with!(Options, method));
         for (mode, derivative) in result.modes.iter().zip(&result.changes[0].modes) {
             let derivative = derivative.expect("it has a derivative").hz_per_unit;
             let relative = derivative * 100.0 / mode.frequency_hz;
-            assert!(
-                relative.abs() < tolerance(method),
-                "{}: {relative}",
-                mode.label()
-            );
+            let holds = relative.abs() < tolerance(method);
+            assert!(holds, "{}: {relative}", mode.label());
         }
     }
 }

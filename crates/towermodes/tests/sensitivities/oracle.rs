@@ -106,10 +106,8 @@ fn compare_on_mesh(description: &TowerDescription, method: Method, offset: usize
             let of_steps = relative(half - whole).powi(2);
             let own = relative(derivative.error_hz_per_unit);
             let case = format!("{} {}, {}", method.name(), change.name(), mode.label());
-            assert!(
-                difference < 1e-7_f64.max(own).max(of_steps),
-                "{case}: {difference:.1e}, {own:.1e}"
-            );
+            let holds = difference < 1e-7_f64.max(own).max(of_steps);
+            assert!(holds, "{case}: {difference:.1e}, {own:.1e}");
             compared += usize::from(difference < 1e-7);
         }
     }

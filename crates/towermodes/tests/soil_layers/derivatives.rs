@@ -6,6 +6,7 @@ use super::{clay, first_hz, ground_of, layer, oc3};
 use towermodes::{
     Change, LayerSoil, Options, Parameter, ShearModulus, SoilModel, Solver, TowerDescription,
 };
+use towermodes_testing::{Says, with};
 
 /// Sand, clay and elastic soil, with scour of both kinds.
 fn mixed() -> TowerDescription {
@@ -51,11 +52,7 @@ fn check_ground(segments: Option<usize>) {
     ] {
         assert!(names.contains(&name), "{name} in {names:?}");
     }
-    let options = Options {
-        modes: 2,
-        segments,
-        ..Options::default()
-    };
+    let options = with!(Options, modes = 2, segments);
     let mut solver = Solver::new(options);
     let result = solver
         .sensitivities(&description, &of_ground)
@@ -97,8 +94,7 @@ fn names_set_the_numbers_of_the_ground() {
     }
     assert_eq!(ground_of(&mut description).factor, 0.5);
     let error = Parameter::parse("ground.layer[0].undrained_strength[0]", &description);
-    let message = error.expect_err("sand has none").to_string();
-    assert!(message.contains("undrained strength"), "{message}");
+    error.expect_err("sand has none").says("undrained strength");
 }
 
 /// Scour that is not there yet: the first metre costs what solves say.
@@ -108,10 +104,7 @@ fn scour_of_zero_has_a_derivative() {
         let description = oc3(model);
         let names = ["ground.scour.general", "ground.scour.local"];
         let changes = names.map(|name| Change::parse(name, &description).expect(name));
-        let options = Options {
-            modes: 2,
-            ..Options::default()
-        };
+        let options = with!(Options, modes = 2);
         let mut solver = Solver::new(options);
         let result = solver.sensitivities(&description, &changes);
         let result = result.expect("solved");

@@ -10,8 +10,9 @@ use crate::towers;
 
 use towermodes::{
     ApiEdition, Clay, Foundation, FoundationSprings, Ground, GroundLayer, Inertia, LayerSoil,
-    Material, Options, Rna, Sand, Scour, Shear, SoilModel, Station, TowerDescription,
+    Options, Rna, Sand, Scour, Shear, SoilModel, TowerDescription,
 };
+use towermodes_testing::{changed, tube, with};
 
 /// The pile's tip: held along and about its axis only.
 fn free_tip() -> Foundation {
@@ -24,10 +25,7 @@ fn free_tip() -> Foundation {
 
 /// A layer of sand.
 fn sand(top_m: f64, bottom_m: f64, friction_angle_deg: f64, model: SoilModel) -> GroundLayer {
-    let soil = LayerSoil::Sand(Sand {
-        friction_angle_deg: Some(friction_angle_deg),
-        ..Sand::default()
-    });
+    let soil = LayerSoil::Sand(with!(Sand, friction_angle_deg = Some(friction_angle_deg)));
     layer([top_m, bottom_m], soil, model)
 }
 
@@ -79,13 +77,6 @@ fn oc3(model: SoilModel) -> TowerDescription {
         sand(-34.0, -56.0, 38.5, model),
     ];
     TowerDescription {
-        materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-        stations: vec![
-            Station::new(-56.0, 6.0, 0.06),
-            Station::new(10.0, 6.0, 0.06),
-            Station::new(10.0, 6.0, 0.027),
-            Station::new(87.6, 3.87, 0.019),
-        ],
         rna: Rna {
             mass_kg: 350e3,
             center_m: [-0.413_775_4, 0.0, 1.966_989_4],
@@ -99,11 +90,13 @@ fn oc3(model: SoilModel) -> TowerDescription {
         },
         foundation: free_tip(),
         shear: Shear::Rigid,
-        ground: Some(Ground {
-            edition: ApiEdition::Rp2A,
-            ..ground(layers)
-        }),
-        ..TowerDescription::default()
+        ground: Some(changed!(ground(layers), edition = ApiEdition::Rp2A)),
+        ..tube(&[
+            (-56.0, 6.0, 0.06),
+            (10.0, 6.0, 0.06),
+            (10.0, 6.0, 0.027),
+            (87.6, 3.87, 0.019),
+        ])
     }
 }
 
@@ -112,10 +105,7 @@ fn ground_of(description: &mut TowerDescription) -> &mut Ground {
 }
 
 fn first_hz(description: &TowerDescription) -> f64 {
-    let options = Options {
-        modes: 2,
-        ..Options::default()
-    };
+    let options = with!(Options, modes = 2);
     towers::solved(description, &options).modes[0].extrapolated_hz
 }
 

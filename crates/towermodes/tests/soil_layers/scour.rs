@@ -1,9 +1,8 @@
 //! Scour.
 
 use super::{Random, clay, first_hz, ground, ground_of, layer, oc3, sand};
-use towermodes::{
-    GroundLayer, LayerSoil, Scour, ShearModulus, SoilModel, Tower, TowerDescription, Water,
-};
+use towermodes::{GroundLayer, LayerSoil, Scour, ShearModulus, SoilModel, Tower, TowerDescription};
+use towermodes_testing::parts;
 
 /// The OC3 monopile with springs of API: the change of the first frequency in percent with general
 /// scour, and with springs removed without a loss of stress, by another program. Local scour is
@@ -20,10 +19,8 @@ fn scour_lowers_the_first_frequency_of_oc3() {
         };
         let [of_general, of_local] = [(depth_m, 0.0), (0.0, depth_m)]
             .map(|(general_m, local_m)| change(Scour { general_m, local_m }));
-        assert!(
-            (of_general - general).abs() < 0.2,
-            "{depth_m}: {of_general}"
-        );
+        let holds = (of_general - general).abs() < 0.2;
+        assert!(holds, "{depth_m}: {of_general}");
         let between = general..removed;
         assert!(between.contains(&of_local), "{depth_m}: {of_local}");
     }
@@ -140,13 +137,7 @@ fn random_layer(random: &mut Random, ends_m: [f64; 2]) -> GroundLayer {
 #[test]
 fn scour_lowers_the_bed_of_the_water() {
     let mut description = oc3(SoilModel::Api);
-    description.water = Some(Water {
-        level_m: 0.0,
-        bed_m: None,
-        density_kg_per_m3: 1025.0,
-        added_mass_coefficient: 1.0,
-        flooded: true,
-    });
+    description.water = Some(parts::water(0.0, None, 1025.0, 1.0, true));
     ground_of(&mut description).scour = Scour {
         general_m: 1.0,
         local_m: 3.0,

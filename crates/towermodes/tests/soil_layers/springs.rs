@@ -9,6 +9,7 @@ use towermodes::{
     PropertyStation, PyRow, Rock, Sand, ShearModulus, SoilModel, SoilStiffness, Tower,
     TowerDescription,
 };
+use towermodes_testing::with;
 
 /// The OC3 monopile (D = 6 m) in one layer from −20 m to −56 m.
 fn in_layer(own: GroundLayer) -> TowerDescription {
@@ -77,10 +78,7 @@ fn sand_has_the_modulus_of_its_friction_angle() {
         }
     }
     let mut given = sand(-20.0, -56.0, 30.0, SoilModel::Api);
-    given.soil = LayerSoil::Sand(Sand {
-        subgrade_modulus_n_per_m3: Some(2.2e7),
-        ..Sand::default()
-    });
+    given.soil = LayerSoil::Sand(with!(Sand, subgrade_modulus_n_per_m3 = Some(2.2e7)));
     assert_close(
         springs(&in_layer(given), 10.0).y_n_per_m2,
         2.2e8,
@@ -125,12 +123,8 @@ fn rock_tables_and_elastic_soil_have_their_springs() {
     });
     let rock = in_layer(layer(ENDS_M, rock, SoilModel::WeakRock));
     assert_close(springs(&rock, 9.0).x_n_per_m2, 3e10, 1e-12, "rock");
-    assert_close(
-        springs(&rock, 18.0 + 1e-9).x_n_per_m2,
-        5e10,
-        1e-9,
-        "deep rock",
-    );
+    let got = springs(&rock, 18.0 + 1e-9).x_n_per_m2;
+    assert_close(got, 5e10, 1e-9, "deep rock");
     let row = |height_m, reaction_n_per_m| PyRow {
         height_m,
         displacement_m: 0.002,
@@ -206,12 +200,8 @@ fn shear_moduli_follow_from_soundings() {
         ),
     ];
     for (shear_modulus, expected) in cases {
-        assert_close(
-            modulus(shear_modulus),
-            expected,
-            2e-3,
-            &format!("{shear_modulus:?}"),
-        );
+        let case = format!("{shear_modulus:?}");
+        assert_close(modulus(shear_modulus), expected, 2e-3, &case);
     }
 }
 
@@ -240,10 +230,8 @@ fn axial_springs_have_their_formulas() {
         ground_of(&mut description).axial = Some(axial);
         let got = springs(&description, 12.0);
         assert_close(got.z_n_per_m2, vertical, 1e-12, axial.name());
-        assert!(
-            (got.torsion_n - torsion).abs() <= 1e-12 * torsion,
-            "{axial:?}"
-        );
+        let holds = (got.torsion_n - torsion).abs() <= 1e-12 * torsion;
+        assert!(holds, "{axial:?}");
     }
     // A tip that rests on the soil alone.
     let tips = [
@@ -285,29 +273,17 @@ fn the_factor_multiplies_everything() {
     };
     let (single, base) = (springs(&description, 12.0), tip(&description));
     assert_close(base[0], (2.717 - 0.3575 * 6.0) * 4e7 * 6.0, 1e-12, "shear");
-    assert_close(
-        base[1],
-        (0.2146 - 0.002132 * 6.0) * 4e7 * 216.0,
-        1e-12,
-        "moment",
-    );
-    assert_close(
-        single.x_n_per_m2,
-        (10.6 - 1.65 * 2.0) * 4e7,
-        1e-12,
-        "lateral",
-    );
+    let expected = (0.2146 - 0.002132 * 6.0) * 4e7 * 216.0;
+    assert_close(base[1], expected, 1e-12, "moment");
+    let expected = (10.6 - 1.65 * 2.0) * 4e7;
+    assert_close(single.x_n_per_m2, expected, 1e-12, "lateral");
     let rotation = (1.42 - 0.09643 * 2.0) * 4e7 * 36.0;
     assert_close(single.rotation_y_n, rotation, 1e-12, "rotation");
     ground_of(&mut description).factor = 2.0;
     let (double, doubled) = (springs(&description, 12.0), tip(&description));
     assert_close(double.x_n_per_m2, 2.0 * single.x_n_per_m2, 1e-12, "factor");
-    assert_close(
-        double.rotation_x_n,
-        2.0 * single.rotation_x_n,
-        1e-12,
-        "factor",
-    );
+    let expected = 2.0 * single.rotation_x_n;
+    assert_close(double.rotation_x_n, expected, 1e-12, "factor");
     assert_close(doubled[0], 2.0 * base[0], 1e-12, "factor");
     if let towermodes::Foundation::Springs(springs) = &mut description.foundation {
         springs.lateral_n_per_m = 1e9;
@@ -336,20 +312,14 @@ fn rows_are_as_fine_as_they_need_to_be() {
         let ground = ground_of(&mut fine);
         ground.layers = ground.layers.iter().flat_map(thin).collect();
         let modes = |description| {
-            let options = Options {
-                method: Method::Spectral,
-                modes: 4,
-                ..Options::default()
-            };
+            let options = with!(Options, method = Method::Spectral, modes = 4);
             crate::towers::solved(description, &options).modes
         };
         for (coarse, fine) in modes(&coarse).iter().zip(&modes(&fine)) {
             let difference = (fine.frequency_hz / coarse.frequency_hz - 1.0).abs();
             let stated = (fine.error_hz() + coarse.error_hz()) / coarse.frequency_hz;
-            assert!(
-                difference <= stated && difference < 1e-8,
-                "site {site}: {difference:.1e}, stated {stated:.1e}"
-            );
+            let holds = difference <= stated && difference < 1e-8;
+            assert!(holds, "site {site}: {difference:.1e}, stated {stated:.1e}");
         }
     }
 }

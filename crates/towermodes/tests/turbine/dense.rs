@@ -9,7 +9,8 @@ use nalgebra::{Complex, DMatrix, DVector, Matrix3, RowDVector, Vector3};
 
 use super::{SECTION, blade, straight, tower};
 use towermodes::turbine::{Turbine, TurbineDescription, TurbineMesh, TurbineModel};
-use towermodes::{BladeSection, Inertia, Planes, TowerDescription};
+use towermodes::{BladeSection, Inertia, TowerDescription};
+use towermodes_testing::parts;
 
 type Real = DMatrix<f64>;
 type Hermitian = DMatrix<Complex<f64>>;
@@ -60,10 +61,7 @@ fn random(seed: u64) -> (TowerDescription, TurbineDescription) {
         n.next();
     }
     let mut tower = tower();
-    let bending = Planes {
-        fore_aft: n.between(1e11, 4e11),
-        side_side: n.between(1e11, 4e11),
-    };
+    let bending = parts::planes(n.between(1e11, 4e11), n.between(1e11, 4e11));
     for station in &mut tower.properties {
         station.properties.bending_n_m2 = bending;
         station.properties.torsion_n_m2 = f64::INFINITY;
@@ -139,11 +137,8 @@ fn along(borders: &[f64], length_m: f64, mut visit: impl FnMut(f64, f64, [RowDVe
                 }
                 row
             });
-            visit(
-                border[0] + s * (border[1] - border[0]),
-                weight * own_m,
-                rows,
-            );
+            let expected = border[0] + s * (border[1] - border[0]);
+            visit(expected, weight * own_m, rows);
         }
     }
 }
@@ -410,11 +405,8 @@ fn counts_are_those_of_dense_matrices() {
             let (w, rpm) = (n.between(0.01, 75.0), n.between(-134.0, 134.0));
             let speed = super::rad_per_s(rpm);
             let counted = model.count(w / std::f64::consts::TAU, rpm);
-            assert_eq!(
-                counted,
-                dense.count(w, speed),
-                "turbine {seed}: {w} and {speed} rad/s"
-            );
+            let expected = dense.count(w, speed);
+            assert_eq!(counted, expected, "turbine {seed}: {w} and {speed} rad/s");
             indefinite += usize::from(model.negative_stiffness(rpm) > 0);
         }
     }

@@ -14,6 +14,7 @@ use std::f64::consts::PI;
 
 use towermodes::turbine::{Turbine, TurbineDescription, TurbineMesh, TurbineModel};
 use towermodes::{BladeDescription, BladeSection, Properties, PropertyStation, TowerDescription};
+use towermodes_testing::changed;
 use towermodes_verify::towers;
 
 /// Elements that make the discretization error of uniform turbines vanish in ten digits.
@@ -62,13 +63,7 @@ fn blade(section: BladeSection) -> BladeDescription {
     BladeDescription {
         hub_radius_m: 2.0,
         tip_radius_m: 52.0,
-        sections: vec![
-            section,
-            BladeSection {
-                span: 1.0,
-                ..section
-            },
-        ],
+        sections: vec![section, changed!(section, span = 1.0)],
         borders: vec![0.0, 0.25, 0.5, 0.75, 1.0],
         tip_is_pulled: true,
         ..BladeDescription::default()

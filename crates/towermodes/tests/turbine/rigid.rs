@@ -1,15 +1,12 @@
 //! Turbines whose blades do not bend: closed forms, and the tower with a rigid body on top.
 
 use super::{SECTION, assert_near, blade, frequencies, model, model_on, straight, uniform_tower};
-use towermodes::turbine::{Turbine, TurbineMesh, TurbineModel};
+use towermodes::turbine::{Turbine, TurbineModel};
 use towermodes::{BladeSection, Method, Options, Planes, Properties, RigidBody, solve};
+use towermodes_testing::{changed, with};
 
 /// Stiff beyond all rounding.
-const RIGID: BladeSection = BladeSection {
-    flap_n_m2: 1e32,
-    edge_n_m2: 1e32,
-    ..SECTION
-};
+const RIGID: BladeSection = changed!(SECTION, flap_n_m2 = 1e32, edge_n_m2 = 1e32);
 
 /// A massless tower under a rotor that does not bend: the characteristic equation is
 /// (GJ/L − J_d l) [(12EI/L³ − m l)(4EI/L − J_d l) − (6EI/L²)²] − l (J_p Ω)² (12EI/L³ − m l) = 0
@@ -33,10 +30,7 @@ fn a_gyroscopic_tower_whirls_as_its_closed_form() {
     machine.hub.mass_kg = 2e5;
     machine.hub.polar_inertia_kg_m2 = 4e7;
     machine.hub.transverse_inertia_kg_m2 = 2e7;
-    machine.blade = blade(BladeSection {
-        mass_kg_per_m: 1e-9,
-        ..SECTION
-    });
+    machine.blade = blade(changed!(SECTION, mass_kg_per_m = 1e-9));
     let mut model = model_on(tower, machine);
     let side_side = [0.372110413, 2.605338103];
     for (rpm, coupled) in [
@@ -64,20 +58,14 @@ fn at_rest_a_turbine_that_does_not_bend_is_a_tower_with_a_rigid_body() {
         let mut description = super::tower();
         description.gravity_m_per_s2 = gravity_m_per_s2;
         let turbine = Turbine::new(description, machine.clone()).expect("a turbine");
-        let options = Options {
-            method: Method::Spectral,
-            ..Options::default()
-        };
+        let options = with!(Options, method = Method::Spectral);
         let solution = solve(turbine.tower(), &options).expect("solved");
         let exact: Vec<f64> = solution
             .modes
             .iter()
             .map(|mode| mode.frequency_hz)
             .collect();
-        let mesh = TurbineMesh {
-            tower_degree: 12,
-            ..super::FINE
-        };
+        let mesh = changed!(super::FINE, tower_degree = 12);
         let mut model = TurbineModel::new(&turbine, &mesh).expect("a model");
         let limit_hz = exact[5] * 1.001;
         assert_near(&frequencies(&mut model, limit_hz, 0.0), &exact[..6], 1e-9);
@@ -91,11 +79,7 @@ fn rigid_rotors_of_the_same_mass_are_the_same() {
         let mut machine = super::tilted();
         machine.blades = blades;
         let mass_kg_per_m = 600.0 / blades as f64;
-        machine.blade.sections = blade(BladeSection {
-            mass_kg_per_m,
-            ..RIGID
-        })
-        .sections;
+        machine.blade.sections = blade(changed!(RIGID, mass_kg_per_m)).sections;
         frequencies(&mut model(machine), 4.0, 15.0)
     };
     let three = of(3);

@@ -37,10 +37,8 @@ fn a_platform_has_its_six_motions() {
             .collect();
         names.sort();
         let expected = ["heave", "pitch", "roll", "surge", "sway", "yaw"];
-        assert_eq!(
-            names,
-            expected.map(|motion| format!("1st platform {motion}"))
-        );
+        let wanted = expected.map(|motion| format!("1st platform {motion}"));
+        assert_eq!(names, wanted);
     }
 }
 
@@ -51,17 +49,11 @@ fn motions_of_a_platform_are_followed_from_speed_to_speed() {
     let [a, b] = [8.0, 9.0].map(|rpm| model.modes(0.3, rpm).expect("modes"));
     for mode in &a.modes {
         let same = b.modes.iter().find(|other| other.name == mode.name);
-        assert!(
-            mode.mac(same.expect("a mode of the name")) > 0.9,
-            "{}",
-            mode.name
-        );
+        let holds = mode.mac(same.expect("a mode of the name")) > 0.9;
+        assert!(holds, "{}", mode.name);
         let others = a.modes.iter().filter(|other| other.name != mode.name);
-        assert!(
-            others.into_iter().all(|other| mode.mac(other) < 0.1),
-            "{}",
-            mode.name
-        );
+        let holds = others.into_iter().all(|other| mode.mac(other) < 0.1);
+        assert!(holds, "{}", mode.name);
     }
 }
 
