@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from towermodes import _towermodes as _rust
-from towermodes._computed import Tabular
-from towermodes._picture import Picture
+from towermodes._computed import Pictured
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
 
-class Campbell(Tabular):
+class Campbell(Pictured):
     """Natural frequencies against the rotor speed, and their distances from the excitations.
 
     >>> import towermodes as tm
@@ -25,9 +24,8 @@ class Campbell(Tabular):
 
     __slots__ = ()
 
-    _compute = _rust.Campbell
+    _compute = _rust.campbell
     _maker = "Tower.campbell"
-    _core: _rust.Campbell
 
     @property
     def verdict(self) -> str:
@@ -60,27 +58,3 @@ class Campbell(Tabular):
         """
         margins: list[dict[str, Any]] = self.data["margins"]
         return margins
-
-    @property
-    def notes(self) -> list[str]:
-        """Assumptions and omissions when the file was read, and assumptions on the rotor."""
-        return self._core.notes
-
-    @property
-    def warnings(self) -> list[str]:
-        """Possible mistakes of the input and limits of the results."""
-        return self._core.warnings
-
-    def to_csv(self) -> str:
-        """One line per mode and excitation as CSV, as the program writes it."""
-        return self._core.csv()
-
-    def plot(self) -> Picture:
-        """The Campbell diagram."""
-        return Picture(self._core.svg())
-
-    def _said(self) -> list[str]:
-        return [*self.notes, *self.warnings]
-
-    def _picture(self) -> str:
-        return self._core.svg()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from towermodes._constant import constant
 from towermodes._html import text_html
+from towermodes._picture import Picture
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -12,6 +13,7 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
+    from towermodes import _towermodes as _rust
     from towermodes._tower import Tower
 
 
@@ -84,6 +86,8 @@ class Recorded:
             return self._values[name]
         if name in self._texts:
             return lambda: self._texts[name]
+        if name == "column" and "columns" in self._values:
+            return self._values["columns"].__getitem__
         if name in MADE_AGAIN and self._again is not None:
             return getattr(self._again(), name)
         raise AttributeError(name)
@@ -93,7 +97,7 @@ def _all_of(core: Any) -> tuple[dict[str, Any], dict[str, Any]]:
     """All that an object in Rust has: values by their names, and what its methods return."""
     values, texts = {}, {}
     for name in dir(type(core)):
-        if name.startswith("_") or name in MADE_AGAIN:
+        if name.startswith("_") or name in MADE_AGAIN or name == "column":
             continue
         value = getattr(core, name)
         if callable(value):
@@ -142,3 +146,41 @@ class Tabular(Computed):
 
     def _repr_html_(self) -> str:
         return text_html(repr(self), self._picture())
+
+
+class Answer(Tabular):
+    """A result with notes, warnings and lines of CSV."""
+
+    __slots__ = ()
+
+    _core: _rust.Answer
+
+    @property
+    def notes(self) -> list[str]:
+        """Assumptions and omissions when the files were read, and those of the computation."""
+        return self._core.notes
+
+    @property
+    def warnings(self) -> list[str]:
+        """Possible mistakes of the input and limits of the results."""
+        return self._core.warnings
+
+    def to_csv(self) -> str:
+        """The values as CSV, as the program writes it."""
+        return self._core.csv()
+
+    def _said(self) -> list[str]:
+        return [*self.notes, *self.warnings]
+
+
+class Pictured(Answer):
+    """An answer with a picture."""
+
+    __slots__ = ()
+
+    def plot(self) -> Picture:
+        """The picture of the result."""
+        return Picture(self._core.svg())
+
+    def _picture(self) -> str:
+        return self._core.svg()

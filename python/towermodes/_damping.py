@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from towermodes import _towermodes as _rust
-from towermodes._computed import Tabular
+from towermodes._computed import Answer
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
 
-class Damping(Tabular):
+class Damping(Answer):
     """Damping ratios of the modes, by the parts of the tower and by the rotor in the wind.
 
     >>> import towermodes as tm
@@ -21,9 +21,8 @@ class Damping(Tabular):
 
     __slots__ = ()
 
-    _compute = _rust.Damping
+    _compute = _rust.damping
     _maker = "Tower.damping"
-    _core: _rust.Damping
 
     @property
     def modes(self) -> list[dict[str, Any]]:
@@ -35,20 +34,3 @@ class Damping(Tabular):
         """
         modes: list[dict[str, Any]] = self.data["modes"]
         return modes
-
-    @property
-    def notes(self) -> list[str]:
-        """Assumptions when the file was read, and what the damping does not include."""
-        return self._core.notes
-
-    @property
-    def warnings(self) -> list[str]:
-        """Possible mistakes of the input and limits of the results."""
-        return self._core.warnings
-
-    def to_csv(self) -> str:
-        """One line per mode and part as CSV, as the program writes it."""
-        return self._core.csv()
-
-    def _said(self) -> list[str]:
-        return [*self.notes, *self.warnings]

@@ -32,7 +32,7 @@ class FirstOrder(Tabular):
 
     __slots__ = ()
 
-    _compute = _rust.FirstOrder
+    _compute = _rust.first_order
     _maker = "Tower.first_order"
 
     @property

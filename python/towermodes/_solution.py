@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from towermodes._computed import Computed
 from towermodes._html import solution_html
+from towermodes._mode_columns import ModeArrays, ModeNumbers
 from towermodes._names import place_of
 from towermodes._picture import Picture
 
@@ -26,7 +27,7 @@ def _solve(tower: _rust.Tower, options: dict[str, object]) -> _rust.Solution:
     return tower.solve(options)
 
 
-class Solution(Computed):
+class Solution(ModeArrays, Computed):
     """The lowest modes of a tower, with their errors and the proof that none is missing.
 
     Arrays have one entry per mode, by rising frequency; of a repeated pair the fore-aft mode comes
@@ -59,46 +60,9 @@ class Solution(Computed):
         return self._towers[0]
 
     @property
-    def frequency_hz(self) -> Array:
-        """Natural frequencies of the discretized tower, not extrapolated, Hz: (modes,).
-
-        `SweepResult.frequency_hz` corresponds to `extrapolated_hz`, not to these frequencies.
-        0 for a rigid-body motion that nothing resists.
-        """
-        array: Array = self._core.frequency_hz
-        return array
-
-    @property
     def error_hz(self) -> Array:
         """Errors of `frequency_hz`, discretization and eigenvalue computation, Hz: (modes,)."""
         array: Array = self._core.error_hz
-        return array
-
-    @property
-    def algebraic_error_hz(self) -> Array:
-        """Bounds on the errors of the eigenvalue computation, Hz: (modes,)."""
-        array: Array = self._core.algebraic_error_hz
-        return array
-
-    @property
-    def discretization_error_hz(self) -> Array:
-        """Estimates of the discretization errors, Hz: (modes,)."""
-        array: Array = self._core.discretization_error_hz
-        return array
-
-    @property
-    def extrapolated_hz(self) -> Array:
-        """Frequencies of the beam, extrapolated from several numbers of segments, Hz: (modes,).
-
-        The frequencies of a sweep are such frequencies, by default of 20 segments.
-        """
-        array: Array = self._core.extrapolated_hz
-        return array
-
-    @property
-    def period_s(self) -> Array:
-        """Periods, s: (modes,); infinite for a motion that nothing resists."""
-        array: Array = self._core.period_s
         return array
 
     @property
@@ -332,7 +296,7 @@ class Solution(Computed):
         return solution_html(self._core)
 
 
-class Mode:
+class Mode(ModeNumbers):
     """A mode of a solution.
 
     >>> import towermodes as tm
@@ -358,6 +322,9 @@ class Mode:
     def __hash__(self) -> int:
         return hash((self._index, self._solution))
 
+    def _value(self, key: str) -> float:
+        return float(self._solution.column(key)[self._index])
+
     @property
     def number(self) -> int:
         """Place in the list, from 1."""
@@ -382,7 +349,7 @@ class Mode:
         >>> [(mode.label, round(mode.share, 2)) for mode in tower.solve(modes=4).modes[2:]]
         [('1st torsion', 0.69), ('2nd side-side bending', 0.69)]
         """
-        return self._solution._core.share[self._index]
+        return self._value("share")
 
     @property
     def second(self) -> tuple[Family, float] | None:
@@ -408,24 +375,9 @@ class Mode:
         return self._solution.labels[self._index]
 
     @property
-    def frequency_hz(self) -> float:
-        """Natural frequency of the discretized tower, not extrapolated, Hz."""
-        return float(self._solution.frequency_hz[self._index])
-
-    @property
     def error_hz(self) -> float:
         """Error of `frequency_hz`, discretization and eigenvalue computation, Hz."""
         return float(self._solution.error_hz[self._index])
-
-    @property
-    def extrapolated_hz(self) -> float:
-        """Frequency of the beam, extrapolated from several numbers of segments, Hz."""
-        return float(self._solution.extrapolated_hz[self._index])
-
-    @property
-    def period_s(self) -> float:
-        """Period, s; infinite for a motion that nothing resists."""
-        return float(self._solution.period_s[self._index])
 
     @property
     def modal_mass(self) -> float:

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from towermodes import _towermodes as _rust
-from towermodes._computed import Tabular
-from towermodes._picture import Picture
+from towermodes._computed import Pictured, Tabular
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -12,7 +11,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-class Comparison(Tabular):
+class Comparison(Pictured):
     """Several methods compared on one tower.
 
     >>> import towermodes as tm
@@ -25,9 +24,8 @@ class Comparison(Tabular):
 
     __slots__ = ()
 
-    _compute = _rust.Comparison
+    _compute = _rust.compare
     _maker = "Tower.compare"
-    _core: _rust.Comparison
 
     @property
     def columns(self) -> list[tuple[str, int]]:
@@ -54,25 +52,6 @@ class Comparison(Tabular):
 
         return np.array([column[key] for column in self.data["methods"]], dtype=np.float64)
 
-    @property
-    def warnings(self) -> list[str]:
-        """Warnings of the reference solution, and of methods that lack modes."""
-        return self._core.warnings
-
-    def to_csv(self) -> str:
-        """One line per mode and method as CSV, as the program writes it."""
-        return self._core.csv()
-
-    def plot(self) -> Picture:
-        """The picture of the differences from the reference solution."""
-        return Picture(self._core.svg())
-
-    def _said(self) -> list[str]:
-        return self.warnings
-
-    def _picture(self) -> str:
-        return self._core.svg()
-
 
 class Agreement(Tabular):
     """Two descriptions of the same tower compared.
@@ -86,9 +65,9 @@ class Agreement(Tabular):
 
     __slots__ = ()
 
-    _compute = _rust.Agreement
+    _compute = _rust.check
     _maker = "Tower.check"
-    _core: _rust.Agreement
+    _core: _rust.Answer
 
     @property
     def verdict(self) -> str:
@@ -99,7 +78,6 @@ class Agreement(Tabular):
     def notes(self) -> list[str]:
         """Assumptions and omissions when the files were read, and omissions of the comparison."""
         return self._core.notes
-
 
 
 class Examination(Tabular):
@@ -113,7 +91,5 @@ class Examination(Tabular):
 
     __slots__ = ()
 
-    _compute = _rust.Examination
+    _compute = _rust.examine
     _maker = "Tower.examine"
-    _core: _rust.Examination
-

@@ -6,8 +6,8 @@ from math import isfinite
 
 from towermodes import _towermodes as _rust
 from towermodes._checks import number, number_or_none, whole
-from towermodes._computed import Computed, Tabular
-from towermodes._picture import Picture
+from towermodes._computed import Computed, Pictured
+from towermodes._constant import constant
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -302,7 +302,7 @@ class TurbineModes(Computed):
         return "\n".join([head, *rows, proof])
 
 
-class TurbineCampbell(Tabular):
+class TurbineCampbell(Pictured):
     """Modes of a turbine followed over the rotor speed, and their distances from the excitations.
 
     Frequencies are those in axes that do not turn. Arrays of numbers are (curves, speeds), NaN
@@ -315,11 +315,11 @@ class TurbineCampbell(Tabular):
     True
     """
 
-    __slots__ = ()
+    __slots__ = ("_parsed",)
 
-    _compute = _rust.TurbineCampbell
+    _compute = _rust.turbine_campbell
     _maker = "Turbine.campbell"
-    _core: _rust.TurbineCampbell
+    _parsed: dict[str, Any]
 
     @property
     def turbine(self) -> Turbine:
@@ -351,25 +351,27 @@ class TurbineCampbell(Tabular):
     @property
     def certified(self) -> bool:
         """Whether counts prove at every speed that no mode is missing and that none is unstable."""
-        return self._core.certified
+        is_certified: bool = self._json["is_certified"]
+        return is_certified
 
     @property
     def certified_at(self) -> NDArray[np.bool_]:
         """The same for each rotor speed: (speeds,)."""
         import numpy as np
 
-        return np.array(self._core.certified_at, dtype=np.bool_)
+        speeds = self._json["speeds"]
+        return np.array([speed["is_complete"] for speed in speeds], dtype=np.bool_)
 
     @property
     def limit_hz(self) -> float:
         """The frequency up to which all modes are followed, Hz."""
-        return self._core.limit_hz
+        limit_hz: float = self._json["limit_hz"]
+        return limit_hz
 
     @property
     def rpm(self) -> Array:
         """The rotor speeds at which the turbine was solved, rpm: (speeds,)."""
-        array: Array = self._core.rpm
-        return array
+        return _array([speed["rotor_speed_rpm"] for speed in self._json["speeds"]])
 
     @property
     def names(self) -> list[str]:
@@ -377,7 +379,7 @@ class TurbineCampbell(Tabular):
 
         Where curves veer, the names change along them: see `names_at`.
         """
-        return self._core.names
+        return [curve["label"] for curve in self._json["curves"]]
 
     @property
     def names_at(self) -> list[list[str | None]]:
@@ -391,36 +393,32 @@ class TurbineCampbell(Tabular):
         >>> sorted(row[-1] for row in campbell.names_at if row[-1])[:2]
         ['1st edgewise backward whirl', '1st flapwise backward whirl']
         """
-        return self._core.names_at
+        return [[point and point["label"] for point in curve] for curve in self._points()]
 
     @property
     def share(self) -> Array:
         """Fractions of the elastic energy in the parts of `names_at`: (curves, speeds)."""
-        array: Array = self._core.share
-        return array
+        return self._numbers("share")
 
     @property
     def partners(self) -> list[int | None]:
         """For each backward whirl the index of the forward whirl of the same motion, and reverse."""
-        return self._core.partners
+        return [curve["partner"] for curve in self._json["curves"]]
 
     @property
     def frequency_hz(self) -> Array:
         """Natural frequencies, Hz: (curves, speeds)."""
-        array: Array = self._core.frequency_hz
-        return array
+        return self._numbers("frequency_hz")
 
     @property
     def lower_hz(self) -> Array:
         """Lower bounds of the frequencies of the model, proved by counts, Hz: (curves, speeds)."""
-        array: Array = self._core.lower_hz
-        return array
+        return self._numbers("lower_hz")
 
     @property
     def upper_hz(self) -> Array:
         """Upper bounds, Hz: (curves, speeds)."""
-        array: Array = self._core.upper_hz
-        return array
+        return self._numbers("upper_hz")
 
     @property
     def error_hz(self) -> Array:
@@ -428,14 +426,15 @@ class TurbineCampbell(Tabular):
 
         They are estimated at the ends of the diagram and of operation, and NaN between.
         """
-        array: Array = self._core.error_hz
-        return array
+        return self._numbers("error_hz")
 
     @property
     def energy(self) -> dict[str, Array]:
         """Fractions of the elastic energy by part, as in `TurbineModes`: each (curves, speeds)."""
-        shares: Array = self._core.energy
-        return {part: shares[:, :, k] for k, part in enumerate(self._core.energy_parts)}
+        points = self._points()
+        shares = [[point and _shares(point["energy"]) for point in curve] for curve in points]
+        parts = next((list(of) for curve in shares for of in curve if of), [])
+        return {part: _array([[_of(of, part) for of in c] for c in shares]) for part in parts}
 
     @property
     def margins(self) -> list[dict[str, Any]]:
@@ -444,14 +443,24 @@ class TurbineCampbell(Tabular):
         return margins
 
     @property
-    def notes(self) -> list[str]:
-        """Assumptions and omissions when the file was read."""
-        return self._core.notes
+    def _json(self) -> dict[str, Any]:
+        """The data, parsed once."""
+        if not hasattr(self, "_parsed"):
+            self._parsed = self.data
+        return self._parsed
 
-    @property
-    def warnings(self) -> list[str]:
-        """Limits of the diagram."""
-        return self._core.warnings
+    def _points(self) -> list[list[dict[str, Any] | None]]:
+        """The points of each curve at all speeds, None where it has left the diagram."""
+        speeds = [speed["rotor_speed_rpm"] for speed in self._json["speeds"]]
+        curves = [
+            {point["rotor_speed_rpm"]: point for point in curve["points"]}
+            for curve in self._json["curves"]
+        ]
+        return [[curve.get(rpm) for rpm in speeds] for curve in curves]
+
+    def _numbers(self, key: str) -> Array:
+        """A number of each point: (curves, speeds)."""
+        return _array([[_of(point, key) for point in curve] for curve in self._points()])
 
     def to_dict(self) -> dict[str, object]:
         """A table with a row for each curve and speed: `pandas.DataFrame(campbell.to_dict())`."""
@@ -476,16 +485,32 @@ class TurbineCampbell(Tabular):
             **{name: values[is_there] for name, values in numbers.items()},
         }
 
-    def to_csv(self) -> str:
-        """One line per curve and rotor speed as CSV, as the program writes it."""
-        return self._core.csv()
 
-    def plot(self) -> Picture:
-        """The coupled Campbell diagram."""
-        return Picture(self._core.svg())
+_PLATFORM = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 
-    def _said(self) -> list[str]:
-        return [*self.notes, *self.warnings]
 
-    def _picture(self) -> str:
-        return self._core.svg()
+def _shares(energy: dict[str, Any]) -> dict[str, float]:
+    """Fractions of energy by the names of `TurbineModes.energy`."""
+    platform = zip(_PLATFORM, energy["platform"], strict=True)
+    shares = {f"platform_{motion}": share for motion, share in platform}
+    for part, share in energy.items():
+        if isinstance(share, dict):
+            ways = ("collective", "forward", "backward")
+            shares.update({f"{part}_{way}": share[way] for way in ways})
+        elif part != "platform":
+            shares[part] = share
+    return shares
+
+
+def _of(values: dict[str, Any] | None, key: str) -> float:
+    """A number of a point; NaN where there is none."""
+    value = values[key] if values else None
+    return float("nan") if value is None else float(value)
+
+
+def _array(numbers: list[Any]) -> Array:
+    """Numbers as an array that cannot be written."""
+    import numpy as np
+
+    array: Array = constant(np.array(numbers, dtype=np.float64))
+    return array

@@ -16,9 +16,8 @@ pub(crate) trait Analysis {
     /// What the options ask for.
     type Plan;
 
-    fn input(&self) -> &InputArguments;
-
-    fn destination(&self) -> &Destination;
+    /// The file that is read, and the result.
+    fn files(&self) -> (&InputArguments, &Destination);
 
     /// Checks the options before a file is read.
     fn check(&self, _format: Format) -> Result<(), Failure> {
@@ -91,11 +90,12 @@ impl Answer {
 
 /// Runs a command.
 pub(crate) fn run<A: Analysis>(arguments: &Deferred<A>) -> Result<(), Failure> {
-    let output = arguments.destination().output();
-    check_not_input(&arguments.input().file, output)?;
-    let format = arguments.destination().format()?;
+    let (file, destination) = arguments.files();
+    let output = destination.output();
+    check_not_input(&file.file, output)?;
+    let format = destination.format()?;
     arguments.check(format)?;
-    let mut input = tower_input(arguments.input())?;
+    let mut input = tower_input(file)?;
     check_not_inputs(input.files(), output)?;
     arguments.change(&mut input)?;
     let tower = input.tower()?;

@@ -6,7 +6,8 @@ use std::path::PathBuf;
 use std::process::Stdio;
 
 use serde_json::Value;
-use towermodes_files::generated_schema_of;
+use towermodes::Mode;
+use towermodes_files::{Cell, Column, MODE_COLUMNS, generated_schema_of};
 use towermodes_testing::{Says, arguments, rows};
 use towermodes_verify::Verification;
 
@@ -180,6 +181,107 @@ fn the_schemas_are_made_from_the_types_of_the_results() {
         assert!(holds, "{name}");
     }
 }
+
+/// The numbers of modes as properties of Python. `TOWERMODES_BLESS=1` writes the file again after a
+/// change of `MODE_COLUMNS`.
+#[test]
+fn the_numbers_of_modes_in_python_are_those_of_the_columns() {
+    let path = root().join("python/towermodes/_mode_columns.py");
+    let expected = mode_columns();
+    if std::env::var_os("TOWERMODES_BLESS").is_some() {
+        std::fs::write(&path, &expected).expect("the file is written");
+    }
+    let in_file = std::fs::read_to_string(&path).expect("the file");
+    assert!(in_file == expected, "run with TOWERMODES_BLESS=1");
+}
+
+/// The file with the properties.
+fn mode_columns() -> String {
+    let input = towermodes_files::read(
+        &root().join("examples/nrel-5mw.toml"),
+        &towermodes_files::ReadOptions::default(),
+    );
+    let Ok(towermodes_files::Input::Tower(input)) = input else {
+        panic!("a tower");
+    };
+    let tower = input.tower().expect("a tower");
+    let options = towermodes::Options::default();
+    let modes = towermodes::solve(&tower, &options).expect("solved").modes;
+    let is_number = |column: &&Column<Mode>| {
+        let cell = (column.value)(&modes[0]);
+        !column.key.contains('.') && matches!(cell, Cell::Number(_) | Cell::Small(_))
+    };
+    let (mut arrays, mut numbers) = (String::new(), String::new());
+    for column in MODE_COLUMNS.iter().filter(is_number) {
+        let (key, meaning) = (column.key, column.meaning);
+        let meaning = meaning[..1].to_uppercase() + &meaning[1..];
+        let unit = match column.unit {
+            "" => String::new(),
+            unit => format!(", {unit}"),
+        };
+        arrays += &format!(
+            "\n    @property\n    def {key}(self) -> Array:\n        \"\"\"{meaning}{unit}: (modes,).\"\"\"\n        array: Array = self.column(\"{key}\")\n        return array\n"
+        );
+        numbers += &format!(
+            "\n    @property\n    def {key}(self) -> float:\n        \"\"\"{meaning}{unit}.\"\"\"\n        return self._value(\"{key}\")\n"
+        );
+    }
+    PYTHON
+        .replace("    # arrays\n", arrays.trim_start_matches('\n'))
+        .replace("    # numbers\n", numbers.trim_start_matches('\n'))
+}
+
+const PYTHON: &str =
+    "# Made from the columns of modes by a test with TOWERMODES_BLESS=1; do not edit.
+\"\"\"The numbers of modes.\"\"\"
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+
+class ModeArrays:
+    \"\"\"The numbers of all modes of a solution as arrays.\"\"\"
+
+    __slots__ = ()
+
+    _core: Any
+
+    def column(self, key: str) -> Any:
+        \"\"\"A column of the CSV by its key, one value for each mode: an array, or a list of texts.
+
+        Raises:
+            KeyError: There is no such column.
+
+        >>> import towermodes as tm
+        >>> solution = tm.read(\"examples/nrel-5mw.toml\").solve(modes=2)
+        >>> solution.column(\"label\")
+        ['1st side-side bending', '1st fore-aft bending']
+        >>> solution.column(\"energy.strain.fore_aft\").round(3)
+        array([0., 1.])
+        \"\"\"
+        return self._core.column(key)
+
+    # arrays
+
+
+class ModeNumbers:
+    \"\"\"The numbers of one mode.\"\"\"
+
+    __slots__ = ()
+
+    def _value(self, key: str) -> float:
+        raise NotImplementedError
+
+    # numbers
+";
 
 /// The keys of an object, in the order of the alphabet.
 fn keys(value: &Value) -> Vec<String> {

@@ -80,16 +80,16 @@ pub use resolver::{FileResolver, InMemory, SiblingFiles};
 #[cfg(feature = "schema")]
 pub use result::generated_schema_of;
 pub use result::{
-    CalibrationDocument, CorrelatedInputs, DesignDocument, DesignedFrequency, DesignedLimit,
-    DesignedOther, DesignedVariable, FirstOrderDocument, FittedDirection, FittedFrequency,
-    FittedNumber, FittedShare, InputEffect, MarginProbability, RESULTS, ResultError, ResultKind,
-    ScatteredInput, ScatteredMode, SolvedFile, write_blade_csv, write_blade_json,
-    write_calibration_json, write_campbell_csv, write_campbell_json, write_comparison_csv,
-    write_convergence_csv, write_coupled_campbell_csv, write_coupled_campbell_json, write_csv,
-    write_damping_csv, write_damping_json, write_design_json, write_first_order_json, write_json,
-    write_json_with_sensitivities, write_parameters_csv, write_parameters_json, write_records_csv,
-    write_result_json, write_sensitivities_csv, write_sensitivities_json, write_several_csv,
-    write_several_json,
+    CalibrationDocument, Cell, Column, CorrelatedInputs, DesignDocument, DesignedFrequency,
+    DesignedLimit, DesignedOther, DesignedVariable, FirstOrderDocument, FittedDirection,
+    FittedFrequency, FittedNumber, FittedShare, InputEffect, MODE_COLUMNS, MarginProbability,
+    RESULTS, ResultError, ResultKind, ScatteredInput, ScatteredMode, SolvedFile, write_blade_csv,
+    write_blade_json, write_calibration_json, write_campbell_csv, write_campbell_json,
+    write_comparison_csv, write_convergence_csv, write_coupled_campbell_csv,
+    write_coupled_campbell_json, write_csv, write_damping_csv, write_damping_json,
+    write_design_json, write_first_order_json, write_json, write_json_with_sensitivities,
+    write_parameters_csv, write_parameters_json, write_records_csv, write_result_json,
+    write_sensitivities_csv, write_sensitivities_json, write_several_csv, write_several_json,
 };
 pub use sampling::{
     Correlation, CorrelationError, Distribution, MAX_CORRELATED, MAX_ROWS, MAX_SOBOL_DIMENSIONS,

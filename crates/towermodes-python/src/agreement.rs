@@ -4,18 +4,19 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use towermodes_analysis::agreement::{
-    Agreement as Agreed, AgreementLimits, Examination as Examined, agree, examine, omit_one_sided,
+    Agreement as Agreed, AgreementLimits, Examination as Examined, agree, examine as examined,
+    omit_one_sided,
 };
 use towermodes_cli::table;
-use towermodes_files::{FileFormat, write_result_json};
+use towermodes_files::{FileFormat, ResultError, write_result_json};
 
-use crate::error::{of_agreement, of_result, of_tower};
+use crate::answer::{Answer, Shown};
+use crate::error::{of_agreement, of_tower};
 use crate::lock::released;
 use crate::tower::{Model, Tower};
 
 /// The comparison of two descriptions.
-#[pyclass(frozen, module = "towermodes._towermodes")]
-pub struct Agreement {
+struct Agreement {
     names: [String; 2],
     agreement: Agreed,
     notes: Vec<String>,
@@ -31,86 +32,70 @@ fn name(model: &Model) -> String {
     }
 }
 
-#[pymethods]
-impl Agreement {
-    /// Compares the second tower with the first.
-    #[new]
-    fn new(py: Python<'_>, first: &Tower, second: &Tower) -> PyResult<Self> {
-        let models = [&*first.model, &*second.model];
-        let names = models.map(name);
-        let implied = models.map(|model| model.input.format == FileFormat::ElastoDyn);
-        let [mut first, mut second] = models.map(|model| model.input.description.clone());
-        let omitted = omit_one_sided([&mut first, &mut second], implied);
-        let agreed = released(py, || agree(&first, &second, &AgreementLimits::default()));
-        let agreement = agreed.map_err(|error| of_agreement(&error))?;
-        let mut notes = models[0].notes();
-        for note in models[1].notes() {
-            if !notes.contains(&note) {
-                notes.push(note);
-            }
+/// Compares the second tower with the first.
+#[pyfunction]
+pub fn check(py: Python<'_>, first: &Tower, second: &Tower) -> PyResult<Answer> {
+    let models = [&*first.model, &*second.model];
+    let names = models.map(name);
+    let implied = models.map(|model| model.input.format == FileFormat::ElastoDyn);
+    let [mut first, mut second] = models.map(|model| model.input.description.clone());
+    let omitted = omit_one_sided([&mut first, &mut second], implied);
+    let agreed = released(py, || agree(&first, &second, &AgreementLimits::default()));
+    let agreement = agreed.map_err(|error| of_agreement(&error))?;
+    let mut notes = models[0].notes();
+    for note in models[1].notes() {
+        if !notes.contains(&note) {
+            notes.push(note);
         }
-        notes.extend(omitted.iter().map(ToString::to_string));
-        Ok(Self {
-            names,
-            agreement,
-            notes,
-        })
     }
+    notes.extend(omitted.iter().map(ToString::to_string));
+    Ok(Answer::of(Agreement {
+        names,
+        agreement,
+        notes,
+    }))
+}
 
-    /// The worst verdict: `pass`, `warn` or `fail`.
-    #[getter]
-    fn verdict(&self) -> &'static str {
-        self.agreement.verdict.name()
-    }
-
-    /// The notes of both readers, and what is left out of the comparison.
-    #[getter]
-    fn notes(&self) -> Vec<String> {
-        self.notes.clone()
-    }
-
-    /// The table of the program.
+impl Shown for Agreement {
     fn table(&self) -> String {
         table::agreement(&self.names, &self.agreement)
     }
 
-    /// The JSON of the program.
-    fn json(&self) -> PyResult<String> {
-        let mut json = Vec::new();
-        let done = write_result_json(&self.agreement, &mut json);
-        done.map_err(|error| of_result(&error))?;
-        Ok(String::from_utf8_lossy(&json).into_owned())
+    fn json(&self, out: &mut Vec<u8>) -> Result<(), ResultError> {
+        write_result_json(&self.agreement, out)
+    }
+
+    /// Those of both readers, and what is left out of the comparison.
+    fn notes(&self) -> Vec<String> {
+        self.notes.clone()
+    }
+
+    fn verdict(&self) -> &'static str {
+        self.agreement.verdict.name()
     }
 }
 
 /// The values of one description.
-#[pyclass(frozen, module = "towermodes._towermodes")]
-pub struct Examination {
+struct Examination {
     model: Arc<Model>,
     examination: Examined,
 }
 
-#[pymethods]
-impl Examination {
-    /// Summarises a tower.
-    #[new]
-    fn new(tower: &Tower) -> PyResult<Self> {
-        let model = Arc::clone(&tower.model);
-        let examined = examine(&model.input.description);
-        let examination = examined.map_err(|error| of_tower(&error))?;
-        Ok(Self { model, examination })
-    }
+/// Summarises a tower.
+#[pyfunction]
+pub fn examine(tower: &Tower) -> PyResult<Answer> {
+    let model = Arc::clone(&tower.model);
+    let examined = examined(&model.input.description);
+    let examination = examined.map_err(|error| of_tower(&error))?;
+    Ok(Answer::of(Examination { model, examination }))
+}
 
-    /// The table of the program.
+impl Shown for Examination {
     fn table(&self) -> String {
         table::examination(&self.model.tower, &self.examination)
     }
 
-    /// The JSON of the program.
-    fn json(&self) -> PyResult<String> {
-        let mut json = Vec::new();
-        let done = write_result_json(&self.examination, &mut json);
-        done.map_err(|error| of_result(&error))?;
-        Ok(String::from_utf8_lossy(&json).into_owned())
+    fn json(&self, out: &mut Vec<u8>) -> Result<(), ResultError> {
+        write_result_json(&self.examination, out)
     }
 }

@@ -8,20 +8,19 @@ use towermodes_analysis::resonance::{
     Campbell as Diagram, CampbellOptions, ChosenRotor, GivenRotor, assess, reach_hz, solve_to_reach,
 };
 use towermodes_cli::table;
-use towermodes_files::{Note, TowerInput, write_campbell_csv, write_campbell_json};
-use towermodes_report::figures::{self, TitleWords, titled};
-use towermodes_report::svg::Look;
+use towermodes_files::{Note, ResultError, TowerInput, write_campbell_csv, write_campbell_json};
+use towermodes_report::figures;
 use towermodes_report::wording::computed_by;
 
-use crate::error::{of_campbell, of_result};
+use crate::answer::{Answer, Shown};
+use crate::error::of_campbell;
 use crate::interrupt::interruptible;
 use crate::lock::released;
 use crate::options::SolveOptions;
 use crate::tower::{Model, Tower};
 
 /// A Campbell diagram.
-#[pyclass(frozen, module = "towermodes._towermodes")]
-pub struct Campbell {
+struct Campbell {
     model: Arc<Model>,
     solution: Solution,
     diagram: Diagram,
@@ -83,117 +82,89 @@ fn notes_on(input: &TowerInput, chosen: &ChosenRotor) -> Vec<Note> {
     notes.chain(assumed).collect()
 }
 
-#[pymethods]
-impl Campbell {
-    /// The diagram of a tower.
-    #[new]
-    #[pyo3(signature = (tower, rotor: "dict[str, object]", options: "dict[str, object]"))]
-    fn new(
-        py: Python<'_>,
-        tower: &Tower,
-        rotor: RotorOptions,
-        options: SolveOptions,
-    ) -> PyResult<Self> {
-        let model = Arc::clone(&tower.model);
-        let Model { tower, input } = &*model;
-        let mut limits = rotor.of_library();
-        let solved = interruptible(py, options.of(input)?, |solver| {
-            let chosen = rotor.rotor(input, || solver.solve_certain(tower))?;
-            let solution = match options.has_modes() {
-                true => solver.solve_certain(tower),
-                false => solve_to_reach(solver, tower, reach_hz(&chosen.rotor, &limits)),
-            };
-            Ok::<_, SolveError>((solution?, chosen))
-        })?;
-        let (solution, chosen) = solved.map_err(|error| model.unsolved(&error))?;
-        limits.speeds_are_known = chosen.speeds_are_known;
-        let blade = input.blade.as_ref();
-        let assessed = released(py, || {
-            assess(tower, &solution, blade, &chosen.rotor, &limits)
-        });
-        let assessed = assessed.map_err(|error| of_campbell(&error))?;
-        let mut notes = notes_on(input, &chosen);
-        notes.extend(
-            assessed
-                .remarks
-                .iter()
-                .map(|remark| Note::new(remark.to_string())),
-        );
-        Ok(Self {
-            model,
-            solution,
-            diagram: assessed.campbell,
-            notes,
-        })
-    }
+/// The diagram of a tower.
+#[pyfunction]
+#[pyo3(signature = (tower, rotor: "dict[str, object]", options: "dict[str, object]"))]
+pub fn campbell(
+    py: Python<'_>,
+    tower: &Tower,
+    rotor: RotorOptions,
+    options: SolveOptions,
+) -> PyResult<Answer> {
+    let model = Arc::clone(&tower.model);
+    let Model { tower, input } = &*model;
+    let mut limits = rotor.of_library();
+    let solved = interruptible(py, options.of(input)?, |solver| {
+        let chosen = rotor.rotor(input, || solver.solve_certain(tower))?;
+        let solution = match options.has_modes() {
+            true => solver.solve_certain(tower),
+            false => solve_to_reach(solver, tower, reach_hz(&chosen.rotor, &limits)),
+        };
+        Ok::<_, SolveError>((solution?, chosen))
+    })?;
+    let (solution, chosen) = solved.map_err(|error| model.unsolved(&error))?;
+    limits.speeds_are_known = chosen.speeds_are_known;
+    let blade = input.blade.as_ref();
+    let assessed = released(py, || {
+        assess(tower, &solution, blade, &chosen.rotor, &limits)
+    });
+    let assessed = assessed.map_err(|error| of_campbell(&error))?;
+    let mut notes = notes_on(input, &chosen);
+    notes.extend(
+        assessed
+            .remarks
+            .iter()
+            .map(|remark| Note::new(remark.to_string())),
+    );
+    Ok(Answer::of(Campbell {
+        model,
+        solution,
+        diagram: assessed.campbell,
+        notes,
+    }))
+}
 
-    /// The worst verdict: `pass`, `warn`, `fail`, or `undecided` where nothing is checked.
-    #[getter]
-    fn verdict(&self) -> &'static str {
-        self.diagram.verdict().name()
-    }
-
-    /// Why nothing is checked; empty if it is.
-    #[getter]
-    fn not_checked(&self) -> Vec<String> {
-        let reasons = self.diagram.not_checked.iter();
-        reasons.map(ToString::to_string).collect()
-    }
-
-    /// The conclusion in sentences.
-    #[getter]
-    fn conclusion(&self) -> Vec<String> {
-        self.diagram.conclusion()
-    }
-
-    /// The notes of the reader, and those on the rotor.
-    #[getter]
-    fn notes(&self) -> Vec<String> {
-        let own = self.notes.iter().map(Note::to_string);
-        self.model.notes().into_iter().chain(own).collect()
-    }
-
-    /// Possible mistakes of the input, and limits of the results.
-    #[getter]
-    fn warnings(&self) -> Vec<String> {
-        self.model.located(&self.solution.warnings)
-    }
-
-    /// The table of the program.
+impl Shown for Campbell {
     fn table(&self) -> String {
         let has_blade = self.model.input.blade.is_some();
         let diagram = (&self.diagram, self.solution.modes.as_slice());
         table::campbell(&self.model.tower, diagram, has_blade, false)
     }
 
-    /// The JSON of the program.
-    fn json(&self) -> PyResult<String> {
+    fn json(&self, out: &mut Vec<u8>) -> Result<(), ResultError> {
         let notes = [self.model.input.notes.as_slice(), &self.notes].concat();
         let (tower, warnings) = (&self.model.tower, &self.solution.warnings);
-        let mut json = Vec::new();
-        let done = write_campbell_json(tower, &self.diagram, None, &notes, warnings, &mut json);
-        done.map_err(|error| of_result(&error))?;
-        Ok(String::from_utf8_lossy(&json).into_owned())
+        write_campbell_json(tower, &self.diagram, None, &notes, warnings, out)
     }
 
-    /// The CSV of the program.
-    fn csv(&self) -> PyResult<String> {
-        let mut csv = Vec::new();
-        let done = write_campbell_csv(&self.diagram, &mut csv);
-        done.map_err(|error| of_result(&error))?;
-        Ok(String::from_utf8_lossy(&csv).into_owned())
+    fn csv(&self, out: &mut Vec<u8>) -> Result<(), ResultError> {
+        write_campbell_csv(&self.diagram, out)
     }
 
-    /// The diagram as SVG.
     fn svg(&self) -> String {
-        let computed = computed_by(&self.solution);
-        let conclusion = self.diagram.conclusion();
-        let words = TitleWords {
-            title: None,
-            computed: Some(&computed),
-            conclusion: &conclusion,
-        };
+        let (computed, conclusion) = (computed_by(&self.solution), self.diagram.conclusion());
         let figure = figures::campbell(&self.diagram);
-        titled(figure, &self.model.tower, &words).to_svg(Look::Standalone)
+        self.model.titled(figure, Some(&computed), &conclusion)
+    }
+
+    fn notes(&self) -> Vec<String> {
+        self.model.notes_with(&self.notes)
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.model.located(&self.solution.warnings)
+    }
+
+    fn verdict(&self) -> &'static str {
+        self.diagram.verdict().name()
+    }
+
+    fn not_checked(&self) -> Vec<String> {
+        let reasons = self.diagram.not_checked.iter();
+        reasons.map(ToString::to_string).collect()
+    }
+
+    fn conclusion(&self) -> Vec<String> {
+        self.diagram.conclusion()
     }
 }

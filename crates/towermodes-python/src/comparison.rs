@@ -5,14 +5,13 @@ use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
 use towermodes::{Method, Options, Solver, Tower as CheckedTower};
-use towermodes_analysis::study::{ColumnSpec, Comparison as Compared, compare};
+use towermodes_analysis::study::{ColumnSpec, Comparison as Compared, compare as compared_by};
 use towermodes_cli::table;
-use towermodes_files::{write_comparison_csv, write_result_json};
-use towermodes_report::figures::{self, TitleWords, titled};
-use towermodes_report::svg::Look;
+use towermodes_files::{ResultError, write_comparison_csv, write_result_json};
+use towermodes_report::figures;
 use towermodes_report::wording::compared_segments;
 
-use crate::error::of_result;
+use crate::answer::{Answer, Shown};
 use crate::interrupt::interruptible;
 use crate::options::method_named;
 use crate::tower::{Model, Tower};
@@ -21,27 +20,9 @@ use crate::tower::{Model, Tower};
 const TIMING: Duration = Duration::from_millis(20);
 
 /// Several methods compared on one tower.
-#[pyclass(frozen, module = "towermodes._towermodes")]
-pub struct Comparison {
+struct Comparison {
     model: Arc<Model>,
     comparison: Compared,
-}
-
-/// A column for each method and number of segments; the spectral method chooses its own.
-fn columns(methods: &[Method], segments: &[usize]) -> Vec<ColumnSpec> {
-    let of_method = |&method: &Method| {
-        let is_spectral = method == Method::Spectral;
-        let segments = if is_spectral {
-            &segments[..1]
-        } else {
-            segments
-        };
-        segments.iter().map(move |&segments| ColumnSpec {
-            method,
-            segments: (!is_spectral).then_some(segments),
-        })
-    };
-    methods.iter().flat_map(of_method).collect()
 }
 
 /// The time of the fastest of several solves.
@@ -60,78 +41,65 @@ fn time_of(tower: &CheckedTower, options: &Options) -> Duration {
     }
 }
 
-#[pymethods]
-impl Comparison {
-    /// Solves a tower by each method with each number of segments (at least one).
-    #[new]
-    fn new(
-        py: Python<'_>,
-        tower: &Tower,
-        methods: Vec<String>,
-        segments: Vec<usize>,
-        modes: usize,
-        rotary_inertia: bool,
-    ) -> PyResult<Self> {
-        let model = Arc::clone(&tower.model);
-        let methods: Vec<Method> = match &methods[..] {
-            [] => Method::ALL.to_vec(),
-            names => names
-                .iter()
-                .map(|name| method_named(name))
-                .collect::<PyResult<_>>()?,
-        };
-        let columns = columns(&methods, &segments);
-        let options = Options {
-            modes,
-            rotary_inertia,
-            ..Options::default()
-        };
-        let tower = &model.tower;
-        let compared = interruptible(py, options, |solver| {
-            compare(tower, &columns, solver, |column, options| {
-                column.seconds_per_solve = Some(time_of(tower, options).as_secs_f64());
-            })
-        })?;
-        let comparison = compared.map_err(|error| model.unsolved(&error))?;
-        Ok(Self { model, comparison })
-    }
+/// Solves a tower by each method with each number of segments (at least one).
+#[pyfunction]
+pub fn compare(
+    py: Python<'_>,
+    tower: &Tower,
+    methods: Vec<String>,
+    segments: Vec<usize>,
+    modes: usize,
+    rotary_inertia: bool,
+) -> PyResult<Answer> {
+    let model = Arc::clone(&tower.model);
+    let methods: Vec<Method> = match &methods[..] {
+        [] => Method::ALL.to_vec(),
+        names => names
+            .iter()
+            .map(|name| method_named(name))
+            .collect::<PyResult<_>>()?,
+    };
+    let columns = ColumnSpec::each(&methods, &segments);
+    let options = Options {
+        modes,
+        rotary_inertia,
+        ..Options::default()
+    };
+    let tower = &model.tower;
+    let compared = interruptible(py, options, |solver| {
+        compared_by(tower, &columns, solver, |column, options| {
+            column.seconds_per_solve = Some(time_of(tower, options).as_secs_f64());
+        })
+    })?;
+    let comparison = compared.map_err(|error| model.unsolved(&error))?;
+    Ok(Answer::of(Comparison { model, comparison }))
+}
 
-    /// The warnings of the reference solution, and of methods that lack modes.
-    #[getter]
-    fn warnings(&self) -> Vec<String> {
-        self.model.located(&self.comparison.warnings)
-    }
-
-    /// The table of the program.
+impl Shown for Comparison {
     fn table(&self) -> String {
         table::comparison(&self.model.tower, &self.comparison)
     }
 
-    /// The JSON of the program.
-    fn json(&self) -> PyResult<String> {
-        let mut json = Vec::new();
-        let done = write_result_json(&self.comparison, &mut json);
-        done.map_err(|error| of_result(&error))?;
-        Ok(String::from_utf8_lossy(&json).into_owned())
+    fn json(&self, out: &mut Vec<u8>) -> Result<(), ResultError> {
+        write_result_json(&self.comparison, out)
     }
 
-    /// The CSV of the program.
-    fn csv(&self) -> PyResult<String> {
-        let mut csv = Vec::new();
-        let done = write_comparison_csv(&self.comparison, &mut csv);
-        done.map_err(|error| of_result(&error))?;
-        Ok(String::from_utf8_lossy(&csv).into_owned())
+    fn csv(&self, out: &mut Vec<u8>) -> Result<(), ResultError> {
+        write_comparison_csv(&self.comparison, out)
     }
 
-    /// The errors of the methods as SVG.
     fn svg(&self) -> String {
         let computed = compared_segments(&self.comparison);
-        let words = TitleWords {
-            title: None,
-            computed: Some(&computed),
-            conclusion: &[],
-        };
-        let figure = figures::error(&self.comparison);
-        titled(figure, &self.model.tower, &words).to_svg(Look::Standalone)
+        self.model
+            .titled(figures::error(&self.comparison), Some(&computed), &[])
+    }
+
+    fn notes(&self) -> Vec<String> {
+        self.model.notes()
+    }
+
+    /// Those of the reference solution, and of methods that lack modes.
+    fn warnings(&self) -> Vec<String> {
+        self.model.located(&self.comparison.warnings)
     }
 }

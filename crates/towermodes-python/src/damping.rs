@@ -4,19 +4,19 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use towermodes::{Options, Solution};
-use towermodes_analysis::damping::{GivenDamping, ModalDamping, damping};
+use towermodes_analysis::damping::{GivenDamping, ModalDamping, damping as damped};
 use towermodes_analysis::resonance::GivenRotor;
 use towermodes_cli::table;
-use towermodes_files::{Note, write_damping_csv, write_damping_json};
+use towermodes_files::{Note, ResultError, write_damping_csv, write_damping_json};
 
-use crate::error::{of_result, usage};
+use crate::answer::{Answer, Shown};
+use crate::error::usage;
 use crate::interrupt::interruptible;
 use crate::options::SolveOptions;
 use crate::tower::{Model, Tower};
 
 /// The damping of modes.
-#[pyclass(frozen, module = "towermodes._towermodes")]
-pub struct Damping {
+struct Damping {
     model: Arc<Model>,
     solution: Solution,
     damping: ModalDamping,
@@ -62,75 +62,60 @@ fn solved(py: Python<'_>, model: &Model, options: Options) -> PyResult<Solution>
     solution.map_err(|error| model.unsolved(&error))
 }
 
-#[pymethods]
-impl Damping {
-    /// The damping of the modes of a tower.
-    #[new]
-    #[pyo3(signature = (tower, given: "dict[str, object]", options: "dict[str, object]"))]
-    fn new(
-        py: Python<'_>,
-        tower: &Tower,
-        given: DampingOptions,
-        options: SolveOptions,
-    ) -> PyResult<Self> {
-        let model = Arc::clone(&tower.model);
-        let input = &model.input;
-        let mut description = input.description.clone();
-        let set = given.of_library().set(&mut description);
-        set.map_err(|error| usage(error.to_string()))?;
-        let chosen = given.rotor();
-        let chosen = chosen.in_place_of(description.rotor, input.blades);
-        let chosen = chosen.filter(|_| description.damping.rotor.is_some());
-        if let Some(chosen) = &chosen {
-            let checked = chosen.rotor.validate();
-            checked.map_err(|error| usage(error.to_string()))?;
-        }
-        let solution = solved(py, &model, options.of(input)?)?;
-        let rotor = chosen.as_ref().map(|chosen| &chosen.rotor);
-        let damping = damping(&description, &solution, rotor);
-        let damping = damping.map_err(|error| usage(error.to_string()))?;
-        let remarks = damping.remarks.iter();
-        let notes = remarks.map(|remark| Note::new(remark.to_string()));
-        Ok(Self {
-            notes: notes.collect(),
-            model,
-            solution,
-            damping,
-        })
+/// The damping of the modes of a tower.
+#[pyfunction]
+#[pyo3(signature = (tower, given: "dict[str, object]", options: "dict[str, object]"))]
+pub fn damping(
+    py: Python<'_>,
+    tower: &Tower,
+    given: DampingOptions,
+    options: SolveOptions,
+) -> PyResult<Answer> {
+    let model = Arc::clone(&tower.model);
+    let input = &model.input;
+    let mut description = input.description.clone();
+    let set = given.of_library().set(&mut description);
+    set.map_err(|error| usage(error.to_string()))?;
+    let chosen = given.rotor();
+    let chosen = chosen.in_place_of(description.rotor, input.blades);
+    let chosen = chosen.filter(|_| description.damping.rotor.is_some());
+    if let Some(chosen) = &chosen {
+        let checked = chosen.rotor.validate();
+        checked.map_err(|error| usage(error.to_string()))?;
     }
+    let solution = solved(py, &model, options.of(input)?)?;
+    let rotor = chosen.as_ref().map(|chosen| &chosen.rotor);
+    let damping = damped(&description, &solution, rotor);
+    let damping = damping.map_err(|error| usage(error.to_string()))?;
+    let remarks = damping.remarks.iter();
+    let notes = remarks.map(|remark| Note::new(remark.to_string()));
+    Ok(Answer::of(Damping {
+        notes: notes.collect(),
+        model,
+        solution,
+        damping,
+    }))
+}
 
-    /// The notes of the reader, and what the damping does not include.
-    #[getter]
-    fn notes(&self) -> Vec<String> {
-        let own = self.notes.iter().map(Note::to_string);
-        self.model.notes().into_iter().chain(own).collect()
-    }
-
-    /// Possible mistakes of the input, and limits of the results.
-    #[getter]
-    fn warnings(&self) -> Vec<String> {
-        self.model.located(&self.solution.warnings)
-    }
-
-    /// The table of the program.
+impl Shown for Damping {
     fn table(&self) -> String {
         table::damping(&self.model.tower, &self.damping)
     }
 
-    /// The JSON of the program.
-    fn json(&self) -> PyResult<String> {
+    fn json(&self, out: &mut Vec<u8>) -> Result<(), ResultError> {
         let notes = [self.model.input.notes.as_slice(), &self.notes].concat();
-        let mut json = Vec::new();
-        let done = write_damping_json(self.model.tower.name(), &self.damping, &notes, &mut json);
-        done.map_err(|error| of_result(&error))?;
-        Ok(String::from_utf8_lossy(&json).into_owned())
+        write_damping_json(self.model.tower.name(), &self.damping, &notes, out)
     }
 
-    /// The CSV of the program.
-    fn csv(&self) -> PyResult<String> {
-        let mut csv = Vec::new();
-        let done = write_damping_csv(&self.damping, &mut csv);
-        done.map_err(|error| of_result(&error))?;
-        Ok(String::from_utf8_lossy(&csv).into_owned())
+    fn csv(&self, out: &mut Vec<u8>) -> Result<(), ResultError> {
+        write_damping_csv(&self.damping, out)
+    }
+
+    fn notes(&self) -> Vec<String> {
+        self.model.notes_with(&self.notes)
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.model.located(&self.solution.warnings)
     }
 }

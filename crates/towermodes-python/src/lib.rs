@@ -4,6 +4,7 @@
 //! documentation for users.
 
 mod agreement;
+mod answer;
 mod array;
 mod arrow;
 mod campbell;
@@ -31,19 +32,21 @@ mod turbine_campbell;
 #[pyo3::pymodule(gil_used = false)]
 mod _towermodes {
     #[pymodule_export]
-    use crate::agreement::{Agreement, Examination};
+    use crate::agreement::{check, examine};
+    #[pymodule_export]
+    use crate::answer::Answer;
     #[pymodule_export]
     use crate::arrow::{columns_of_stream, stream_of_columns, stream_of_results};
     #[pymodule_export]
-    use crate::campbell::Campbell;
+    use crate::campbell::campbell;
     #[pymodule_export]
-    use crate::comparison::Comparison;
+    use crate::comparison::compare;
     #[pymodule_export]
     use crate::converted::Converted;
     #[pymodule_export]
-    use crate::damping::Damping;
+    use crate::damping::damping;
     #[pymodule_export]
-    use crate::first_order::FirstOrder;
+    use crate::first_order::first_order;
     #[pymodule_export]
     use crate::found::{Found, calibrate, design, source};
     #[pymodule_export]
@@ -65,7 +68,7 @@ mod _towermodes {
     #[pymodule_export]
     use crate::turbine::TurbineModes;
     #[pymodule_export]
-    use crate::turbine_campbell::TurbineCampbell;
+    use crate::turbine_campbell::turbine_campbell;
 
     /// The version of the package.
     #[pymodule_export]

@@ -3,17 +3,18 @@
 use std::sync::Arc;
 
 use numpy::{PyArray1, PyArray2, PyArray3};
+use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
 use towermodes::modes::ShapePoint;
 use towermodes::{Mode, Solution as Solved};
 use towermodes_cli::table;
-use towermodes_files::{write_csv, write_json};
-use towermodes_report::figures::{self, TitleWords, titled};
-use towermodes_report::svg::Look;
+use towermodes_files::{Cell, Column, MODE_COLUMNS, write_csv, write_json};
+use towermodes_report::figures;
 use towermodes_report::wording::computed_by;
 
+use crate::answer::text;
 use crate::array;
-use crate::error::of_result;
 use crate::tower::Model;
 
 /// The lowest modes of a tower.
@@ -37,6 +38,23 @@ impl Solution {
         number: impl Fn(&Mode) -> f64,
     ) -> Bound<'py, PyArray1<f64>> {
         array::vector(py, self.modes().map(number))
+    }
+
+    /// A column: numbers as an array, texts as a list.
+    fn values<'py>(&self, py: Python<'py>, column: &Column<Mode>) -> PyResult<Bound<'py, PyAny>> {
+        let cells = self.modes().map(column.value);
+        let (mut texts, mut numbers) = (Vec::new(), Vec::new());
+        for cell in cells {
+            match cell {
+                Cell::Text(text) => texts.push(text),
+                Cell::Count(count) => numbers.push(count as f64),
+                Cell::Number(number) | Cell::Small(number) => numbers.push(number),
+            }
+        }
+        match texts.is_empty() {
+            true => Ok(array::vector(py, numbers).into_any()),
+            false => Ok(PyList::new(py, texts)?.into_any()),
+        }
     }
 
     /// One of the three shapes of each mode: (modes, heights, 6).
@@ -73,40 +91,29 @@ fn motion(point: &ShapePoint) -> [f64; 6] {
 
 #[pymethods]
 impl Solution {
-    /// Natural frequencies of the discretized tower, Hz.
+    /// The values of a column of the CSV, one for each mode: numbers as an array, texts as a list.
+    #[pyo3(signature = (key) -> "Incomplete")]
+    fn column<'py>(&self, py: Python<'py>, key: &str) -> PyResult<Bound<'py, PyAny>> {
+        let column = MODE_COLUMNS.iter().find(|column| column.key == key);
+        let column = column.ok_or_else(|| PyKeyError::new_err(key.to_owned()))?;
+        self.values(py, column)
+    }
+
+    /// All columns by their keys.
     #[getter]
-    fn frequency_hz<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.of_each(py, |mode| mode.frequency_hz)
+    #[pyo3(signature = () -> "dict[str, Incomplete]")]
+    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let columns = PyDict::new(py);
+        for column in &MODE_COLUMNS {
+            columns.set_item(column.key, self.values(py, column)?)?;
+        }
+        Ok(columns)
     }
 
     /// Total errors, Hz.
     #[getter]
     fn error_hz<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         self.of_each(py, Mode::error_hz)
-    }
-
-    /// Bounds on the errors of the eigenvalue computation, Hz.
-    #[getter]
-    fn algebraic_error_hz<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.of_each(py, |mode| mode.algebraic_error_hz)
-    }
-
-    /// Estimates of the discretization errors, Hz.
-    #[getter]
-    fn discretization_error_hz<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.of_each(py, |mode| mode.discretization_error_hz)
-    }
-
-    /// Frequencies of the beam, extrapolated from several meshes, Hz.
-    #[getter]
-    fn extrapolated_hz<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.of_each(py, |mode| mode.extrapolated_hz)
-    }
-
-    /// Periods, s; infinite for a motion that nothing resists.
-    #[getter]
-    fn period_s<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.of_each(py, Mode::period_s)
     }
 
     /// Modal masses, kg; kg m² for torsion and yaw.
@@ -168,12 +175,6 @@ impl Solution {
     fn names(&self) -> Vec<(&'static str, usize)> {
         let name = |mode: &Mode| (mode.family.name(), mode.order);
         self.modes().map(name).collect()
-    }
-
-    /// The share of each mode's own family in its energy.
-    #[getter]
-    fn share(&self) -> Vec<f64> {
-        self.modes().map(Mode::share).collect()
     }
 
     /// The family with the largest share of each mode's energy beside its own, and this share.
@@ -258,30 +259,19 @@ impl Solution {
     /// The JSON of the program.
     fn json(&self) -> PyResult<String> {
         let (tower, notes) = (&self.model.tower, &self.model.input.notes);
-        let mut json = Vec::new();
-        let done = write_json(tower, &self.solution, notes, &mut json);
-        done.map_err(|error| of_result(&error))?;
-        Ok(String::from_utf8_lossy(&json).into_owned())
+        text(|out| write_json(tower, &self.solution, notes, out))
     }
 
     /// The CSV of the program.
     fn csv(&self) -> PyResult<String> {
-        let mut csv = Vec::new();
-        let done = write_csv(&self.solution, &mut csv);
-        done.map_err(|error| of_result(&error))?;
-        Ok(String::from_utf8_lossy(&csv).into_owned())
+        text(|out| write_csv(&self.solution, out))
     }
 
     /// The picture of the mode shapes as SVG.
     fn svg(&self) -> String {
         let Model { tower, input } = &*self.model;
         let computed = computed_by(&self.solution);
-        let words = TitleWords {
-            title: None,
-            computed: Some(&computed),
-            conclusion: &[],
-        };
         let figure = figures::shapes(&input.description, tower, &self.solution);
-        titled(figure, tower, &words).to_svg(Look::Standalone)
+        self.model.titled(figure, Some(&computed), &[])
     }
 }

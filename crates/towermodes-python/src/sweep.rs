@@ -10,9 +10,7 @@ use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use towermodes::{Change, ModeName};
 use towermodes_files::{SweepModes, SweepResults};
-use towermodes_sweep::{
-    Base, Columns, Results, RowSource, RunError, Sweep, SweepError, run,
-};
+use towermodes_sweep::{Base, Columns, Results, RowSource, RunError, Sweep, SweepError, run};
 
 use crate::error::{of_solve, of_tower, usage};
 use crate::interrupt::BETWEEN_REPORTS;

@@ -10,8 +10,8 @@ use towermodes::{
     Warning,
 };
 use towermodes_files::{Note, Setting, TowerInput};
-use towermodes_report::figures;
-use towermodes_report::svg::Look;
+use towermodes_report::figures::{self, TitleWords, titled};
+use towermodes_report::svg::{Figure, Look};
 use towermodes_sweep::{named, number_at};
 
 use crate::array;
@@ -42,6 +42,22 @@ impl Model {
     /// The notes of the reader.
     pub fn notes(&self) -> Vec<String> {
         self.input.notes.iter().map(Note::to_string).collect()
+    }
+
+    /// The same with those on a computation.
+    pub fn notes_with(&self, own: &[Note]) -> Vec<String> {
+        let own = own.iter().map(Note::to_string);
+        self.notes().into_iter().chain(own).collect()
+    }
+
+    /// A picture with the name of the tower above it, as SVG.
+    pub fn titled(&self, figure: Figure, computed: Option<&str>, conclusion: &[String]) -> String {
+        let words = TitleWords {
+            title: None,
+            computed,
+            conclusion,
+        };
+        titled(figure, &self.tower, &words).to_svg(Look::Standalone)
     }
 
     /// Warnings, with file and line of the input if they are known, else with the name of the

@@ -15,7 +15,7 @@ use crate::lock::released;
 use crate::tower::{Model, Tower};
 
 /// Number of parts that energies are given for.
-pub const PARTS: usize = 24;
+const PARTS: usize = 24;
 
 /// The modes of a turbine at a speed.
 #[pyclass(frozen, module = "towermodes._towermodes")]
@@ -40,7 +40,7 @@ pub fn missing(model: &Model) -> String {
 }
 
 /// Fractions of the elastic energy by the names of their parts.
-pub fn energy_parts() -> Vec<String> {
+fn energy_parts() -> Vec<String> {
     let stationary = [
         "platform_surge",
         "platform_sway",
@@ -67,7 +67,7 @@ pub fn energy_parts() -> Vec<String> {
 }
 
 /// These fractions, in the order of [`energy_parts`].
-pub fn fractions(energy: &TurbineEnergy) -> [f64; PARTS] {
+fn fractions(energy: &TurbineEnergy) -> [f64; PARTS] {
     let stationary = [
         energy.tower_fore_aft,
         energy.tower_side_side,

@@ -16,6 +16,20 @@ pub struct ColumnSpec {
 }
 
 impl ColumnSpec {
+    /// A column for each method and number of segments; the spectral method chooses its own
+    /// elements and has one column.
+    pub fn each(methods: &[Method], segments: &[usize]) -> Vec<Self> {
+        let of_method = |&method: &Method| {
+            let is_spectral = method == Method::Spectral;
+            let count = if is_spectral { 1 } else { segments.len() };
+            segments.iter().take(count).map(move |&segments| Self {
+                method,
+                segments: (!is_spectral).then_some(segments),
+            })
+        };
+        methods.iter().flat_map(of_method).collect()
+    }
+
     /// The options of the solves of this column.
     fn applied_to(self, options: &Options) -> Options {
         Options {
@@ -112,11 +126,7 @@ pub const COMPARED_SEGMENTS: usize = 60;
 /// A column for every method with the same number of segments or elements; the method
 /// spectral chooses its own number.
 pub fn all_methods(segments: usize) -> Vec<ColumnSpec> {
-    let column = |method| ColumnSpec {
-        method,
-        segments: (method != Method::Spectral).then_some(segments),
-    };
-    Method::ALL.into_iter().map(column).collect()
+    ColumnSpec::each(&Method::ALL, &[segments])
 }
 
 /// Compares [all methods](all_methods). Borders of elements in the options do not apply: each

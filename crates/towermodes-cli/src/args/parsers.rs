@@ -44,12 +44,20 @@ pub(crate) fn tolerance_parser(text: &str) -> Result<(Option<String>, Tolerance)
     }
 }
 
+/// A number that is right, or the message.
+fn number(text: &str, is_right: fn(f64) -> bool, message: &str) -> Result<f64, String> {
+    let number = text.trim().parse().ok();
+    let number = number.filter(|number| is_right(*number));
+    number.ok_or_else(|| message.to_owned())
+}
+
 /// The position of a hinge as a fraction of the segment length.
 pub(crate) fn hinge_parser(text: &str) -> Result<f64, String> {
-    let position = text.parse().ok().filter(|k: &f64| *k > 0.0 && *k < 0.5);
-    position.ok_or_else(|| {
-        "must be greater than 0 and less than 0.5 (the middle of the segment)".into()
-    })
+    number(
+        text,
+        |k| k > 0.0 && k < 0.5,
+        "must be greater than 0 and less than 0.5 (the middle of the segment)",
+    )
 }
 
 /// A whole number from `least` to `most`; the message gives both limits.
@@ -66,18 +74,16 @@ pub(crate) fn number_parser(
 
 /// A height in m.
 pub(crate) fn height_parser(text: &str) -> Result<f64, String> {
-    let height_m = text
-        .parse()
-        .ok()
-        .filter(|height_m: &f64| height_m.is_finite());
-    height_m.ok_or_else(|| "must be a number, in m".into())
+    number(text, f64::is_finite, "must be a number, in m")
 }
 
 /// A positive number.
 pub(crate) fn positive_parser(text: &str) -> Result<f64, String> {
-    let number = text.parse().ok();
-    let number = number.filter(|number: &f64| number.is_finite() && *number > 0.0);
-    number.ok_or_else(|| "must be a number greater than 0".into())
+    number(
+        text,
+        |x| x > 0.0 && x.is_finite(),
+        "must be a number greater than 0",
+    )
 }
 
 /// The loss factor of a part: `soil=0.02`.
@@ -96,8 +102,11 @@ pub(crate) fn loss_factor_parser(text: &str) -> Result<(String, f64), String> {
 
 /// A damping ratio in percent of critical.
 pub(crate) fn damping_parser(text: &str) -> Result<f64, String> {
-    let percent = text.parse().ok().filter(|p| (0.0..=100.0).contains(p));
-    percent.ok_or_else(|| "must be a number from 0 to 100 (percent of critical damping)".into())
+    number(
+        text,
+        |p| (0.0..=100.0).contains(&p),
+        "must be a number from 0 to 100 (percent of critical damping)",
+    )
 }
 
 /// A set and a subset, both counted from 1.
@@ -128,22 +137,29 @@ pub(crate) fn openfast_parser(text: &str) -> Result<(u32, u32), String> {
 
 /// Pixels per unit of the drawing.
 pub(crate) fn scale_parser(text: &str) -> Result<f64, String> {
-    let scale = text.parse().ok();
-    let scale = scale.filter(|scale: &f64| scale.is_finite() && *scale > 0.0);
-    scale.ok_or_else(|| "must be a number greater than 0, for example 2".into())
+    number(
+        text,
+        |x| x > 0.0 && x.is_finite(),
+        "must be a number greater than 0, for example 2",
+    )
 }
 
 /// A margin in percent.
 pub(crate) fn margin_parser(text: &str) -> Result<f64, String> {
-    let percent = text.parse().ok().filter(|p: &f64| *p > 0.0 && *p < 100.0);
-    percent.ok_or_else(|| "must be a number between 0 and 100 (percent), for example 5".into())
+    number(
+        text,
+        |p| p > 0.0 && p < 100.0,
+        "must be a number between 0 and 100 (percent), for example 5",
+    )
 }
 
 /// A frequency in Hz above 0.
 pub(crate) fn frequency_parser(text: &str) -> Result<f64, String> {
-    let hz = text.trim().parse().ok();
-    let hz = hz.filter(|hz: &f64| *hz > 0.0 && hz.is_finite());
-    hz.ok_or_else(|| "must be a frequency above 0 Hz, for example 3.5".into())
+    number(
+        text,
+        |hz| hz > 0.0 && hz.is_finite(),
+        "must be a frequency above 0 Hz, for example 3.5",
+    )
 }
 
 /// The lowest and the highest rotor speed, or one constant speed, in rpm.

@@ -59,15 +59,7 @@ impl CompareArguments {
             [] => &DEFAULT_SEGMENTS[..],
             given => given,
         };
-        let columns_of = |&method: &Method| {
-            let own = method == Method::Spectral;
-            let segments = if own { &segments[..1] } else { segments };
-            segments.iter().map(move |&segments| ColumnSpec {
-                method,
-                segments: (!own).then_some(segments),
-            })
-        };
-        methods.iter().flat_map(columns_of).collect()
+        ColumnSpec::each(methods, segments)
     }
 }
 
@@ -81,12 +73,8 @@ const LONG: Duration = Duration::from_secs(1);
 impl Analysis for CompareArguments {
     type Plan = ();
 
-    fn input(&self) -> &InputArguments {
-        &self.input
-    }
-
-    fn destination(&self) -> &Destination {
-        &self.destination
+    fn files(&self) -> (&InputArguments, &Destination) {
+        (&self.input, &self.destination)
     }
 
     /// Each option applies to at least one of the methods.

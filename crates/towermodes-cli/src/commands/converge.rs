@@ -79,12 +79,8 @@ fn listed(given: &[usize], default: &[usize], kind: fn(usize) -> Fineness) -> Ve
 impl Analysis for ConvergeArguments {
     type Plan = Vec<Fineness>;
 
-    fn input(&self) -> &InputArguments {
-        &self.input
-    }
-
-    fn destination(&self) -> &Destination {
-        &self.destination
+    fn files(&self) -> (&InputArguments, &Destination) {
+        (&self.input, &self.destination)
     }
 
     fn check(&self, _: Format) -> Result<(), Failure> {

@@ -72,12 +72,8 @@ pub(crate) struct DampingArguments {
 impl Analysis for DampingArguments {
     type Plan = Options;
 
-    fn input(&self) -> &InputArguments {
-        &self.input
-    }
-
-    fn destination(&self) -> &Destination {
-        &self.destination
+    fn files(&self) -> (&InputArguments, &Destination) {
+        (&self.input, &self.destination)
     }
 
     fn change(&self, input: &mut TowerInput) -> Result<(), Failure> {

@@ -80,31 +80,31 @@ pub(crate) struct ReportArguments {
 const DOCUMENT: &str = "Document";
 
 /// The title block; entries that are not given are omitted.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 struct TitleBlockArguments {
     /// Project or site
-    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT")]
-    project: Option<String>,
+    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT", default_value = "", hide_default_value = true)]
+    project: String,
 
     /// Document number
-    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT")]
-    document: Option<String>,
+    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT", default_value = "", hide_default_value = true)]
+    document: String,
 
     /// Revision of the document
-    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT")]
-    revision: Option<String>,
+    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT", default_value = "", hide_default_value = true)]
+    revision: String,
 
     /// Author of the report
-    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT")]
-    author: Option<String>,
+    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT", default_value = "", hide_default_value = true)]
+    author: String,
 
     /// Checker of the report
-    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT")]
-    checker: Option<String>,
+    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT", default_value = "", hide_default_value = true)]
+    checker: String,
 
     /// Date of the report, printed as given; without it the report shows no date
-    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT")]
-    date: Option<String>,
+    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT", default_value = "", hide_default_value = true)]
+    date: String,
 }
 
 /// The format of a report.
@@ -129,15 +129,14 @@ impl Ending for PageFormat {
 impl ReportArguments {
     /// The title block.
     fn title_block(&self) -> TitleBlock {
-        let given = &self.title_block;
-        let text = |field: &Option<String>| field.clone().unwrap_or_default();
+        let given = self.title_block.clone();
         TitleBlock {
-            project: text(&given.project),
-            document: text(&given.document),
-            revision: text(&given.revision),
-            author: text(&given.author),
-            checker: text(&given.checker),
-            date: text(&given.date),
+            project: given.project,
+            document: given.document,
+            revision: given.revision,
+            author: given.author,
+            checker: given.checker,
+            date: given.date,
         }
     }
 }

@@ -74,12 +74,8 @@ pub(crate) struct Plan {
 impl Analysis for SensitivitiesArguments {
     type Plan = Plan;
 
-    fn input(&self) -> &InputArguments {
-        &self.input
-    }
-
-    fn destination(&self) -> &Destination {
-        &self.destination
+    fn files(&self) -> (&InputArguments, &Destination) {
+        (&self.input, &self.destination)
     }
 
     fn check(&self, _: Format) -> Result<(), Failure> {

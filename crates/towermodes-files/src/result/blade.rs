@@ -5,7 +5,9 @@ use std::io::Write;
 use serde::Serialize;
 use towermodes::{Blade, BladeMode, BladeSolution, Certificate, Method};
 
-use super::{ResultError, write_records_csv, write_result_json};
+use super::columns::Cell::{Count, Number, Small, Text};
+use super::columns::{Column, write_columns_csv};
+use super::{ResultError, write_result_json};
 use crate::input::Note;
 
 /// The result of `towermodes solve` for a rotating blade.
@@ -76,19 +78,20 @@ pub fn write_blade_json(
     write_result_json(&document, writer)
 }
 
-/// The keys of a mode in the JSON, with a dot before the keys of an object.
-const HEADER: [&str; 11] = [
-    "number",
-    "family",
-    "order",
-    "frequency_hz",
-    "algebraic_error_hz",
-    "discretization_error_hz",
-    "extrapolated_hz",
-    "kinetic.flap",
-    "kinetic.lag",
-    "kinetic.torsion",
-    "kinetic.axial",
+/// The quantities of a mode of a blade: the columns of the CSV.
+#[rustfmt::skip]
+static COLUMNS: [Column<BladeMode>; 11] = [
+    Column { key: "number", unit: "", meaning: "place in the list, from 1", value: |m| Count(m.number) },
+    Column { key: "family", unit: "", meaning: "type of motion", value: |m| Text(m.family.name().to_owned()) },
+    Column { key: "order", unit: "", meaning: "order within the family, from 1", value: |m| Count(m.order) },
+    Column { key: "frequency_hz", unit: "Hz", meaning: "natural frequency", value: |m| Number(m.frequency_hz) },
+    Column { key: "algebraic_error_hz", unit: "Hz", meaning: "bound on the error of the eigenvalue computation", value: |m| Small(m.algebraic_error_hz) },
+    Column { key: "discretization_error_hz", unit: "Hz", meaning: "estimate of the discretization error", value: |m| Small(m.discretization_error_hz) },
+    Column { key: "extrapolated_hz", unit: "Hz", meaning: "extrapolated frequency", value: |m| Number(m.extrapolated_hz) },
+    Column { key: "kinetic.flap", unit: "", meaning: "fraction of the kinetic energy in flap", value: |m| Small(m.kinetic.side_side) },
+    Column { key: "kinetic.lag", unit: "", meaning: "fraction of the kinetic energy in lag", value: |m| Small(m.kinetic.fore_aft) },
+    Column { key: "kinetic.torsion", unit: "", meaning: "fraction of the kinetic energy in torsion", value: |m| Small(m.kinetic.torsion) },
+    Column { key: "kinetic.axial", unit: "", meaning: "fraction of the kinetic energy in axial motion", value: |m| Small(m.kinetic.axial) },
 ];
 
 /// Writes the modes of a blade as CSV with a header.
@@ -96,22 +99,5 @@ const HEADER: [&str; 11] = [
 /// # Errors
 /// [`ResultError`] if the writer refuses.
 pub fn write_blade_csv(solution: &BladeSolution, writer: impl Write) -> Result<(), ResultError> {
-    write_records_csv(HEADER, solution.modes.iter().map(record), writer)
-}
-
-fn record(mode: &BladeMode) -> [String; 11] {
-    let kinetic = &mode.kinetic;
-    [
-        mode.number.to_string(),
-        mode.family.name().to_owned(),
-        mode.order.to_string(),
-        mode.frequency_hz.to_string(),
-        format!("{:e}", mode.algebraic_error_hz),
-        format!("{:e}", mode.discretization_error_hz),
-        mode.extrapolated_hz.to_string(),
-        format!("{:e}", kinetic.side_side),
-        format!("{:e}", kinetic.fore_aft),
-        format!("{:e}", kinetic.torsion),
-        format!("{:e}", kinetic.axial),
-    ]
+    write_columns_csv(&COLUMNS, &solution.modes, writer)
 }

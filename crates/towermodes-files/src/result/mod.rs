@@ -6,6 +6,7 @@
 mod blade;
 mod calibration;
 mod campbell;
+mod columns;
 mod coupled_campbell;
 mod coupled_campbell_csv;
 mod damping;
@@ -27,6 +28,7 @@ pub use calibration::{
     write_calibration_json,
 };
 pub use campbell::{write_campbell_csv, write_campbell_json};
+pub use columns::{Cell, Column};
 pub use coupled_campbell::write_coupled_campbell_json;
 pub use coupled_campbell_csv::write_coupled_campbell_csv;
 pub use damping::{write_damping_csv, write_damping_json};
@@ -45,7 +47,7 @@ pub use schema::{RESULTS, ResultKind};
 pub use sensitivities::{write_sensitivities_csv, write_sensitivities_json};
 pub use several::{SolvedFile, write_several_csv, write_several_json};
 pub use solution::{write_json, write_json_with_sensitivities};
-pub use solution_csv::write_csv;
+pub use solution_csv::{MODE_COLUMNS, write_csv};
 pub use study_csv::{write_comparison_csv, write_convergence_csv};
 
 use std::io::Write;

@@ -6,7 +6,7 @@ use serde::Serialize;
 use towermodes::{Solution, Tower};
 
 use super::solution::SolutionDocument;
-use super::solution_csv::{HEADER, record};
+use super::solution_csv::{header, records};
 use super::{ResultError, write_result_json};
 use crate::input::Note;
 
@@ -64,11 +64,11 @@ pub fn write_several_json(files: &[SolvedFile<'_>], writer: impl Write) -> Resul
 /// [`ResultError`] if the writer refuses.
 pub fn write_several_csv(files: &[SolvedFile<'_>], writer: impl Write) -> Result<(), ResultError> {
     let mut csv = ::csv::Writer::from_writer(writer);
-    csv.write_record(std::iter::once("file").chain(HEADER))?;
+    csv.write_record(std::iter::once("file").chain(header()))?;
     for solved in files {
-        for mode in &solved.solution.modes {
+        for record in records(solved.solution) {
             csv.write_field(solved.file)?;
-            csv.write_record(record(mode, solved.solution))?;
+            csv.write_record(record)?;
         }
     }
     csv.flush()?;

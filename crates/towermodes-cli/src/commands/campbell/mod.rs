@@ -43,12 +43,8 @@ pub(crate) enum Plan {
 impl Analysis for CampbellArguments {
     type Plan = Plan;
 
-    fn input(&self) -> &InputArguments {
-        &self.input
-    }
-
-    fn destination(&self) -> &Destination {
-        &self.destination
+    fn files(&self) -> (&InputArguments, &Destination) {
+        (&self.input, &self.destination)
     }
 
     fn check(&self, format: Format) -> Result<(), Failure> {

@@ -1,0 +1,123 @@
+//! Results that the package shows as the program does: a table, JSON, CSV, a picture, sentences.
+
+use pyo3::prelude::*;
+use towermodes_files::ResultError;
+
+use crate::error::of_result;
+
+/// A result of the library with what belongs to it.
+pub trait Shown: Send + Sync + 'static {
+    /// The table of the program.
+    fn table(&self) -> String;
+
+    /// The JSON of the program.
+    fn json(&self, out: &mut Vec<u8>) -> Result<(), ResultError>;
+
+    /// The CSV of the program; nothing if there is none.
+    fn csv(&self, _out: &mut Vec<u8>) -> Result<(), ResultError> {
+        Ok(())
+    }
+
+    /// The picture as SVG; nothing if there is none.
+    fn svg(&self) -> String {
+        String::new()
+    }
+
+    /// The notes of the reader, and those on the computation.
+    fn notes(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// Possible mistakes of the input, and limits of the results.
+    fn warnings(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// The worst verdict: `pass`, `warn`, `fail`, or `undecided` where nothing is checked.
+    fn verdict(&self) -> &'static str {
+        ""
+    }
+
+    /// Why nothing is checked; empty if it is.
+    fn not_checked(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// The conclusion in sentences.
+    fn conclusion(&self) -> Vec<String> {
+        Vec::new()
+    }
+}
+
+/// A result as the program shows it.
+#[pyclass(frozen, module = "towermodes._towermodes")]
+pub struct Answer(Box<dyn Shown>);
+
+impl Answer {
+    pub fn of(result: impl Shown) -> Self {
+        Self(Box::new(result))
+    }
+}
+
+#[pymethods]
+impl Answer {
+    /// The table of the program.
+    pub fn table(&self) -> String {
+        self.0.table()
+    }
+
+    /// The JSON of the program.
+    pub fn json(&self) -> PyResult<String> {
+        text(|out| self.0.json(out))
+    }
+
+    /// The CSV of the program; nothing if there is none.
+    pub fn csv(&self) -> PyResult<String> {
+        text(|out| self.0.csv(out))
+    }
+
+    /// The picture as SVG; nothing if there is none.
+    pub fn svg(&self) -> String {
+        self.0.svg()
+    }
+
+    /// The notes of the reader, and those on the computation.
+    #[getter]
+    pub fn notes(&self) -> Vec<String> {
+        self.0.notes()
+    }
+
+    /// Possible mistakes of the input, and limits of the results.
+    #[getter]
+    pub fn warnings(&self) -> Vec<String> {
+        self.0.warnings()
+    }
+
+    /// The worst verdict: `pass`, `warn`, `fail`, or `undecided` where nothing is checked.
+    #[getter]
+    pub fn verdict(&self) -> &'static str {
+        self.0.verdict()
+    }
+
+    /// Why nothing is checked; empty if it is.
+    #[getter]
+    pub fn not_checked(&self) -> Vec<String> {
+        self.0.not_checked()
+    }
+
+    /// The conclusion in sentences.
+    #[getter]
+    pub fn conclusion(&self) -> Vec<String> {
+        self.0.conclusion()
+    }
+}
+
+/// What a writer writes, as text.
+///
+/// # Errors
+/// The result cannot be written.
+pub fn text(write: impl FnOnce(&mut Vec<u8>) -> Result<(), ResultError>) -> PyResult<String> {
+    let mut out = Vec::new();
+    write(&mut out).map_err(|error| of_result(&error))?;
+    Ok(String::from_utf8_lossy(&out).into_owned())
+}
