@@ -43,6 +43,9 @@ def constant(value: Any) -> Any:
     """A value with its arrays as arrays that cannot be written; a pickle does not keep this."""
     if hasattr(value, "flags"):
         value.flags.writeable = False
+    elif isinstance(value, dict):
+        for one in value.values():
+            constant(one)
     elif isinstance(value, (list, tuple)):
         for one in value:
             constant(one)

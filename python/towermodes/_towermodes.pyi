@@ -6,7 +6,7 @@ The classes and functions of the package.
 from _typeshed import Incomplete, SupportsGetItem
 from typing import Any, Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Damping", "Examination", "FirstOrder", "Found", "Solution", "Tower", "TurbineCampbell", "TurbineModes", "calibrate", "close", "columns_of_stream", "design", "mode_named", "read", "read_text", "rows_within", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep", "tower_file_keys", "values_of_study", "values_of_table"]
+__all__ = ["VERSION", "Answer", "Converted", "Found", "Solution", "Tower", "TurbineModes", "calibrate", "campbell", "check", "close", "columns_of_stream", "compare", "damping", "design", "examine", "first_order", "mode_named", "read", "read_text", "rows_within", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep", "tower_file_keys", "turbine_campbell", "values_of_study", "values_of_table"]
 
 VERSION: Final[str]
 """
@@ -14,42 +14,10 @@ The version of the package.
 """
 
 @final
-class Agreement:
+class Answer:
     """
-    The comparison of two descriptions.
+    A result as the program shows it.
     """
-    def __new__(cls, /, first: Tower, second: Tower) -> Agreement:
-        """
-        Compares the second tower with the first.
-        """
-    def json(self, /) -> str:
-        """
-        The JSON of the program.
-        """
-    @property
-    def notes(self, /) -> list[str]:
-        """
-        The notes of both readers, and what is left out of the comparison.
-        """
-    def table(self, /) -> str:
-        """
-        The table of the program.
-        """
-    @property
-    def verdict(self, /) -> str:
-        """
-        The worst verdict: `pass`, `warn` or `fail`.
-        """
-
-@final
-class Campbell:
-    """
-    A Campbell diagram.
-    """
-    def __new__(cls, /, tower: Tower, rotor: "dict[str, object]", options: "dict[str, object]") -> Campbell:
-        """
-        The diagram of a tower.
-        """
     @property
     def conclusion(self, /) -> list[str]:
         """
@@ -57,7 +25,7 @@ class Campbell:
         """
     def csv(self, /) -> str:
         """
-        The CSV of the program.
+        The CSV of the program; nothing if there is none.
         """
     def json(self, /) -> str:
         """
@@ -71,11 +39,11 @@ class Campbell:
     @property
     def notes(self, /) -> list[str]:
         """
-        The notes of the reader, and those on the rotor.
+        The notes of the reader, and those on the computation.
         """
     def svg(self, /) -> str:
         """
-        The diagram as SVG.
+        The picture as SVG; nothing if there is none.
         """
     def table(self, /) -> str:
         """
@@ -90,37 +58,6 @@ class Campbell:
     def warnings(self, /) -> list[str]:
         """
         Possible mistakes of the input, and limits of the results.
-        """
-
-@final
-class Comparison:
-    """
-    Several methods compared on one tower.
-    """
-    def __new__(cls, /, tower: Tower, methods: SupportsGetItem[int, str], segments: SupportsGetItem[int, SupportsIndex], modes: SupportsIndex, rotary_inertia: bool) -> Comparison:
-        """
-        Solves a tower by each method with each number of segments (at least one).
-        """
-    def csv(self, /) -> str:
-        """
-        The CSV of the program.
-        """
-    def json(self, /) -> str:
-        """
-        The JSON of the program.
-        """
-    def svg(self, /) -> str:
-        """
-        The errors of the methods as SVG.
-        """
-    def table(self, /) -> str:
-        """
-        The table of the program.
-        """
-    @property
-    def warnings(self, /) -> list[str]:
-        """
-        The warnings of the reference solution, and of methods that lack modes.
         """
 
 @final
@@ -149,74 +86,6 @@ class Converted:
         """
 
 @final
-class Damping:
-    """
-    The damping of modes.
-    """
-    def __new__(cls, /, tower: Tower, given: "dict[str, object]", options: "dict[str, object]") -> Damping:
-        """
-        The damping of the modes of a tower.
-        """
-    def csv(self, /) -> str:
-        """
-        The CSV of the program.
-        """
-    def json(self, /) -> str:
-        """
-        The JSON of the program.
-        """
-    @property
-    def notes(self, /) -> list[str]:
-        """
-        The notes of the reader, and what the damping does not include.
-        """
-    def table(self, /) -> str:
-        """
-        The table of the program.
-        """
-    @property
-    def warnings(self, /) -> list[str]:
-        """
-        Possible mistakes of the input, and limits of the results.
-        """
-
-@final
-class Examination:
-    """
-    The values of one description.
-    """
-    def __new__(cls, /, tower: Tower) -> Examination:
-        """
-        Summarises a tower.
-        """
-    def json(self, /) -> str:
-        """
-        The JSON of the program.
-        """
-    def table(self, /) -> str:
-        """
-        The table of the program.
-        """
-
-@final
-class FirstOrder:
-    """
-    Mean and standard deviation of frequencies from derivatives.
-    """
-    def __new__(cls, /, tower: Tower, text: str, name: str, options: "dict[str, object]", *, progress: Any | None = None) -> FirstOrder:
-        """
-        The distributions of a study, on a tower in place of its base.
-        """
-    def json(self, /) -> str:
-        """
-        The JSON of the program.
-        """
-    def table(self, /) -> str:
-        """
-        The table of the program.
-        """
-
-@final
 class Found:
     """
     A tower whose numbers are found.
@@ -241,11 +110,6 @@ class Solution:
     The lowest modes of a tower.
     """
     @property
-    def algebraic_error_hz(self, /) -> Incomplete:
-        """
-        Bounds on the errors of the eigenvalue computation, Hz.
-        """
-    @property
     def buckling_load_factor(self, /) -> float | None:
         """
         The factor on gravity at which the tower buckles.
@@ -258,6 +122,15 @@ class Solution:
     def certificate(self, /) -> tuple[bool, int, float]:
         """
         Whether no mode is missing, the number of modes counted, and up to which frequency, Hz.
+        """
+    def column(self, /, key: str) -> "Incomplete":
+        """
+        The values of a column of the CSV, one for each mode: numbers as an array, texts as a list.
+        """
+    @property
+    def columns(self, /) -> Any:
+        """
+        All columns by their keys.
         """
     def csv(self, /) -> str:
         """
@@ -274,11 +147,6 @@ class Solution:
         Degrees of freedom of the whole tower.
         """
     @property
-    def discretization_error_hz(self, /) -> Incomplete:
-        """
-        Estimates of the discretization errors, Hz.
-        """
-    @property
     def effective_mass(self, /) -> Incomplete:
         """
         Effective modal masses: (modes, 6).
@@ -292,16 +160,6 @@ class Solution:
     def error_hz(self, /) -> Incomplete:
         """
         Total errors, Hz.
-        """
-    @property
-    def extrapolated_hz(self, /) -> Incomplete:
-        """
-        Frequencies of the beam, extrapolated from several meshes, Hz.
-        """
-    @property
-    def frequency_hz(self, /) -> Incomplete:
-        """
-        Natural frequencies of the discretized tower, Hz.
         """
     @property
     def height_m(self, /) -> Incomplete:
@@ -338,11 +196,6 @@ class Solution:
         The notes of the reader.
         """
     @property
-    def period_s(self, /) -> Incomplete:
-        """
-        Periods, s; infinite for a motion that nothing resists.
-        """
-    @property
     def rigid_inertia(self, /) -> Incomplete:
         """
         Inertia of the whole tower against rigid motions about its base: (6, 6).
@@ -366,11 +219,6 @@ class Solution:
     def shape_there(self, /) -> Incomplete:
         """
         The shapes at the heights asked for: (modes, heights, 6).
-        """
-    @property
-    def share(self, /) -> list[float]:
-        """
-        The share of each mode's own family in its energy.
         """
     @property
     def station_height_m(self, /) -> Incomplete:
@@ -511,127 +359,6 @@ class Tower:
         """
 
 @final
-class TurbineCampbell:
-    """
-    A coupled Campbell diagram.
-    """
-    def __new__(cls, /, tower: Tower, rpm: SupportsGetItem[int, SupportsFloat | SupportsIndex], limit_hz: SupportsFloat | SupportsIndex | None, rotor: "dict[str, object]") -> TurbineCampbell:
-        """
-        The diagram of the turbine on a tower; no speeds are the usual ones.
-        """
-    @property
-    def certified(self, /) -> bool:
-        """
-        Whether all lists are complete and the turbine is stable.
-        """
-    @property
-    def certified_at(self, /) -> list[bool]:
-        """
-        The same for each speed.
-        """
-    @property
-    def conclusion(self, /) -> list[str]:
-        """
-        The conclusion in sentences.
-        """
-    def csv(self, /) -> str:
-        """
-        The CSV of the program.
-        """
-    @property
-    def energy(self, /) -> Incomplete:
-        """
-        Fractions of the elastic energy: (curves, speeds, parts).
-        """
-    @property
-    def energy_parts(self, /) -> list[str]:
-        """
-        The names of the parts of `energy`.
-        """
-    @property
-    def error_hz(self, /) -> Incomplete:
-        """
-        Errors of the mesh, Hz, where they are known.
-        """
-    @property
-    def frequency_hz(self, /) -> Incomplete:
-        """
-        Frequencies, Hz: (curves, speeds).
-        """
-    def json(self, /) -> str:
-        """
-        The JSON of the program.
-        """
-    @property
-    def limit_hz(self, /) -> float:
-        """
-        Up to which frequency, Hz.
-        """
-    @property
-    def lower_hz(self, /) -> Incomplete:
-        """
-        Their lower bounds, Hz.
-        """
-    @property
-    def names(self, /) -> list[str]:
-        """
-        The titles of the curves.
-        """
-    @property
-    def names_at(self, /) -> list[list[str | None]]:
-        """
-        The names of the modes of each curve at each speed; none where it has none.
-        """
-    @property
-    def not_checked(self, /) -> list[str]:
-        """
-        Why nothing is checked; empty if it is.
-        """
-    @property
-    def notes(self, /) -> list[str]:
-        """
-        The notes of the reader.
-        """
-    @property
-    def partners(self, /) -> list[int | None]:
-        """
-        The index of the other curve of each whirl pair.
-        """
-    @property
-    def rpm(self, /) -> Incomplete:
-        """
-        The rotor speeds, rpm.
-        """
-    @property
-    def share(self, /) -> Incomplete:
-        """
-        The fractions of the elastic energy in the parts that name the modes.
-        """
-    def svg(self, /) -> str:
-        """
-        The diagram as SVG.
-        """
-    def table(self, /) -> str:
-        """
-        The table of the program.
-        """
-    @property
-    def upper_hz(self, /) -> Incomplete:
-        """
-        Their upper bounds, Hz.
-        """
-    @property
-    def verdict(self, /) -> str:
-        """
-        The worst verdict: `pass`, `warn`, `fail`, or `undecided` where nothing is checked.
-        """
-    @property
-    def warnings(self, /) -> list[str]:
-        """
-        Limits of the diagram.
-        """
-
-@final
 class TurbineModes:
     """
     The modes of a turbine at a speed.
@@ -726,6 +453,16 @@ def calibrate(tower: Tower, text: str, name: str, free: SupportsGetItem[int, str
     The fit of measurements; `free` are the numbers to be fitted, if not those of the file.
     """
 
+def campbell(tower: Tower, rotor: "dict[str, object]", options: "dict[str, object]") -> Answer:
+    """
+    The diagram of a tower.
+    """
+
+def check(first: Tower, second: Tower) -> Answer:
+    """
+    Compares the second tower with the first.
+    """
+
 def close() -> None:
     """
     Lets no other thread come back into Python; Python calls it at its exit.
@@ -737,9 +474,29 @@ def columns_of_stream(capsule: "object", choose: "object") -> "list[tuple[str, I
     places of the columns that are read.
     """
 
+def compare(tower: Tower, methods: SupportsGetItem[int, str], segments: SupportsGetItem[int, SupportsIndex], modes: SupportsIndex, rotary_inertia: bool) -> Answer:
+    """
+    Solves a tower by each method with each number of segments (at least one).
+    """
+
+def damping(tower: Tower, given: "dict[str, object]", options: "dict[str, object]") -> Answer:
+    """
+    The damping of the modes of a tower.
+    """
+
 def design(tower: Tower, text: str, name: str, *, progress: Any | None = None) -> Found:
     """
     The tower that a study finds.
+    """
+
+def examine(tower: Tower) -> Answer:
+    """
+    Summarises a tower.
+    """
+
+def first_order(tower: Tower, text: str, name: str, options: "dict[str, object]", *, progress: Any | None = None) -> Answer:
+    """
+    The distributions of a study, on a tower in place of its base.
     """
 
 def mode_named(name: str) -> tuple[str, int, str]:
@@ -799,6 +556,11 @@ def sweep(tower: Tower, columns: "list[tuple[str, Incomplete]]", first_row: Supp
 def tower_file_keys() -> list[list[str]]:
     """
     The keys of a tower file, and those of its table `[tower]`.
+    """
+
+def turbine_campbell(tower: Tower, rpm: SupportsGetItem[int, SupportsFloat | SupportsIndex], limit_hz: SupportsFloat | SupportsIndex | None, rotor: "dict[str, object]") -> Answer:
+    """
+    The diagram of the turbine on a tower; no speeds are the usual ones.
     """
 
 def values_of_study(tower: Tower, text: str, name: str, ignore: "list[str]", options: "dict[str, object]", rows: tuple[SupportsIndex, SupportsIndex] | None) -> "tuple[tuple[list[tuple[str, Incomplete]], int], dict[str, object]]":

@@ -393,7 +393,8 @@ class TurbineCampbell(Pictured):
         >>> sorted(row[-1] for row in campbell.names_at if row[-1])[:2]
         ['1st edgewise backward whirl', '1st flapwise backward whirl']
         """
-        return [[point and point["label"] for point in curve] for curve in self._points()]
+        points = self._points()
+        return [[None if point is None else point["label"] for point in row] for row in points]
 
     @property
     def share(self) -> Array:

@@ -19,16 +19,6 @@ pub fn rows<const N: usize>(
     array.reshape([count, N]).map(constant)
 }
 
-/// An array of rows from all its values in this order.
-pub fn matrix(
-    py: Python<'_>,
-    values: Vec<f64>,
-    [rows, columns]: [usize; 2],
-) -> PyResult<Bound<'_, PyArray2<f64>>> {
-    let array = PyArray1::from_vec(py, values);
-    array.reshape([rows, columns]).map(constant)
-}
-
 /// An array (sheets, rows, N) from its values in this order.
 pub fn sheets<const N: usize>(
     py: Python<'_>,

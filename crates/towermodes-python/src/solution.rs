@@ -101,13 +101,12 @@ impl Solution {
 
     /// All columns by their keys.
     #[getter]
-    #[pyo3(signature = () -> "dict[str, Incomplete]")]
-    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let columns = PyDict::new(py);
         for column in &MODE_COLUMNS {
             columns.set_item(column.key, self.values(py, column)?)?;
         }
-        Ok(columns)
+        Ok(columns.into_any())
     }
 
     /// Total errors, Hz.
