@@ -518,7 +518,7 @@ fn mistakes_are_shown_where_they_are() {
 fn files_that_are_no_turbine_are_refused() {
     let message = |text: &str| mistake(text).2;
     message("").says("empty");
-    message("[1, 2]").says("the file is a list");
+    message("[1, 2]").says("the file must be a map, found a list");
     message("a: b: c").says("invalid YAML");
     message("name: x\n").says("no `tower`");
     message("components: {tower: 3}").says("no `reference_axis`");

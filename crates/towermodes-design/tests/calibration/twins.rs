@@ -1,11 +1,10 @@
 //! Twin experiments: frequencies of a known tower with random errors must give the tower back,
 //! within the standard deviations that the fit states.
 
-use towermodes::{Rna, TowerDescription};
+use towermodes::{Rna, Solver, TowerDescription};
 use towermodes_testing::Close;
 
 use super::{Problem, fitted, frequencies, measured, options, tower, unknown, with_prior};
-use towermodes::Solver;
 use towermodes_design::calibration::{AtBound, calibrate};
 
 /// Random numbers of PCG's generator (O'Neill 2014), the same in every run.
