@@ -52,7 +52,7 @@ fn layers_are_read_with_the_model_of_the_ground() {
     let tower = described(PILE);
     let ground = tower.ground.expect("a ground");
     assert_eq!(ground.surface_m, 0.0);
-    assert_eq!(ground.submerged, true);
+    assert!(ground.submerged);
     assert_eq!(ground.factor, 1.0);
     assert_eq!(
         ground.scour,

@@ -59,15 +59,15 @@ fn each_mistake_is_refused_at_its_place_with_its_numbers() {
     refused(ground("factor"), |d| ground_of(d).factor = 0.0)
         .says("the factor on the soil is 0; it must be positive");
     refused(ground("scour.general"), |d| {
-        ground_of(d).scour.general_m = -1.0
+        ground_of(d).scour.general_m = -1.0;
     })
     .says("the depth of general scour is -1 m; it must not be negative");
     refused(of(1, "undrained_strength"), |d| {
-        clay_layer(d, |clay| clay.undrained_strength_pa = Some([5e4, -1.0]))
+        clay_layer(d, |clay| clay.undrained_strength_pa = Some([5e4, -1.0]));
     })
     .says("the undrained strength is -1 Pa; it must be positive");
     refused(of(1, "strength_factor"), |d| {
-        clay_layer(d, |clay| clay.strength_factor = None)
+        clay_layer(d, |clay| clay.strength_factor = None);
     })
     .says("api needs the factor J (0.5 for soft, 0.25 for stiff clay)");
     refused(of(0, "effective_unit_weight"), |d| {
@@ -76,11 +76,11 @@ fn each_mistake_is_refused_at_its_place_with_its_numbers() {
         })
         .says("the weight of the soil above, on which this layer or one below depends, needs the effective unit weight");
     refused(of(1, "model"), |d| {
-        ground_of(d).layers[1].model = SoilModel::PisaCowden
+        ground_of(d).layers[1].model = SoilModel::PisaCowden;
     })
     .says("the model pisa-cowden has no formula for sand");
     refused(of(1, "relative_density"), |d| {
-        ground_of(d).layers[1].model = SoilModel::PisaDunkirk
+        ground_of(d).layers[1].model = SoilModel::PisaDunkirk;
     })
     .says("pisa-dunkirk needs the relative density");
     refused(of(1, "relative_density"), |d| {
@@ -88,11 +88,11 @@ fn each_mistake_is_refused_at_its_place_with_its_numbers() {
     })
     .says("the relative density is 75; it must be from 0 to 1");
     refused(of(0, "shear_modulus"), |d| {
-        ground_of(d).axial = Some(AxialModel::Kraft)
+        ground_of(d).axial = Some(AxialModel::Kraft);
     })
     .says("axial = \"kraft\" in [ground] needs the shear modulus");
     refused(ground("pile_diameter"), |d| {
-        ground_of(d).pile_diameter_m = Some(6.0)
+        ground_of(d).pile_diameter_m = Some(6.0);
     })
     .says("the diameter of the pile is given twice: the stations have diameters");
 }
