@@ -10,7 +10,9 @@ use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use towermodes::{Change, ModeName};
 use towermodes_files::{SweepModes, SweepResults};
-use towermodes_sweep::{Base, Columns, Results, RowSource, RunError, Sweep, SweepError, run};
+use towermodes_sweep::{
+    Base, Columns, FailedRows, Results, RowSource, RunError, Sweep, SweepError, run,
+};
 
 use crate::error::{of_solve, of_tower, usage};
 use crate::interrupt::BETWEEN_REPORTS;
@@ -213,17 +215,9 @@ pub fn mode_names(modes: &[ModeName]) -> Names {
     modes.iter().map(name).collect()
 }
 
-/// The failures without an object for each, which would need more memory than the results: rows,
-/// ends of the sentences in one text, and this text.
-fn failed(py: Python<'_>, failures: Vec<(u64, String)>) -> Failed<'_> {
-    let mut text = Vec::new();
-    let (rows, ends): (Vec<u64>, Vec<u64>) = failures
-        .into_iter()
-        .map(|(row, sentence)| {
-            text.extend(sentence.into_bytes());
-            (row, text.len() as u64)
-        })
-        .unzip();
+/// The failures without an object for each, which would need more memory than the results.
+fn failed(py: Python<'_>, failures: FailedRows) -> Failed<'_> {
+    let (rows, ends, text) = failures.into_columns();
     let [rows, ends] = [rows, ends].map(|numbers| PyArray1::from_vec(py, numbers));
     (rows, ends, PyArray1::from_vec(py, text))
 }

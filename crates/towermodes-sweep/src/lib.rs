@@ -37,6 +37,7 @@ mod table;
 pub use base::{Base, DEFAULT_SWEEP_SEGMENTS};
 pub use first_order::{FirstOrder, FirstOrderError, InputScatter, ModeScatter, NoScatter, Scatter};
 pub use remedy::Remedy;
+pub use rows::failed::FailedRows;
 pub use rows::results::Results;
 pub use rows::row::{MORE_MODES, named, number_at};
 pub use rows::run::run;

@@ -100,11 +100,7 @@ fn a_row_that_fails_is_a_row_with_its_sentence() {
     let masses = [3.5e5, 3.5e5, f64::NAN, f64::INFINITY, 3.5e5];
     let walls = [0.019, -1.0, 0.019, 0.019, 0.019];
     let results = solved(&sweep, &[&masses, &walls], 1);
-    let failures = results
-        .failures
-        .iter()
-        .map(|(row, text)| (*row, text.as_str()));
-    let failures: Vec<(u64, &str)> = failures.collect();
+    let failures: Vec<(u64, &str)> = results.failures.iter().collect();
     let expected = [
         (
             1,
@@ -159,7 +155,7 @@ fn a_mode_that_is_far_above_is_missing_with_a_sentence() {
     assert!(torsion[0] < torsion[1] && torsion[2].is_nan());
     let sentence = format!("torsion 1 is not among the lowest {} modes", asked + 16);
     assert_eq!(results.failures.len(), 1);
-    assert_eq!(results.failures[0], (2, sentence));
+    assert_eq!(results.failures.get(0), Some((2, sentence.as_str())));
     assert!(results.certified[2] && results.frequency_hz[4] > 0.2);
 }
 
@@ -249,7 +245,7 @@ fn sentences_name_numbers_as_columns_do() {
     for [column, value, expected] in rows(table) {
         let value = number(value);
         let results = solved(&lowest(&[column], 2), &[&[value]], 1);
-        let (_, sentence) = results.failures.first().expect("a row that failed");
+        let (_, sentence) = results.failures.get(0).expect("a row that failed");
         assert!(sentence.starts_with(expected), "{column}: {sentence}");
     }
 }
@@ -265,7 +261,7 @@ fn a_row_keeps_its_modes_when_more_cannot_be_computed() {
     let changes = ["material.density", "rna.inertia.zz"];
     let sweep = sweep(Base::from(tower(4e9)), &changes, &results);
     let results = solved(&sweep, &[&[1e-12], &[1e-6]], 1);
-    let (_, sentence) = results.failures.first().expect("a row that failed");
+    let (_, sentence) = results.failures.get(0).expect("a row that failed");
     let expected = "torsion 1 is not among the lowest ";
     sentence.begins(expected);
     sentence.says(" modes; more could not be computed: ");
@@ -289,7 +285,7 @@ fn rows_are_counted_from_the_first_one_of_their_source() {
     let results = run(&sweep, &columns, 1, &mut |_| ControlFlow::Continue(()));
     let results = results.expect("results");
     assert_eq!((results.first_row, results.rows()), (70, 2));
-    assert_eq!(results.failures.first().map(|(row, _)| *row), Some(71));
+    assert_eq!(results.failures.get(0).map(|(row, _)| row), Some(71));
 }
 
 #[test]

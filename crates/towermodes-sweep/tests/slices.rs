@@ -111,12 +111,14 @@ fn slices_contain_the_results() {
                 assert_eq!(bits(found), bits(expected));
             }
             assert_eq!(results.certified, expected.certified[rows.clone()]);
-            failures.extend(results.failures.iter().cloned());
+            let owned = results.failures.iter().map(|(row, s)| (row, s.to_owned()));
+            failures.extend(owned);
             row = rows.end;
         });
         read.expect("whole slices");
         assert_eq!(row, 690);
-        assert_eq!(failures, expected.failures);
+        let failures = failures.iter().map(|(row, s)| (*row, s.as_str()));
+        assert!(failures.eq(expected.failures.iter()));
     }
 }
 
@@ -208,11 +210,11 @@ fn a_run_says_what_failed_and_what_is_unusual() {
     let (sweep, source) = sampled(1);
     let go_on = &mut |_| ControlFlow::Continue(());
     let all = run(&sweep, draw(&source), 1, go_on).expect("results");
-    let (row, sentence) = all.failures.first().expect("a row that failed");
+    let (row, sentence) = all.failures.get(0).expect("a row that failed");
     let slice = Slice::all(&sweep, &source);
     let solved = slice.write(Vec::new(), 2, go_on).expect("a slice");
     assert_eq!(solved.failed, all.failures.len() as u64);
-    assert_eq!(solved.first_failure, Some((*row, sentence.clone())));
+    assert_eq!(solved.first_failure, Some((row, sentence.to_owned())));
     assert_eq!((solved.warnings, solved.shared), (all.warnings, all.shared));
 }
 

@@ -7,8 +7,8 @@ use std::path::PathBuf;
 use towermodes_analysis::resonance::CampbellOptions;
 use towermodes_files::{Distribution, Sampling, SamplingKind, Varied};
 use towermodes_sweep::{
-    MarginCheck, MarginSummary, QUANTILES, Results, RowRemarks, Slice, Slices, Sweep, SweepSource,
-    run,
+    FailedRows, MarginCheck, MarginSummary, QUANTILES, Results, RowRemarks, Slice, Slices, Sweep,
+    SweepSource, run,
 };
 use towermodes_testing::rotor;
 
@@ -24,7 +24,7 @@ fn results(frequency_hz: &[f64]) -> Results {
         certified: vec![true; rows],
         frequency_hz: frequency_hz.to_vec(),
         error_hz: vec![1e-6; rows],
-        failures: Vec::new(),
+        failures: FailedRows::default(),
         share: vec![1.0; rows],
         warnings: RowRemarks::default(),
         shared: RowRemarks::default(),

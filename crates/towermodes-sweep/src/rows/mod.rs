@@ -1,5 +1,6 @@
 //! The rows of a sweep: each solved by itself, by several threads, and the results as columns.
 
+pub(super) mod failed;
 pub(super) mod results;
 pub(super) mod row;
 pub(super) mod run;

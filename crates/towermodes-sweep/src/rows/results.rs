@@ -4,6 +4,7 @@ use std::collections::TryReserveError;
 
 use towermodes::ModeName;
 
+use super::failed::FailedRows;
 use super::row::Cells;
 use super::warned::RowRemarks;
 
@@ -30,7 +31,7 @@ pub struct Results {
     /// next row; rows × modes.
     pub share: Vec<f64>,
     /// What failed or is missing.
-    pub failures: Vec<(u64, String)>,
+    pub failures: FailedRows,
     /// Rows that were solved here with input that is probably a mistake; files do not have them.
     pub warnings: RowRemarks,
     /// Rows that were solved here in which modes share the motion of a name; files have the shares
@@ -66,7 +67,7 @@ impl Results {
             frequency_hz: numbers(cells)?,
             error_hz: numbers(cells)?,
             share: numbers(cells)?,
-            failures: Vec::new(),
+            failures: FailedRows::default(),
             warnings: RowRemarks::default(),
             shared: RowRemarks::default(),
         })
@@ -103,7 +104,7 @@ impl Results {
         let rows = self.first_row..self.first_row + self.rows() as u64;
         rows.map(move |row| {
             let failure = failures.next_if(|(failed, _)| *failed == row)?;
-            Some(failure.1.as_str())
+            Some(failure.1)
         })
     }
 
@@ -130,7 +131,8 @@ impl Results {
         append(&mut self.frequency_hz, &mut next.frequency_hz)?;
         append(&mut self.error_hz, &mut next.error_hz)?;
         append(&mut self.share, &mut next.share)?;
-        append(&mut self.failures, &mut next.failures)
+        let mut failures = next.failures.iter();
+        failures.try_for_each(|(row, sentence)| self.failures.push(row, sentence))
     }
 
     /// Makes room for further rows.

@@ -34,7 +34,7 @@ use crate::sweep::Sweep;
 /// let results = run(&sweep, &columns, 1, &mut |_| ControlFlow::Continue(()))?;
 /// assert!(results.frequency_hz[0] > results.frequency_hz[sweep.modes().len()]);
 /// assert!(results.certified[1] && (results.mass_kg[1] - 267_586.067).abs() < 1e-3);
-/// let (row, sentence) = results.failures.first().expect("a row that failed");
+/// let (row, sentence) = results.failures.get(0).expect("a row that failed");
 /// assert!(row == 2 && sentence.contains("-1 kg"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -255,7 +255,7 @@ impl<'a> Rows<'a> {
             block.row(row - block.first_row(), &mut self.values);
             let failure = self.solver.solve(&self.values, results.cells(place));
             if let Some(sentence) = failure {
-                results.failures.push((row, sentence));
+                results.failures.push(row, &sentence).map_err(full)?;
             }
             self.solver.warn(row, &mut self.remarks.warnings);
             self.solver.share(row, &mut self.remarks.shared);

@@ -127,7 +127,8 @@ fn put(results: &mut Results, place: usize, column: &Column, cell: &[u8]) -> Res
         Column::Share(mode) => results.share[place * modes + mode] = number()?,
         Column::Sentence if text.is_empty() => {}
         Column::Sentence => {
-            results.failures.push((row, text.to_owned()));
+            let kept = results.failures.push(row, text);
+            kept.map_err(|error| error.to_string())?;
         }
     }
     Ok(())

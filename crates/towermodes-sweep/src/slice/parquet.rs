@@ -148,10 +148,7 @@ fn write_column(writer: &mut ColumnWriter<'_>, part: &Part, column: &Column) -> 
             let levels: Vec<i16> = sentences
                 .map(|sentence| sentence.is_some().into())
                 .collect();
-            let sentences = results
-                .failures
-                .iter()
-                .map(|(_, sentence)| sentence.as_str());
+            let sentences = results.failures.iter().map(|(_, sentence)| sentence);
             let sentences: Vec<ByteArray> = sentences.map(ByteArray::from).collect();
             writer.write_batch(&sentences, Some(&levels), None)?;
         }
@@ -251,7 +248,7 @@ fn results_of(
                 for (row, text) in (first_row..).zip(cells(reader, rows)?) {
                     if let Some(text) = text {
                         let sentence = String::from_utf8_lossy(text.data());
-                        results.failures.push((row, sentence.into_owned()));
+                        results.failures.push(row, &sentence).map_err(full)?;
                     }
                 }
             }

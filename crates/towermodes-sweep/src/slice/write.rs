@@ -205,7 +205,8 @@ impl Ready {
         results: Results,
         columns: &[(String, Column)],
     ) -> Self {
-        let first_failure = results.failures.first().cloned();
+        let first = results.failures.get(0);
+        let first_failure = first.map(|(row, sentence)| (row, sentence.to_owned()));
         let (rows, failed) = (results.rows() as u64, results.failures.len() as u64);
         let part = Part::new(slice.sweep, block, results);
         Self {

@@ -248,8 +248,8 @@ impl<'a> Counted<'a> {
     fn add(&mut self, results: &Results) {
         self.margins.add(results);
         self.rows += results.rows() as u64;
-        for (row, sentence) in &results.failures {
-            self.failures.add(*row, sentence);
+        for (row, sentence) in results.failures.iter() {
+            self.failures.add(row, sentence);
         }
         add_all(&mut self.mass_kg, results.mass_kg.iter().copied());
         for (mode, values) in self.frequency_hz.iter_mut().enumerate() {
