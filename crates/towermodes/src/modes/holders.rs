@@ -81,10 +81,10 @@ impl Holders {
     /// change of the tower gives the name to another one.
     pub fn bound<'m>(
         name: ModeName,
-        modes: impl Iterator<Item = (ModeName, &'m Shares)> + Clone,
+        mut modes: impl Iterator<Item = (ModeName, &'m Shares)> + Clone,
     ) -> Option<Self> {
         let holders = Self::of(name, modes.clone())?;
-        let (_, shares) = modes.clone().nth(holders.named)?;
+        let (_, shares) = modes.nth(holders.named)?;
         match shares.is_coupled(name.family) {
             true => Some(holders),
             false => Some(Self {
