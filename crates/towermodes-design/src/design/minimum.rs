@@ -7,8 +7,9 @@ use std::rc::Rc;
 use slsqp::StopTols;
 
 use super::error::DesignError;
+use super::limits::Limit;
 use super::optimality::{Least, Optimality, optimality};
-use super::towers::Towers;
+use super::towers::{Point, Towers};
 
 /// A limit that is violated by less, relative to its scale, is met.
 pub(super) const MET: f64 = 1e-7;
@@ -116,103 +117,47 @@ fn run_once(
     (free, least): (&[usize], Least),
     most_solves: usize,
 ) -> Result<Minimum, DesignError> {
-    let count = free.len();
-    let at = towers.at(start, true)?;
+    let violation = towers.at(start, true)?.violation();
     let mut x: Vec<f64> = free.iter().map(|i| start[*i]).collect();
     let mut bounds: Vec<(f64, f64)> = free.iter().map(|i| (0.0, towers.highest[*i])).collect();
-    let is_mass = least == Least::Mass;
-    if !is_mass {
-        let violation = at.violation();
+    if least != Least::Mass {
         x.push(violation);
         bounds.push((0.0, violation.max(1.0) * 2.0));
     }
-    let limits = towers.limits.clone();
-    let highest = towers.highest.clone();
-    let full = |x: &[f64]| {
-        let mut scaled = start.to_vec();
-        let all = free.iter().zip(x);
-        all.for_each(|(&i, z)| scaled[i] = z.clamp(0.0, highest[i]));
-        scaled
-    };
-    let towers = RefCell::new(towers);
-    // Violation and mass of the best point so far, and its values.
-    let best = RefCell::new(((f64::INFINITY, f64::INFINITY), Vec::new()));
-    // The objective, or a limit by its place: what the tower has of it, and how much of the
-    // violation, the last element of x, is added.
-    let function = |limit: Option<usize>| {
-        let (towers, full, best) = (&towers, &full, &best);
-        let share = match limit.map(|place| least.relaxes(&limits[place])) {
-            None if is_mass => 0.0,
-            None => 1.0,
-            Some(is_relaxed) => -f64::from(u8::from(is_relaxed)),
-        };
-        move |x: &[f64], gradient: Option<&mut [f64]>, _: &mut ()| -> f64 {
-            let violation = x.get(count).map_or(0.0, |violation| share * violation);
-            let point = match is_mass || limit.is_some() {
-                true => {
-                    let mut towers = towers.borrow_mut();
-                    let found = match x.iter().any(|z| z.is_nan()) {
-                        true => Err(DesignError::NoVariables),
-                        false => towers.at(&full(x), gradient.is_some()),
-                    };
-                    match found {
-                        Ok(point) => {
-                            let rank = (point.violation().max(2.0 * ROOM), point.mass);
-                            if limit.is_none() && rank < best.borrow().0 {
-                                *best.borrow_mut() = (rank, x.to_vec());
-                            }
-                            Some(point)
-                        }
-                        Err(_) => {
-                            gradient.unwrap_or_default().fill(0.0);
-                            return UNSOLVED;
-                        }
-                    }
-                }
-                false => None,
-            };
-            if let Some(gradient) = gradient {
-                gradient.fill(0.0);
-                if let Some(slopes) = point.as_ref().and_then(|point| point.slopes.as_ref()) {
-                    let row = limit.map_or(&slopes.mass, |place| &slopes.limits[place]);
-                    let entries = gradient.iter_mut().zip(free);
-                    entries.for_each(|(entry, i)| *entry = row[*i]);
-                }
-                if let Some(entry) = gradient.get_mut(count) {
-                    *entry = share;
-                }
-            }
-            let of_tower = point.map(|point: Rc<_>| match limit {
-                Some(place) => point.limits[place] - ROOM,
-                None => point.mass,
-            });
-            of_tower.unwrap_or_default() + violation
-        }
-    };
-    let counted = (0..limits.len()).filter(|place| least.counts(&limits[*place]));
-    let constraints: Vec<_> = counted.map(|place| function(Some(place))).collect();
     let tolerances = StopTols {
         ftol_rel: 1e-13,
         xtol_abs: vec![1e-10; x.len()],
         ..StopTols::default()
     };
+    let run = Run {
+        limits: towers.limits.clone(),
+        highest: towers.highest.clone(),
+        towers: RefCell::new(towers),
+        best: RefCell::new(((f64::INFINITY, f64::INFINITY), Vec::new())),
+        start,
+        free,
+        least,
+    };
+    let counted = (0..run.limits.len()).filter(|place| least.counts(&run.limits[*place]));
+    let limit = |place| {
+        let run = &run;
+        move |x: &[f64], gradient: Option<&mut [f64]>, _: &mut ()| run.limit(place, x, gradient)
+    };
     let ended = slsqp::minimize(
-        function(None),
+        |x: &[f64], gradient: Option<&mut [f64]>, _: &mut ()| run.objective(x, gradient),
         &x,
         &bounds,
-        &constraints,
+        &counted.map(limit).collect::<Vec<_>>(),
         (),
         most_solves,
         Some(tolerances),
     );
     // Also the end of a failed run is where the next one begins, or what is judged.
     let (Ok((_, x, _)) | Err((_, x, _))) = ended;
-    let ends = [x, best.take().1].into_iter().filter(|x| x.len() >= count);
-    let ends: Vec<Vec<f64>> = ends
-        .filter(|x| x.iter().all(|z| z.is_finite()))
-        .map(|x| full(&x))
-        .collect();
-    let towers = towers.into_inner();
+    let ends = [x, run.best.take().1].into_iter();
+    let ends = ends.filter(|x| !x.is_empty() && x.iter().all(|z| z.is_finite()));
+    let ends: Vec<Vec<f64>> = ends.map(|x| run.scaled(&x)).collect();
+    let towers = run.towers.into_inner();
     let mut found: Option<Minimum> = None;
     for end in ends {
         let next = judged(towers, end, free, least)?;
@@ -224,4 +169,87 @@ fn run_once(
         }
     }
     found.map_or_else(|| judged(towers, start.to_vec(), free, least), Ok)
+}
+
+/// The functions of a run. Their x has the free variables and, where a violation is minimized, that
+/// violation.
+struct Run<'r, 'd> {
+    towers: RefCell<&'r mut Towers<'d>>,
+    start: &'r [f64],
+    free: &'r [usize],
+    least: Least,
+    limits: Vec<Limit>,
+    highest: Vec<f64>,
+    /// Violation and mass of the best point so far, and its x.
+    best: RefCell<((f64, f64), Vec<f64>)>,
+}
+
+impl Run<'_, '_> {
+    /// All scaled variables.
+    fn scaled(&self, x: &[f64]) -> Vec<f64> {
+        let mut scaled = self.start.to_vec();
+        for (&i, z) in self.free.iter().zip(x) {
+            scaled[i] = z.clamp(0.0, self.highest[i]);
+        }
+        scaled
+    }
+
+    /// The tower at x; none if it cannot be solved.
+    fn at(&self, x: &[f64], slopes: bool) -> Option<Rc<Point>> {
+        let is_number = x.iter().all(|z| !z.is_nan());
+        let mut towers = self.towers.borrow_mut();
+        let point = is_number.then(|| towers.at(&self.scaled(x), slopes).ok());
+        point.flatten()
+    }
+
+    /// The mass, or the violation.
+    fn objective(&self, x: &[f64], gradient: Option<&mut [f64]>) -> f64 {
+        if self.least != Least::Mass {
+            self.fill(gradient, None, 1.0);
+            return x[self.free.len()];
+        }
+        let Some(point) = self.at(x, gradient.is_some()) else {
+            self.fill(gradient, None, 0.0);
+            return UNSOLVED;
+        };
+        let rank = (point.violation().max(2.0 * ROOM), point.mass);
+        if rank < self.best.borrow().0 {
+            *self.best.borrow_mut() = (rank, x.to_vec());
+        }
+        let slopes = point.slopes.as_ref().map(|slopes| &slopes.mass[..]);
+        self.fill(gradient, slopes, 0.0);
+        point.mass
+    }
+
+    /// A limit, which must not be positive; less the violation, if that relaxes it.
+    fn limit(&self, place: usize, x: &[f64], gradient: Option<&mut [f64]>) -> f64 {
+        let Some(point) = self.at(x, gradient.is_some()) else {
+            self.fill(gradient, None, 0.0);
+            return UNSOLVED;
+        };
+        let is_relaxed = self.least.relaxes(&self.limits[place]);
+        let share = if is_relaxed { -1.0 } else { 0.0 };
+        let slopes = point
+            .slopes
+            .as_ref()
+            .map(|slopes| &slopes.limits[place][..]);
+        self.fill(gradient, slopes, share);
+        let violation = x
+            .get(self.free.len())
+            .map_or(0.0, |violation| share * violation);
+        point.limits[place] - ROOM + violation
+    }
+
+    /// Fills a gradient with the derivatives of the free variables, or zeros, and of the violation.
+    fn fill(&self, gradient: Option<&mut [f64]>, slopes: Option<&[f64]>, of_violation: f64) {
+        let Some(gradient) = gradient else { return };
+        gradient.fill(0.0);
+        if let Some(slopes) = slopes {
+            let entries = gradient.iter_mut().zip(self.free);
+            entries.for_each(|(entry, i)| *entry = slopes[*i]);
+        }
+        if let Some(entry) = gradient.get_mut(self.free.len()) {
+            *entry = of_violation;
+        }
+    }
 }

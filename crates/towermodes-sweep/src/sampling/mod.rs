@@ -179,24 +179,37 @@ mod tests {
     use super::Draw;
     use towermodes_files::{Distribution, MAX_ROWS, Sampling, SamplingError, SamplingKind, Varied};
 
-    fn unit_cube(kind: SamplingKind, dimensions: usize, rows: u64, seed: u64) -> Draw {
-        let vary = |index| Varied {
-            name: format!("{index}"),
-            distribution: Distribution::Uniform {
-                low: 0.0,
-                high: 1.0,
-            },
-            levels: None,
-        };
-        let vary = (0..dimensions).map(vary).collect();
-        let sampling = Sampling {
+    fn varied(distribution: Distribution, levels: Option<u64>) -> Varied {
+        Varied {
+            name: String::new(),
+            distribution,
+            levels,
+        }
+    }
+
+    fn sampling(kind: SamplingKind, rows: u64, seed: u64, vary: Vec<Varied>) -> Sampling {
+        Sampling {
             kind,
             rows,
             seed,
             correlations: Vec::new(),
             vary,
-        };
-        Draw::new(&sampling).expect("a sampling")
+        }
+    }
+
+    const UNIT: Distribution = Distribution::Uniform {
+        low: 0.0,
+        high: 1.0,
+    };
+    const KINDS: [SamplingKind; 3] = [
+        SamplingKind::LatinHypercube,
+        SamplingKind::Random,
+        SamplingKind::Sobol,
+    ];
+
+    fn unit_cube(kind: SamplingKind, dimensions: usize, rows: u64, seed: u64) -> Draw {
+        let vary = vec![varied(UNIT, None); dimensions];
+        Draw::new(&sampling(kind, rows, seed, vary)).expect("a sampling")
     }
 
     fn drawn(draw: &Draw) -> Vec<Vec<f64>> {
@@ -228,11 +241,7 @@ mod tests {
     #[test]
     fn dimensions_are_independent() {
         const ROWS: u64 = 16_384;
-        for kind in [
-            SamplingKind::LatinHypercube,
-            SamplingKind::Random,
-            SamplingKind::Sobol,
-        ] {
+        for kind in KINDS {
             let cube = drawn(&unit_cube(kind, 5, ROWS, 11));
             for (one, other) in [(0, 1), (0, 4), (1, 2), (2, 4), (3, 4)] {
                 let mut counts = [0.0; 64];
@@ -275,11 +284,7 @@ mod tests {
 
     #[test]
     fn rows_are_functions_of_the_seed() {
-        for kind in [
-            SamplingKind::LatinHypercube,
-            SamplingKind::Random,
-            SamplingKind::Sobol,
-        ] {
+        for kind in KINDS {
             let [one, again, other] = [1, 1, 2].map(|seed| drawn(&unit_cube(kind, 6, 100, seed)));
             assert_eq!(one, again);
             assert_ne!(one, other);
@@ -290,11 +295,7 @@ mod tests {
 
     #[test]
     fn the_last_of_the_most_rows_is_drawn() {
-        for kind in [
-            SamplingKind::LatinHypercube,
-            SamplingKind::Random,
-            SamplingKind::Sobol,
-        ] {
+        for kind in KINDS {
             let draw = unit_cube(kind, 2, MAX_ROWS, 0);
             let mut row = [0.0; 2];
             draw.row(MAX_ROWS - 1, &mut row);
@@ -304,26 +305,9 @@ mod tests {
 
     #[test]
     fn a_grid_has_each_combination_once_and_the_last_varies_fastest() {
-        let vary = |distribution, levels| Varied {
-            name: String::new(),
-            distribution,
-            levels,
-        };
-        let values = vary(Distribution::Values(vec![5.0, 3.0]), None);
-        let steps = vary(
-            Distribution::Uniform {
-                low: 0.0,
-                high: 1.0,
-            },
-            Some(3),
-        );
-        let mut grid = Sampling {
-            kind: SamplingKind::Grid,
-            rows: 6,
-            seed: 0,
-            correlations: Vec::new(),
-            vary: vec![values, steps],
-        };
+        let values = varied(Distribution::Values(vec![5.0, 3.0]), None);
+        let vary = vec![values, varied(UNIT, Some(3))];
+        let mut grid = sampling(SamplingKind::Grid, 6, 0, vary);
         let rows = drawn(&Draw::new(&grid).expect("a grid"));
         let expected = [
             [5.0, 0.0],
@@ -348,16 +332,9 @@ mod tests {
     /// A grid of no rows would divide by its levels.
     #[test]
     fn a_grid_of_nothing_is_refused() {
-        let grid = |rows, values| Sampling {
-            kind: SamplingKind::Grid,
-            rows,
-            seed: 0,
-            correlations: Vec::new(),
-            vary: vec![Varied {
-                name: String::new(),
-                distribution: Distribution::Values(values),
-                levels: None,
-            }],
+        let grid = |rows, values| {
+            let vary = vec![varied(Distribution::Values(values), None)];
+            sampling(SamplingKind::Grid, rows, 0, vary)
         };
         for rows in [0, 1] {
             let refused = Draw::new(&grid(rows, Vec::new()));
@@ -369,21 +346,7 @@ mod tests {
 
     #[test]
     fn more_dimensions_than_the_table_are_refused() {
-        let vary = (0..65).map(|index| Varied {
-            name: format!("{index}"),
-            distribution: Distribution::Uniform {
-                low: 0.0,
-                high: 1.0,
-            },
-            levels: None,
-        });
-        let sampling = Sampling {
-            kind: SamplingKind::Sobol,
-            rows: 4,
-            seed: 0,
-            correlations: Vec::new(),
-            vary: vary.collect(),
-        };
+        let sampling = sampling(SamplingKind::Sobol, 4, 0, vec![varied(UNIT, None); 65]);
         let refused = SamplingError::TooManyForSobol { dimensions: 65 };
         assert_eq!(Draw::new(&sampling), Err(refused));
     }
