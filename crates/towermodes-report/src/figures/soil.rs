@@ -29,7 +29,10 @@ pub fn soil(band: &SoilBand, rotor: Option<&Rotor>) -> Figure {
         )
     };
     let title = "First bending frequencies against the stiffness of the soil";
-    figure(["soil", title], chart(x, &band.factors, &band.modes, rotor))
+    figure(
+        ["soil", title],
+        &chart(x, &band.factors, &band.modes, rotor),
+    )
 }
 
 /// The first bending frequencies against the depth of local scour.
@@ -41,7 +44,7 @@ pub fn scour(curve: &ScourCurve, rotor: Option<&Rotor>) -> Figure {
     let title = "First bending frequencies against the depth of scour";
     figure(
         ["scour", title],
-        chart(x, &curve.depths_m, &curve.modes, rotor),
+        &chart(x, &curve.depths_m, &curve.modes, rotor),
     )
 }
 
@@ -52,7 +55,7 @@ fn ends(values: &[f64]) -> [f64; 2] {
     ]
 }
 
-fn figure([name, title]: [&str; 2], chart: Chart) -> Figure {
+fn figure([name, title]: [&str; 2], chart: &Chart) -> Figure {
     let each = chart.series.iter().filter_map(|series| {
         let ([from, from_hz], [to, to_hz]) = (series.finite().next()?, series.finite().last()?);
         let (label, from, to) = (&series.label, Plain(from), Plain(to));
