@@ -75,18 +75,12 @@ pub fn animation_data(
 }
 
 fn animated(mode: &Mode) -> AnimatedMode {
-    let translation = |axis: usize| {
+    let values = |of: fn(&ShapePoint) -> &[f64; 3], axis: usize| {
         let points = few(&mode.shape);
-        points
-            .map(|point| five_digits(point.translation[axis]))
-            .collect()
+        points.map(|point| five_digits(of(point)[axis])).collect()
     };
-    let rotation = |axis: usize| {
-        let points = few(&mode.shape);
-        points
-            .map(|point| five_digits(point.rotation[axis]))
-            .collect()
-    };
+    let translation = |axis| values(|point| &point.translation, axis);
+    let rotation = |axis| values(|point| &point.rotation, axis);
     AnimatedMode {
         number: mode.number,
         label: mode.label(),

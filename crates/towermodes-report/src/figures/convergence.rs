@@ -3,9 +3,9 @@
 use towermodes_analysis::study::{Convergence, Fineness, Level};
 
 use super::chart::error_axis::{ErrorAxis, ROUNDING, signed};
-use super::chart::{Axis, Chart, Numbers, Series};
+use super::chart::{Axis, Chart, Series};
 use super::error::hidden_text;
-use crate::svg::{DataTable, Figure, extent};
+use crate::svg::{DataTable, Figure, Numbers, extent};
 
 const HEIGHT: f64 = 520.0;
 /// More modes cannot be distinguished.

@@ -7,7 +7,7 @@ use super::chart::WIDTH;
 use super::chart::legend::{Entry, Legend, Sample};
 use crate::svg::{
     Anchor, Axes, Colour, Dash, DataTable, Drawing, Figure, Frame, Marker, Stroke, TextStyle,
-    extent, text_width,
+    extent, widest,
 };
 
 const TOP: f64 = 14.0;
@@ -144,9 +144,9 @@ fn after_stroke() -> Stroke {
 }
 
 fn frequencies_frame(modes: &[DesignedMode<'_>], top: f64, lowest: f64) -> Frame {
-    let names = modes.iter().map(|mode| text_width(mode.label, SIZE, false));
+    let names = modes.iter().map(|mode| mode.label);
     Frame {
-        left: names.fold(0.0, f64::max) + 24.0,
+        left: widest(names, SIZE, false) + 24.0,
         top,
         right: WIDTH - 14.0,
         bottom: top + (ROW * modes.len() as f64).max(lowest).max(ROW),

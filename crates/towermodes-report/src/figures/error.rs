@@ -7,7 +7,7 @@ use super::chart::WIDTH;
 use super::chart::error_axis::{ErrorAxis, signed};
 use super::chart::legend::{Entry, Legend, words};
 use crate::svg::{
-    Anchor, Axes, Colour, DataTable, Drawing, Figure, Frame, Marker, Stroke, TextStyle, text_width,
+    Anchor, Axes, Colour, DataTable, Drawing, Figure, Frame, Marker, Stroke, TextStyle, widest,
 };
 use crate::wording::counted;
 
@@ -135,7 +135,7 @@ fn drawing(comparison: &Comparison, methods: &[&Column]) -> Drawing {
     let below = SPACE + names_height(&labels, &axes) + SPACE;
     let legend = Legend::below(&frame, frame.bottom + below, entries);
     let mut drawing = legend.sheet();
-    y.draw_left(&mut drawing, &axes);
+    axes.draw_y(&mut drawing, &y.name, y.numbers);
     names(&mut drawing, &labels, &axes);
     dots(&mut drawing, comparison, methods, &errors, &axes);
     legend.draw(&mut drawing);
@@ -162,19 +162,13 @@ fn column_width(axes: &Axes) -> f64 {
     axes.x.at(1.0) - axes.x.at(0.0)
 }
 
-/// The widest name.
-fn widest(labels: &[&str]) -> f64 {
-    let widths = labels.iter().map(|label| text_width(label, SIZE, false));
-    widths.fold(0.0, f64::max)
-}
-
 fn are_turned(labels: &[&str], axes: &Axes) -> bool {
-    widest(labels) + 8.0 > column_width(axes)
+    widest(labels.iter().copied(), SIZE, false) + 8.0 > column_width(axes)
 }
 
 fn names_height(labels: &[&str], axes: &Axes) -> f64 {
     match are_turned(labels, axes) {
-        true => widest(labels),
+        true => widest(labels.iter().copied(), SIZE, false),
         false => SIZE,
     }
 }

@@ -4,8 +4,8 @@ use towermodes::number::Plain;
 use towermodes::{Family, Rotor};
 use towermodes_analysis::soil_band::{BandMode, ScourCurve, SoilBand};
 
-use super::chart::{Axis, Chart, Numbers, Series};
-use crate::svg::{Figure, extent};
+use super::chart::{Axis, Chart, Series};
+use crate::svg::{Figure, Numbers, extent};
 
 const HEIGHT: f64 = 420.0;
 /// Room above the highest and below the lowest frequency, as a fraction of their difference.

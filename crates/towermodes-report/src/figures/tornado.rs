@@ -7,7 +7,7 @@ use towermodes_analysis::influence::{Influence, Influences, Tolerance, Tolerance
 use super::chart::WIDTH;
 use super::chart::legend::{Entry, Legend};
 use crate::svg::{
-    Anchor, Axes, Colour, DataTable, Drawing, Figure, Frame, Marker, Stroke, TextStyle, text_width,
+    Anchor, Axes, Colour, DataTable, Drawing, Figure, Frame, Marker, Stroke, TextStyle, widest,
 };
 
 const TOP: f64 = 18.0;
@@ -97,11 +97,9 @@ fn signed(percent: f64) -> String {
 }
 
 fn drawing(bars: &[Bar<'_>], mode: &str, cause: &str) -> Drawing {
-    let names = bars
-        .iter()
-        .map(|bar| text_width(&bar.number.name, SIZE, false));
+    let names = bars.iter().map(|bar| bar.number.name.as_str());
     let frame = Frame {
-        left: names.fold(0.0, f64::max) + 24.0,
+        left: widest(names, SIZE, false) + 24.0,
         top: TOP,
         right: WIDTH - 14.0,
         bottom: TOP + ROW * bars.len().max(1) as f64,

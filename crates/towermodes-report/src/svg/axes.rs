@@ -4,10 +4,12 @@ use super::colour::Colour;
 use super::drawing::Drawing;
 use super::scale::{Scale, is_far_from_one, plain, power_of_ten};
 use super::style::{Anchor, Stroke, TextStyle};
-use super::text::text_width;
+use super::text::{text_width, widest};
 
 /// Size of the numbers along an axis.
 const NUMBERS: f64 = 11.0;
+/// Given numbers along a lower axis are at least so far apart.
+const BETWEEN: f64 = 8.0;
 /// Size of an axis' name.
 const NAME: f64 = 12.0;
 
@@ -67,84 +69,90 @@ impl Axes {
     }
 
     /// The left margin that the numbers and the name of an axis of these values need.
-    pub fn left_margin(values: [f64; 2], is_logarithmic: bool, ticks: usize) -> f64 {
+    pub fn left_margin(values: [f64; 2], is_logarithmic: bool, numbers: impl Into<Numbers>) -> f64 {
         let scale = Scale {
             is_logarithmic,
             ..Scale::linear(values, [0.0, 1.0])
         };
-        Self::left_margin_at(&tick_texts(&scale, ticks))
+        widest_of(&numbers.into().ticks(&scale)) + NUMBERS + 2.2 * NAME
     }
 
-    /// The same with a label for each value.
-    pub fn left_margin_at(ticks: &[(f64, String)]) -> f64 {
-        widest(ticks) + NUMBERS + 2.2 * NAME
-    }
-
-    /// Draws the grid and the axis below, with about `ticks` numbers and its name, unit included:
-    /// "rotor speed (rpm)".
-    pub fn draw_x(&self, drawing: &mut Drawing, name: &str, ticks: usize) {
-        self.draw_x_at(drawing, name, &tick_texts(&self.x, ticks));
-    }
-
-    /// The same with given values and their labels.
-    pub fn draw_x_at(&self, drawing: &mut Drawing, name: &str, ticks: &[(f64, String)]) {
-        let Frame {
-            left,
-            top,
-            right,
-            bottom,
-        } = self.frame;
-        let below = bottom + 1.5 * NUMBERS;
+    /// Draws the grid and the axis below, with its numbers and its name, unit included: "rotor
+    /// speed (rpm)".
+    pub fn draw_x(&self, drawing: &mut Drawing, name: &str, numbers: impl Into<Numbers>) {
+        let of = self.frame;
+        let below = of.bottom + 1.5 * NUMBERS;
+        let ticks = match numbers.into() {
+            Numbers::At(ticks) => with_room(ticks, &self.x),
+            about => about.ticks(&self.x),
+        };
         for (value, text) in ticks {
-            let x = self.x.at(*value);
-            draw_tick(
-                drawing,
-                [(x, top), (x, bottom)],
-                text,
-                ((x, below), Anchor::Middle),
-            );
+            let x = self.x.at(value);
+            let grid = [(x, of.top), (x, of.bottom)];
+            draw_tick(drawing, grid, &text, ((x, below), Anchor::Middle));
         }
-        let name_at = (0.5 * (left + right), below + 1.6 * NAME);
-        draw_axis(
-            drawing,
-            [(left, bottom), (right, bottom)],
-            (name, name_at, TextStyle::new(NAME)),
-        );
+        let ends = [(of.left, of.bottom), (of.right, of.bottom)];
+        let at = (0.5 * (of.left + of.right), below + 1.6 * NAME);
+        draw_axis(drawing, ends, (name, at, TextStyle::new(NAME)));
     }
 
-    /// Draws the grid and the axis on the left, with about `ticks` numbers and its name, unit
-    /// included.
-    pub fn draw_y(&self, drawing: &mut Drawing, name: &str, ticks: usize) {
-        self.draw_y_at(drawing, name, &tick_texts(&self.y, ticks));
-    }
-
-    /// The same with given values and their labels.
-    pub fn draw_y_at(&self, drawing: &mut Drawing, name: &str, ticks: &[(f64, String)]) {
-        let Frame {
-            left,
-            top,
-            right,
-            bottom,
-        } = self.frame;
-        for (value, text) in ticks {
+    /// Draws the grid and the axis on the left, with its numbers and its name, unit included.
+    pub fn draw_y(&self, drawing: &mut Drawing, name: &str, numbers: impl Into<Numbers>) {
+        let of = self.frame;
+        let ticks = numbers.into().ticks(&self.y);
+        for (value, text) in &ticks {
             let y = self.y.at(*value);
-            let beside = (left - 0.6 * NUMBERS, y + 0.35 * NUMBERS);
-            draw_tick(
-                drawing,
-                [(left, y), (right, y)],
-                text,
-                (beside, Anchor::End),
-            );
+            let beside = (of.left - 0.6 * NUMBERS, y + 0.35 * NUMBERS);
+            let grid = [(of.left, y), (of.right, y)];
+            draw_tick(drawing, grid, text, (beside, Anchor::End));
         }
-        let name_x = left - widest(ticks) - 1.2 * NUMBERS - 0.3 * NAME;
-        let name_at = (name_x, 0.5 * (top + bottom));
-        let style = TextStyle::new(NAME).turned();
-        draw_axis(
-            drawing,
-            [(left, top), (left, bottom)],
-            (name, name_at, style),
-        );
+        let ends = [(of.left, of.top), (of.left, of.bottom)];
+        let x = of.left - widest_of(&ticks) - 1.2 * NUMBERS - 0.3 * NAME;
+        let at = (x, 0.5 * (of.top + of.bottom));
+        draw_axis(drawing, ends, (name, at, TextStyle::new(NAME).turned()));
     }
+}
+
+/// The numbers along an axis.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Numbers {
+    /// Round ones, about so many.
+    About(usize),
+    /// These values with their texts; along a lower axis as many as there is room for.
+    At(Vec<(f64, String)>),
+}
+
+impl From<usize> for Numbers {
+    fn from(count: usize) -> Self {
+        Self::About(count)
+    }
+}
+
+impl Numbers {
+    fn ticks(self, scale: &Scale) -> Vec<(f64, String)> {
+        match self {
+            Self::About(count) => tick_texts(scale, count),
+            Self::At(ticks) => ticks,
+        }
+    }
+}
+
+fn widest_of(ticks: &[(f64, String)]) -> f64 {
+    widest(ticks.iter().map(|(_, text)| text.as_str()), NUMBERS, false)
+}
+
+/// As many of the numbers as there is room for.
+fn with_room(mut ticks: Vec<(f64, String)>, scale: &Scale) -> Vec<(f64, String)> {
+    let mut free = f64::NEG_INFINITY;
+    ticks.retain(|(value, text)| {
+        let (at, half) = (scale.at(*value), 0.5 * text_width(text, NUMBERS, false));
+        let has_room = at - half >= free;
+        if has_room {
+            free = at + half + BETWEEN;
+        }
+        has_room
+    });
+    ticks
 }
 
 type Point = (f64, f64);
@@ -169,13 +177,6 @@ fn draw_axis(
 ) {
     drawing.line(from, to, &Stroke::new(Colour::Muted, 1.0));
     drawing.text(at, name, &style.anchor(Anchor::Middle));
-}
-
-fn widest(ticks: &[(f64, String)]) -> f64 {
-    let widths = ticks
-        .iter()
-        .map(|(_, text)| text_width(text, NUMBERS, false));
-    widths.fold(0.0, f64::max)
 }
 
 fn tick_texts(scale: &Scale, count: usize) -> Vec<(f64, String)> {

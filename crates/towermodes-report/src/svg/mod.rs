@@ -11,7 +11,7 @@ mod shape;
 mod style;
 mod text;
 
-pub use axes::{Axes, Frame, spread};
+pub use axes::{Axes, Frame, Numbers, spread};
 pub use colour::{Colour, Theme, contrast, stylesheet};
 pub use drawing::{Drawing, LabelBox};
 pub use figure::{DataTable, Figure, Look};
@@ -22,5 +22,5 @@ pub use scale::{Scale, number, power_of_ten};
 pub use shape::Point;
 pub(crate) use shape::{Area, Paint, Shape};
 pub use style::{Anchor, Dash, Marker, Stroke, TextStyle};
-pub(crate) use text::face;
 pub use text::{LINE_HEIGHT, text_width};
+pub(crate) use text::{face, widest};

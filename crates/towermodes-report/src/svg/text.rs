@@ -25,6 +25,13 @@ pub fn text_width(text: &str, size: f64, is_bold: bool) -> f64 {
     size * text.chars().map(width).sum::<f64>()
 }
 
+/// The width of the widest of some texts.
+pub(crate) fn widest<'a>(texts: impl Iterator<Item = &'a str>, size: f64, is_bold: bool) -> f64 {
+    texts.fold(0.0, |widest, text| {
+        text_width(text, size, is_bold).max(widest)
+    })
+}
+
 /// The font, regular or bold.
 pub(crate) fn face(is_bold: bool) -> Option<&'static Face<'static>> {
     static REGULAR: OnceLock<Option<Face<'static>>> = OnceLock::new();

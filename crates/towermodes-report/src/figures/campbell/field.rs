@@ -61,8 +61,7 @@ fn draw_field(
     axes: &Axes,
 ) {
     let frame = axes.frame;
-    let corner = (frame.left, frame.top);
-    let size = (frame.right - frame.left, frame.bottom - frame.top);
+    let (corner, size) = (frame.left_top(), frame.size());
     drawing.clipped(&format!("shades{index}"), corner, size, |drawing| {
         shades::draw(drawing, campbell, shown, axes);
     });

@@ -1,6 +1,6 @@
 //! Labels in a column beside the ends of lines, moved apart, with a leader to each.
 
-use crate::svg::{Colour, Drawing, Marker, Stroke, TextStyle, spread, text_width};
+use crate::svg::{Colour, Drawing, Marker, Stroke, TextStyle, broken, spread, text_width};
 
 /// Size of the letters.
 const SIZE: f64 = 11.0;
@@ -78,38 +78,27 @@ pub(in crate::figures) fn draw(
         if let Some(marker) = label.marker {
             drawing.marker(marker, (x + LEADER + 3.0, place), 4.0, label.colour);
         }
-        let text = cut(&label.text, WIDEST - label.marker_width(), label.is_bold);
+        let text = cut(&label.text, WIDEST - label.marker_width(), &label.style());
         let at = (x + LEADER + label.marker_width(), place + 0.35 * SIZE);
         drawing.text(at, &text, &label.style());
     }
 }
 
 /// A text cut to a width.
-fn cut(text: &str, width: f64, is_bold: bool) -> String {
-    if text_width(text, SIZE, is_bold) <= width {
-        return text.to_owned();
-    }
-    let mut short = String::new();
-    let mut room = width - text_width("\u{2026}", SIZE, is_bold);
-    for c in text.chars() {
-        room -= text_width(&c.to_string(), SIZE, is_bold);
-        if room < 0.0 {
-            break;
-        }
-        short.push(c);
-    }
-    short + "\u{2026}"
+fn cut(text: &str, width: f64, style: &TextStyle) -> String {
+    broken(text, width, style, 1).concat()
 }
 
 #[cfg(test)]
 mod tests {
     use super::{WIDEST, cut};
-    use crate::svg::text_width;
+    use crate::svg::{TextStyle, text_width};
 
     #[test]
     fn what_does_not_fit_is_cut() {
-        assert_eq!(cut("1st torsion", WIDEST, false), "1st torsion");
-        let cut = cut(&"1st torsion ".repeat(9), WIDEST, false);
+        let style = TextStyle::new(super::SIZE);
+        assert_eq!(cut("1st torsion", WIDEST, &style), "1st torsion");
+        let cut = cut(&"1st torsion ".repeat(9), WIDEST, &style);
         assert!(cut.starts_with("1st torsion 1st") && cut.ends_with('\u{2026}'));
         assert!(text_width(&cut, 11.0, false) <= WIDEST);
     }

@@ -1,7 +1,7 @@
 //! A logarithmic axis of relative errors; rounding errors are drawn at its lower end.
 
-use super::{Axis, Numbers};
-use crate::svg::{Scale, power_of_ten};
+use super::Axis;
+use crate::svg::{Numbers, Scale, power_of_ten};
 
 /// Errors below this are rounding errors and are drawn at the lower end.
 pub(crate) const ROUNDING: f64 = 1e-12;

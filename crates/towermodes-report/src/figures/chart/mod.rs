@@ -7,7 +7,8 @@ pub(super) mod legend;
 mod slope;
 
 use crate::svg::{
-    Axes, Colour, Dash, DataTable, Drawing, Frame, Marker, Stroke, TextStyle, extent, text_width,
+    Axes, Colour, Dash, DataTable, Drawing, Frame, Marker, Numbers, Stroke, TextStyle, extent,
+    text_width,
 };
 use end_labels::EndLabel;
 use towermodes::number::Plain;
@@ -20,9 +21,7 @@ const ABOVE: [f64; 2] = [18.0, 30.0];
 const BELOW: f64 = 46.0;
 /// Markers are drawn on lines with at most so many points.
 const MARKED: usize = 24;
-/// Given numbers along the lower axis are at least so far apart.
-const BETWEEN: f64 = 8.0;
-/// Size of the numbers along an axis and of the note.
+/// Size of the note and of the names of bands.
 const SIZE: f64 = 11.0;
 
 /// A chart on a sheet of [`WIDTH`]; default values are parts that it does not have.
@@ -48,15 +47,6 @@ pub(super) struct Axis {
     pub range: [f64; 2],
     pub is_logarithmic: bool,
     pub numbers: Numbers,
-}
-
-/// The numbers along an axis.
-#[derive(Debug, Clone)]
-pub(super) enum Numbers {
-    /// Round ones, about so many.
-    About(usize),
-    /// These values with their texts.
-    At(Vec<(f64, String)>),
 }
 
 /// A line through points.
@@ -87,39 +77,8 @@ impl Axis {
     }
 
     pub fn left_margin(&self) -> f64 {
-        match &self.numbers {
-            Numbers::About(count) => Axes::left_margin(self.range, self.is_logarithmic, *count),
-            Numbers::At(ticks) => Axes::left_margin_at(ticks),
-        }
+        Axes::left_margin(self.range, self.is_logarithmic, self.numbers.clone())
     }
-
-    fn draw_below(&self, drawing: &mut Drawing, axes: &Axes) {
-        match &self.numbers {
-            Numbers::About(count) => axes.draw_x(drawing, &self.name, *count),
-            Numbers::At(ticks) => axes.draw_x_at(drawing, &self.name, &with_room(ticks, axes)),
-        }
-    }
-
-    pub fn draw_left(&self, drawing: &mut Drawing, axes: &Axes) {
-        match &self.numbers {
-            Numbers::About(count) => axes.draw_y(drawing, &self.name, *count),
-            Numbers::At(ticks) => axes.draw_y_at(drawing, &self.name, ticks),
-        }
-    }
-}
-
-/// As many of the numbers as there is room for.
-fn with_room(ticks: &[(f64, String)], axes: &Axes) -> Vec<(f64, String)> {
-    let mut free = f64::NEG_INFINITY;
-    let fits = |(value, text): &&(f64, String)| {
-        let half = 0.5 * text_width(text, SIZE, false);
-        let has_room = axes.x.at(*value) - half >= free;
-        if has_room {
-            free = axes.x.at(*value) + half + BETWEEN;
-        }
-        has_room
-    };
-    ticks.iter().filter(fits).cloned().collect()
 }
 
 impl Chart {
@@ -141,8 +100,8 @@ impl Chart {
         for (range, name) in &self.bands {
             draw_band(drawing, &axes, *range, name);
         }
-        self.x.draw_below(drawing, &axes);
-        self.y.draw_left(drawing, &axes);
+        axes.draw_x(drawing, &self.x.name, self.x.numbers.clone());
+        axes.draw_y(drawing, &self.y.name, self.y.numbers.clone());
         let places = |series: &Series| series.points.iter().map(|[x, y]| axes.at(*x, *y)).collect();
         let lines: Vec<Vec<(f64, f64)>> = self.series.iter().map(places).collect();
         slope::draw(drawing, &axes, &self.orders, &lines);

@@ -5,13 +5,14 @@ use towermodes_analysis::Verdict;
 use super::Bar;
 use super::numbers::distance;
 use super::ranges::{Lane, Range};
+use crate::figures::chart::WIDTH;
 use crate::number::four_digits;
 use crate::svg::{
     Anchor, Axes, Colour, Dash, Drawing, Frame, Marker, Stroke, TextStyle, spread, text_width,
+    widest,
 };
 use crate::wording::verdict_word;
 
-const WIDTH: f64 = 900.0;
 /// Height of a mode's lane.
 const LANE: f64 = 66.0;
 /// Room above the field for the names of the ranges.
@@ -45,11 +46,8 @@ pub(super) fn drawing(bar: &Bar) -> Drawing {
 }
 
 fn axes(bar: &Bar, height: f64) -> Axes {
-    let names = bar
-        .lanes
-        .iter()
-        .map(|lane| text_width(&lane.label, SIZE, true));
-    let left = (names.fold(0.0, f64::max) + 26.0).min(0.4 * WIDTH);
+    let names = bar.lanes.iter().map(|lane| lane.label.as_str());
+    let left = (widest(names, SIZE, true) + 26.0).min(0.4 * WIDTH);
     let frame = Frame {
         left,
         top: ABOVE,
@@ -112,8 +110,7 @@ fn beside(
     frame: Frame,
     (size, is_bold): (f64, bool),
 ) -> Vec<f64> {
-    let widths = texts.iter().map(|text| text_width(text, size, is_bold));
-    let widest = widths.fold(0.0, f64::max);
+    let widest = widest(texts.iter().map(String::as_str), size, is_bold);
     let range = [frame.left + 0.5 * widest, frame.right - 0.5 * widest];
     spread(wished, widest + 10.0, range)
 }
