@@ -117,7 +117,7 @@ fn without_soil_there_is_no_band() {
 
 #[test]
 fn scour_lowers_the_frequencies_and_without_ground_there_is_no_curve() {
-    use towermodes::{Ground, GroundLayer, LayerSoil, Sand, Scour, SoilModel};
+    use towermodes::{Ground, GroundLayer, LayerSoil, Sand, SoilModel};
     use towermodes_analysis::soil_band::scour_curve;
 
     let springs = FoundationSprings {
@@ -125,30 +125,11 @@ fn scour_lowers_the_frequencies_and_without_ground_there_is_no_curve() {
         rocking_n_m: 0.0,
         ..FoundationSprings::RIGID
     };
-    let layer = GroundLayer {
-        top_m: 30.0,
-        bottom_m: 0.0,
-        soil: LayerSoil::Sand(with!(Sand, friction_angle_deg = Some(35.0))),
-        model: SoilModel::Api,
-        effective_unit_weight_n_per_m3: Some(1e4),
-        shear_modulus: None,
-        poissons_ratio: None,
-        shaft_friction_pa: None,
-        end_bearing_pa: None,
-        factor: 1.0,
-    };
+    let sand = LayerSoil::Sand(with!(Sand, friction_angle_deg = Some(35.0)));
+    let layer = GroundLayer::new([30.0, 0.0], sand, SoilModel::Api);
     let pile = TowerDescription {
         foundation: Foundation::Springs(springs),
-        ground: Some(Ground {
-            surface_m: 30.0,
-            scour: Scour::default(),
-            factor: 1.0,
-            submerged: true,
-            axial: None,
-            edition: towermodes::ApiEdition::Rp2Geo,
-            pile_diameter_m: None,
-            layers: vec![layer],
-        }),
+        ground: Some(Ground::new(30.0, vec![layer])),
         ..rocking()
     };
     let solution = of(&pile);

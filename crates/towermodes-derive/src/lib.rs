@@ -1,14 +1,15 @@
 //! `#[derive(Inputs)]` for the tables of a tower file, inside the crate `towermodes`.
 //!
-//! Each field is one value of the table, `#[input(EXPRESSION)]`, or several values of a struct of
-//! its own, `#[inputs]`. The expression is a constant of type `Input`: the compiler checks it.
+//! Each field is one value of the table, `#[input(EXPRESSION)]`, several values of a type of its
+//! own, `#[inputs]`, or a list of other tables, `#[tables]`. The expression is a constant of type
+//! `Input`: the compiler checks it.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::{Data, DeriveInput, Error, Field, Fields, Ident, Meta};
 
 /// Implements `towermodes::inputs::Inputs` for a struct with named fields.
-#[proc_macro_derive(Inputs, attributes(input, inputs))]
+#[proc_macro_derive(Inputs, attributes(input, inputs, tables))]
 pub fn derive_inputs(item: proc_macro::TokenStream) -> proc_macro::TokenStream {
     let item = syn::parse_macro_input!(item as DeriveInput);
     let code = inputs(&item);
@@ -58,26 +59,32 @@ fn inputs(item: &DeriveInput) -> syn::Result<TokenStream> {
 /// What a field is.
 struct Value<'a> {
     field: &'a Ident,
-    /// The constant that describes it; none if it has values of its own.
-    input: Option<TokenStream>,
+    content: Content,
+}
+
+/// What a field holds.
+enum Content {
+    /// A value, described by this constant.
+    Value(TokenStream),
+    /// Values of its own.
+    Values,
+    /// Other tables.
+    Tables,
 }
 
 fn value(field: &Field) -> syn::Result<Value<'_>> {
-    let missing = "which value of the tower file is it? #[input(…)], or #[inputs] for several";
+    let missing = "which value of the tower file is it? #[input(…)], #[inputs] for several, or #[tables] for other tables";
     let named = field.ident.as_ref();
     let ident = named.ok_or_else(|| Error::new_spanned(field, missing))?;
     for attribute in &field.attrs {
-        match &attribute.meta {
-            Meta::Path(path) if path.is_ident("inputs") => {
-                let (field, input) = (ident, None);
-                return Ok(Value { field, input });
-            }
-            Meta::List(list) if list.path.is_ident("input") => {
-                let (field, input) = (ident, Some(list.tokens.clone()));
-                return Ok(Value { field, input });
-            }
-            _ => {}
-        }
+        let content = match &attribute.meta {
+            Meta::Path(path) if path.is_ident("inputs") => Content::Values,
+            Meta::Path(path) if path.is_ident("tables") => Content::Tables,
+            Meta::List(list) if list.path.is_ident("input") => Content::Value(list.tokens.clone()),
+            _ => continue,
+        };
+        let field = ident;
+        return Ok(Value { field, content });
     }
     Err(Error::new_spanned(field, missing))
 }
@@ -89,40 +96,52 @@ impl Value<'_> {
     }
 
     fn definition(&self) -> Option<TokenStream> {
-        let (name, input) = (self.of(), self.input.as_ref()?);
-        Some(quote! { static #name: crate::inputs::Input = #input; })
+        let name = self.of();
+        match &self.content {
+            Content::Value(input) => Some(quote! { static #name: crate::inputs::Input = #input; }),
+            Content::Values | Content::Tables => None,
+        }
     }
 
     fn blank(&self) -> TokenStream {
         let (field, input) = (self.field, self.of());
-        match self.input {
-            Some(_) => quote! { #field: crate::inputs::Value::blank(&#input), },
-            None => quote! { #field: crate::inputs::Inputs::blank(), },
+        match self.content {
+            Content::Value(_) => quote! { #field: crate::inputs::Value::blank(&#input), },
+            Content::Values => quote! { #field: crate::inputs::Inputs::blank(), },
+            Content::Tables => quote! { #field: Default::default(), },
         }
     }
 
-    fn visit(&self) -> TokenStream {
+    fn visit(&self) -> Option<TokenStream> {
         let (field, input) = (self.field, self.of());
-        match self.input {
-            Some(_) => quote! { each(&#input, crate::inputs::Value::given(&self.#field)); },
-            None => quote! { crate::inputs::Inputs::visit(&self.#field, each); },
+        match self.content {
+            Content::Value(_) => Some(quote! {
+                each(&#input, crate::inputs::Value::given(&self.#field));
+            }),
+            Content::Values => Some(quote! { crate::inputs::Inputs::visit(&self.#field, each); }),
+            Content::Tables => None,
         }
     }
 
-    fn update(&self) -> TokenStream {
+    fn update(&self) -> Option<TokenStream> {
         let (field, input) = (self.field, self.of());
-        match self.input {
-            Some(_) => quote! {
+        match self.content {
+            Content::Value(_) => Some(quote! {
                 let given = each(&#input, crate::inputs::Value::given(&self.#field));
                 crate::inputs::Value::set(&mut self.#field, given);
-            },
-            None => quote! { crate::inputs::Inputs::update(&mut self.#field, each); },
+            }),
+            Content::Values => Some(quote! {
+                crate::inputs::Inputs::update(&mut self.#field, each);
+            }),
+            Content::Tables => None,
         }
     }
 
     fn idle(&self) -> Option<TokenStream> {
         let field = self.field;
-        let has_own = self.input.is_none();
-        has_own.then(|| quote! { crate::inputs::Inputs::idle(&self.#field, each); })
+        match self.content {
+            Content::Values => Some(quote! { crate::inputs::Inputs::idle(&self.#field, each); }),
+            Content::Value(_) | Content::Tables => None,
+        }
     }
 }

@@ -77,7 +77,7 @@ fn layers_are_read_with_the_model_of_the_ground() {
             undrained_strength_pa: Some([8e4, 2e5]),
             strain_at_half_strength: Some(0.01),
             strength_factor: Some(0.5),
-            stiffness_factor: None,
+            ..Clay::default()
         })
     );
 }
@@ -114,9 +114,9 @@ fn every_ground_is_written_and_read_back() {
     let ground = base.ground.clone().expect("a ground");
     let soils = [
         LayerSoil::Sand(Sand {
-            friction_angle_deg: None,
             subgrade_modulus_n_per_m3: Some(2.5e7),
             relative_density: Some(0.6),
+            ..Sand::default()
         }),
         LayerSoil::Clay(Clay {
             undrained_strength_pa: Some([1e5; 2]),

@@ -219,7 +219,7 @@ fn a_profile_beside_a_table_of_stations_keeps_its_places() {
         .replace("\n22,150,", "\n22,0,")
         .replace("\n30,1.005,", "\n30,0,");
     let words = [
-        "undrained strength",
+        "undrained shear strength",
         "the unit is that of the column's header",
     ];
     refused(&tower, &zero, "clay.csv", (5, 4), &words);

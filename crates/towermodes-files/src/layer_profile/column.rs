@@ -1,5 +1,10 @@
 //! The header of a column: a height, a depth or a quantity of the soil, and its unit.
 
+use std::sync::LazyLock;
+
+use towermodes::inputs::{Given, Input};
+use towermodes::{GroundLayer, LayerSoil};
+
 use super::unit::{Dimension, Factor, units};
 use crate::csv_table::Cell;
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
@@ -15,60 +20,50 @@ pub(super) enum Content {
     Quantity(&'static str),
 }
 
-/// A name of a column with its content, dimension and other names.
-type Known = (&'static str, Content, Dimension, &'static [&'static str]);
+/// A column that is known.
+struct Known {
+    name: &'static str,
+    content: Content,
+    dimension: Dimension,
+    /// Other names, separated by blanks.
+    synonyms: &'static str,
+}
 
-/// The columns of a profile.
-const KNOWN: [Known; 9] = {
-    use Content::{Depth, Height, Quantity};
-    use Dimension::{Length, Number, Pressure, Velocity};
-    [
-        ("height", Height, Length, &["z", "elevation", "level"]),
-        ("depth", Depth, Length, &[]),
-        (
-            "undrained_strength",
-            Quantity("undrained_strength"),
-            Pressure,
-            &["undrained_shear_strength", "su", "s_u", "cu", "c_u"],
-        ),
-        (
-            "shear_modulus",
-            Quantity("shear_modulus"),
-            Pressure,
-            &["g", "g0", "g_0", "gmax", "g_max"],
-        ),
-        (
-            "youngs_modulus",
-            Quantity("youngs_modulus"),
-            Pressure,
-            &["young_s_modulus", "e", "e0", "e_0", "e_ir"],
-        ),
-        (
-            "shear_wave_velocity",
-            Quantity("shear_wave_velocity"),
-            Velocity,
-            &["vs", "v_s"],
-        ),
-        (
-            "cone_resistance",
-            Quantity("cone_resistance"),
-            Pressure,
-            &["qc", "q_c", "qt", "q_t"],
-        ),
-        (
-            "blow_count",
-            Quantity("blow_count"),
-            Number,
-            &["n", "spt", "spt_n", "n_spt"],
-        ),
-        (
-            "shaft_friction",
-            Quantity("shaft_friction"),
-            Pressure,
-            &["t_max"],
-        ),
-    ]
-};
+/// The columns of a profile: its heights, and the values that a layer has at its top and bottom.
+static KNOWN: LazyLock<Vec<Known>> = LazyLock::new(|| {
+    let place = |name, content, synonyms| Known {
+        name,
+        content,
+        dimension: Dimension::Length,
+        synonyms,
+    };
+    let quantity = |(input, _): &(&'static Input, Given)| Known {
+        name: input.key,
+        content: Content::Quantity(input.key),
+        dimension: match input.unit() {
+            "Pa" => Dimension::Pressure,
+            "m/s" => Dimension::Velocity,
+            _ => Dimension::Number,
+        },
+        synonyms: input.synonyms,
+    };
+    let places = [
+        place("height", Content::Height, "z elevation level"),
+        place("depth", Content::Depth, ""),
+    ];
+    let inputs = GroundLayer::every_input(&LayerSoil::blanks());
+    let pairs = inputs
+        .iter()
+        .filter(|(_, given)| matches!(given, Given::Pair(_)));
+    places.into_iter().chain(pairs.map(quantity)).collect()
+});
+
+impl Known {
+    fn is_called(&self, name: &str) -> bool {
+        let mut synonyms = self.synonyms.split_whitespace();
+        self.name == name || synonyms.any(|other| other == name)
+    }
+}
 
 /// Columns that are not read.
 const REMARKS: [&str; 12] = [
@@ -76,26 +71,8 @@ const REMARKS: [&str; 12] = [
     "notes", "soil",
 ];
 
-/// Quantities that have one value for a layer.
-const OF_LAYER: [&str; 15] = [
-    "effective_unit_weight",
-    "unit_weight",
-    "friction_angle",
-    "phi",
-    "subgrade_modulus",
-    "relative_density",
-    "strain_at_half_strength",
-    "eps50",
-    "strength_factor",
-    "stiffness_factor",
-    "behaviour_index",
-    "void_ratio",
-    "density",
-    "poissons_ratio",
-    "end_bearing",
-];
-
-const COLUMNS: &str = "columns are depth or height; undrained_strength, shear_modulus, youngs_modulus, shear_wave_velocity, cone_resistance, blow_count, shaft_friction; and remark, which is not read";
+/// Other names of quantities that have one value for a layer.
+const OF_LAYER: [&str; 3] = ["unit_weight", "phi", "eps50"];
 
 /// A column that is read.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -126,7 +103,7 @@ pub(super) fn column(index: usize, cell: &Cell<'_>) -> Result<Option<Column>, Di
         let kind = DiagnosticKind::misplaced("a column of a soil profile", quoted(&cell.text));
         return Err(wrong(kind).with_hint(unknown(&name)));
     };
-    let (name, content, dimension, _) = *known;
+    let (name, content, dimension) = (known.name, known.content, known.dimension);
     let unit =
         unit_of(name, dimension, unit).map_err(|(kind, hint)| wrong(kind).with_hint(hint))?;
     Ok(Some(Column {
@@ -142,8 +119,7 @@ fn named<'n>(
     name: &'n str,
     bracketed: Option<&'n str>,
 ) -> Option<(&'static Known, Option<&'n str>)> {
-    let is_called = |known: &&Known, name: &str| known.0 == name || known.3.contains(&name);
-    if let Some(known) = KNOWN.iter().find(|known| is_called(known, name)) {
+    if let Some(known) = KNOWN.iter().find(|known| known.is_called(name)) {
         return Some((known, bracketed));
     }
     if bracketed.is_some() {
@@ -153,7 +129,7 @@ fn named<'n>(
         .match_indices('_')
         .map(|(at, _)| (&name[..at], &name[at + 1..]));
     let mut cuts = cuts.filter_map(|(name, unit)| {
-        let known = KNOWN.iter().find(|known| is_called(known, name))?;
+        let known = KNOWN.iter().find(|known| known.is_called(name))?;
         Some((known, Some(unit)))
     });
     // The longest name: `v_s_m_per_s` is `v_s`.
@@ -191,7 +167,10 @@ fn unit_of(
 
 /// What would be right in place of a name that is not known.
 fn unknown(name: &str) -> String {
-    if OF_LAYER.iter().any(|key| name.starts_with(key)) {
+    let inputs = GroundLayer::every_input(&LayerSoil::blanks());
+    let single = inputs.iter().filter(|(_, given)| given.is_number());
+    let mut of_layer = single.map(|(input, _)| input.key).chain(OF_LAYER);
+    if of_layer.any(|key| name.starts_with(key)) {
         return "it has one value for each layer: write it in [[ground.layer]], once for each layer with another value".to_owned();
     }
     let distance = |known: &str| {
@@ -204,8 +183,15 @@ fn unknown(name: &str) -> String {
         start.min().unwrap_or(usize::MAX)
     };
     let is_near = |known: &str| name.len() < 60 && distance(known) <= 1 + known.len() / 8;
-    match KNOWN.iter().find(|known| is_near(known.0)) {
-        Some(known) => format!("did you mean `{}`?", known.0),
-        None => COLUMNS.to_owned(),
+    match KNOWN.iter().find(|known| is_near(known.name)) {
+        Some(known) => format!("did you mean `{}`?", known.name),
+        None => {
+            let quantities = KNOWN.iter().skip(2).map(|known| known.name);
+            let quantities: Vec<&str> = quantities.collect();
+            format!(
+                "columns are depth or height; {}; and remark, which is not read",
+                quantities.join(", ")
+            )
+        }
     }
 }

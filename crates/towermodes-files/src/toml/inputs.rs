@@ -1,11 +1,11 @@
 //! Tables whose values are described beside their fields: read by these descriptions.
 
 use towermodes::Place;
-use towermodes::inputs::{Given, Input, Inputs};
+use towermodes::inputs::{Given, Input, Inputs, given_inputs};
 
 use super::reading::Reading;
 use super::table::{Table, suggestion};
-use super::values::{number, number_or_infinity, text, truth};
+use super::values::{Value, list, number, number_or_infinity, text, truth, wrong_kind};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// Reads the values of a table into a blank one; none after a mistake. `at` gives the place of a
@@ -27,16 +27,24 @@ pub(super) fn read_into(
     at: &dyn Fn(&'static str) -> Place,
     reading: &mut Reading,
 ) -> Option<()> {
-    let (mut is_complete, mut is_chosen) = (true, true);
-    let mut missing = None;
+    let (groups, mut is_complete) = groups(inputs, table, at, reading);
+    let mut is_chosen = true;
+    let mut missing = Vec::new();
     inputs.update(&mut |input, given| {
+        let (table, key) = match input.key.split_once('.') {
+            None => (table, input.key),
+            Some((group, key)) => match groups.iter().find(|(name, _)| *name == group) {
+                Some((_, table)) => (table, key),
+                None => return given,
+            },
+        };
         // Another key decides that it is there: without a default it must be given.
         let is_needed = !input.is_required && matches!(given, Given::Number(n) if n.is_nan());
-        if is_needed && table.get(input.key).is_none() {
-            missing = missing.or(Some((input, given)));
+        if is_needed && table.get(key).is_none() {
+            missing.push((input, given));
             return given;
         }
-        let read = value(input, given, table, at(input.key), reading);
+        let read = value((input, key), given, table, at(input.key), reading);
         is_complete &= read.is_some();
         match (read, given) {
             // Any choice, so that a wrong name is the only mistake.
@@ -54,27 +62,56 @@ pub(super) fn read_into(
         is_idle |= refuse_idle(input, table, reading).is_none();
     }
     is_complete &= !is_idle;
-    if let Some((input, given)) = missing {
-        // Beside a value that has no effect, that one is the mistake.
-        if !is_idle {
-            table.require(input.key, &hint(input, given), reading);
-        }
-        return None;
+    is_complete &= missing.is_empty();
+    // Beside a value that has no effect, that one is the mistake.
+    for (input, given) in missing.into_iter().filter(|_| !is_idle) {
+        table.require(input.key, &hint(input, given), reading);
     }
     is_complete.then_some(())
 }
 
+/// The tables in a table, by their names, and whether all of them are tables.
+fn groups<'t>(
+    inputs: &dyn Inputs,
+    table: &Table<'t>,
+    at: &dyn Fn(&'static str) -> Place,
+    reading: &mut Reading,
+) -> (Vec<(&'static str, Table<'t>)>, bool) {
+    let inputs = given_inputs(inputs);
+    let keys = || {
+        inputs
+            .iter()
+            .filter_map(|(input, _)| input.key.split_once('.'))
+    };
+    let (mut groups, mut are_tables) = (Vec::new(), true);
+    let mut names: Vec<&'static str> = keys().map(|(group, _)| group).collect();
+    names.dedup();
+    for name in names {
+        let Some(value) = table.get(name) else {
+            continue;
+        };
+        reading.remember(at(name), value.span());
+        let own = keys().filter(|(group, _)| *group == name);
+        let known = own.map(|(_, key)| key).collect();
+        match Table::with_known_keys(value, name, known, |_| None, reading) {
+            Some(group) => groups.push((name, group)),
+            None => are_tables = false,
+        }
+    }
+    (groups, are_tables)
+}
+
 /// A value of a table, or what stands for it where it is left out.
 fn value(
-    input: &'static Input,
+    (input, key): (&'static Input, &'static str),
     blank: Given,
     table: &Table<'_>,
     place: Place,
     reading: &mut Reading,
 ) -> Option<Given> {
     let value = match input.is_required {
-        true => table.require(input.key, &hint(input, blank), reading)?,
-        false => match table.get(input.key) {
+        true => table.require(key, &hint(input, blank), reading)?,
+        false => match table.get(key) {
             Some(value) => value,
             None => return Some(blank),
         },
@@ -88,12 +125,13 @@ fn value(
     reading.remember(place, value.span());
     match blank {
         Given::Number(_) | Given::Optional(_) if input.may_be_infinite => {
-            number_or_infinity(value, input.key, reading).map(|number| blank.with_number(number))
+            number_or_infinity(value, key, reading).map(|number| blank.with_number(number))
         }
         Given::Number(_) | Given::Optional(_) => {
-            number(value, input.key, reading).map(|number| blank.with_number(number))
+            number(value, key, reading).map(|number| blank.with_number(number))
         }
-        Given::Flag(_) => truth(value, input.key, reading).map(Given::Flag),
+        Given::Pair(_) => pair(value, key, reading).map(|pair| Given::Pair(Some(pair))),
+        Given::Flag(_) => truth(value, key, reading).map(Given::Flag),
         Given::Name(_, names) => {
             let name = text(value, input.meaning(), reading)?;
             if let Some(place) = names.iter().position(|known| *known == name) {
@@ -105,6 +143,29 @@ fn value(
             reading.refuse(Diagnostic::new(value.span(), kind).with_hint(hint))
         }
     }
+}
+
+/// A value that is one number, or `[top, bottom]`.
+fn pair(value: &Value<'_>, key: &str, reading: &mut Reading) -> Option<[f64; 2]> {
+    if value.get_ref().as_array().is_none() {
+        let is_number = value.get_ref().is_float() || value.get_ref().is_integer();
+        if !is_number {
+            let mistake = wrong_kind(value, key, "a number, or [top, bottom]");
+            return reading.refuse(mistake);
+        }
+        return number(value, key, reading).map(|both| [both; 2]);
+    }
+    let values = list(value, key, reading)?;
+    if values.len() != 2 {
+        let kind = DiagnosticKind::wrong_count(key, values.len(), 2);
+        let hint = format!("{key} = [at the top, at the bottom of the layer]");
+        return reading.refuse(Diagnostic::new(value.span(), kind).with_hint(hint));
+    }
+    let (top, bottom) = (
+        number(&values[0], key, reading),
+        number(&values[1], key, reading),
+    );
+    Some([top?, bottom?])
 }
 
 /// Refuses a value that has no effect beside the others.

@@ -7,7 +7,7 @@
 use std::sync::LazyLock;
 
 use towermodes::inputs::{Given, Input, Inputs, every_input};
-use towermodes::{Foundation, Water};
+use towermodes::{Foundation, Ground, GroundLayer, LayerSoil, Water};
 
 /// A table of the tower file.
 #[derive(Debug)]
@@ -57,19 +57,49 @@ pub enum ValueKind {
 }
 
 impl TableSchema {
-    /// A table of these keys and of those that are described beside their fields. It is made once
-    /// and lives as long as the program.
+    /// A table of these keys and of those that are described beside their fields, between the first
+    /// and the last ones. It is made once and lives as long as the program.
     pub(super) fn described(
         name: impl Into<String>,
         first: &[KeySchema],
-        inputs: &dyn Inputs,
+        inputs: &[(&'static Input, Given)],
+        last: &[KeySchema],
     ) -> Self {
-        let described = every_input(inputs).into_iter().map(KeySchema::described);
-        let keys: Vec<KeySchema> = first.iter().copied().chain(described).collect();
+        let mut keys = first.to_vec();
+        for &(input, given) in inputs {
+            let key = match input.key.split_once('.') {
+                Some((group, _)) if keys.iter().any(|key| key.name == group) => continue,
+                Some((group, _)) => KeySchema::group(group),
+                None => KeySchema::described(input, given),
+            };
+            keys.push(key);
+        }
+        keys.extend(last);
         Self {
             name: name.into().leak(),
             keys: keys.leak(),
         }
+    }
+
+    /// The tables in a table whose keys are described beside their fields: `scour` of `[ground]`.
+    fn groups(inputs: &[(&'static Input, Given)]) -> Vec<Self> {
+        let mut groups: Vec<(&'static str, Vec<KeySchema>)> = Vec::new();
+        for &(input, given) in inputs {
+            let Some((group, name)) = input.key.split_once('.') else {
+                continue;
+            };
+            let described = KeySchema::described(input, given);
+            let key = KeySchema { name, ..described };
+            match groups.iter_mut().find(|(other, _)| *other == group) {
+                Some((_, keys)) => keys.push(key),
+                None => groups.push((group, vec![key])),
+            }
+        }
+        let table = |(name, keys): (&'static str, Vec<KeySchema>)| Self {
+            name,
+            keys: keys.leak(),
+        };
+        groups.into_iter().map(table).collect()
     }
 
     /// The names of its keys.
@@ -85,18 +115,36 @@ impl TableSchema {
 
 impl KeySchema {
     /// A key that is described beside its field.
-    fn described((input, given): (&'static Input, Given)) -> Self {
+    fn described(input: &'static Input, given: Given) -> Self {
+        let meaning = match (given, input.note) {
+            (Given::Pair(_), "") => PAIR,
+            (Given::Pair(_), note) => format!("{note}; {PAIR}").leak(),
+            (_, note) => note,
+        };
         Self {
             name: input.key,
             kind: match given {
                 Given::Number(_) | Given::Optional(_) => ValueKind::Number,
+                Given::Pair(_) => ValueKind::Any,
                 Given::Flag(_) => ValueKind::Flag,
                 Given::Name(..) => ValueKind::Text,
             },
             is_required: input.is_required,
             unit: input.unit(),
-            meaning: input.note,
+            meaning,
             synonyms: input.synonyms,
+        }
+    }
+
+    /// A table of keys that are described beside their fields.
+    fn group(name: &'static str) -> Self {
+        Self {
+            name,
+            kind: ValueKind::Table,
+            is_required: false,
+            unit: "",
+            meaning: "",
+            synonyms: "",
         }
     }
 
@@ -109,6 +157,9 @@ impl KeySchema {
         }
     }
 }
+
+/// How a value at the top and at the bottom of a layer may be written.
+const PAIR: &str = "one number or [top, bottom]";
 
 /// The number of keys of all parts.
 pub(super) const fn count(parts: &[&[KeySchema]]) -> usize {
@@ -189,12 +240,14 @@ macro_rules! tables {
 /// ```
 pub fn tower_file_schema() -> &'static [&'static TableSchema] {
     static ALL: LazyLock<Vec<&TableSchema>> = LazyLock::new(|| {
-        let water: &TableSchema = &WATER;
+        let (water, ground): (&TableSchema, &TableSchema) = (&WATER, &GROUND);
         listed()
             .iter()
             .copied()
             .chain(CLOSED_FORMS.iter())
-            .chain([water])
+            .chain([water, ground])
+            .chain(SCOUR.iter())
+            .chain(LAYERS.iter())
             .collect()
     });
     &ALL
@@ -209,7 +262,7 @@ pub static CLOSED_FORMS: LazyLock<Vec<TableSchema>> = LazyLock::new(|| {
     let forms = blanks.iter().filter_map(Foundation::form);
     let name = |kind: &str| format!("[foundation] of type \"{kind}\"");
     forms
-        .map(|form| TableSchema::described(name(form.kind().name), kind, form))
+        .map(|form| TableSchema::described(name(form.kind().name), kind, &every_input(form), &[]))
         .collect()
 });
 
@@ -222,47 +275,67 @@ pub(super) fn closed_form(kind: &str) -> &'static TableSchema {
 
 /// `[water]`.
 pub static WATER: LazyLock<TableSchema> =
-    LazyLock::new(|| TableSchema::described("[water]", &[], &Water::blank()));
+    LazyLock::new(|| TableSchema::described("[water]", &[], &every_input(&Water::blank()), &[]));
+
+/// `[ground]`.
+pub static GROUND: LazyLock<TableSchema> = LazyLock::new(|| {
+    let inputs = every_input(&Ground::blank());
+    let names: Vec<&str> = LayerSoil::models().map(|model| model.name()).collect();
+    let (last, others) = names.split_last().unwrap_or((&"", &[]));
+    let model = format!("of the springs: {} or {last}", others.join(", "));
+    let by_layers: [KeySchema; 2] = [
+        KeySchema {
+            kind: ValueKind::Text,
+            meaning: model.leak(),
+            ..KeySchema::group("model")
+        },
+        KeySchema {
+            is_required: true,
+            meaning: "a layer of soil, as often as needed, from the surface down",
+            ..KeySchema::group("layer")
+        },
+    ];
+    TableSchema::described("[ground]", &[], &inputs, &by_layers)
+});
+
+/// `scour` of `[ground]`.
+static SCOUR: LazyLock<Vec<TableSchema>> =
+    LazyLock::new(|| TableSchema::groups(&every_input(&Ground::blank())));
+
+/// `[[ground.layer]]` of each type of soil.
+static LAYERS: LazyLock<Vec<TableSchema>> = LazyLock::new(|| {
+    let first: &[KeySchema] = keys! {
+        optional "name" Text "" "";
+        required "type" Text "" "kind of soil: sand, clay, elastic, rock or py";
+    };
+    let rows: &[KeySchema] = keys! {
+        required "rows" Rows "" "height in m, displacement in m, reaction in N/m";
+    };
+    let profile: &[KeySchema] = keys! {
+        optional "profile" Text "" "a table in CSV: depth or height, and values marked [top, bottom] in columns";
+    };
+    let table = |soil: LayerSoil| {
+        let name = format!("[[ground.layer]] of type \"{}\"", soil.kind());
+        let last = match &soil {
+            LayerSoil::Table(_) => rows,
+            LayerSoil::Sand(_) | LayerSoil::Clay(_) | LayerSoil::Elastic | LayerSoil::Rock(_) => {
+                profile
+            }
+        };
+        TableSchema::described(name, first, &GroundLayer::every_input(&[soil]), last)
+    };
+    LayerSoil::blanks().map(table).into()
+});
+
+/// `[[ground.layer]]` of a type of soil.
+pub(super) fn layer(soil: &LayerSoil) -> &'static TableSchema {
+    let blanks = LayerSoil::blanks();
+    let mut kinds = blanks.iter().map(LayerSoil::kind);
+    &LAYERS[kinds.position(|kind| kind == soil.kind()).unwrap_or(0)]
+}
 
 pub(super) use keys;
 pub(super) use tables;
-
-/// Keys of every layer of the ground.
-const LAYER: &[KeySchema] = keys! {
-    optional "name" Text "" "";
-    required "type" Text "" "kind of soil: sand, clay, elastic, rock or py";
-    optional "model" Text "" "of the springs, in place of that of [ground]";
-    required "top" Number "m" "height";
-    required "bottom" Number "m" "height";
-    optional "effective_unit_weight" Number "N/m3" "under water the buoyant one";
-    optional "factor" Number "" "on the springs of the layer";
-};
-
-/// The key of a layer's profile.
-const PROFILE: &[KeySchema] = keys! {
-    optional "profile" Text "" "a table in CSV: depth or height, and values marked [top, bottom] in columns";
-};
-
-/// Keys of the shear modulus of a layer.
-const SHEAR_MODULUS: &[KeySchema] = keys! {
-    optional "shear_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
-    optional "youngs_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
-    optional "shear_wave_velocity" Any "m/s" "one number or [top, bottom]";
-    optional "cone_resistance" Any "Pa" "one number or [top, bottom]";
-    optional "correlation" Text "" "of the cone resistance: rix-stokoe, mayne-rix or robertson-cabal";
-    optional "behaviour_index" Number "" "soil behaviour type index I_c";
-    optional "blow_count" Any "" "standard penetration test; one number or [top, bottom]";
-    optional "void_ratio" Number "" "";
-    optional "earth_pressure_at_rest" Number "" "coefficient K0";
-    optional "density" Number "kg/m3" "of the soil with its water";
-};
-
-/// Keys of a layer for the springs along the axis, and its Poisson's ratio.
-const AXIAL: &[KeySchema] = keys! {
-    optional "poissons_ratio" Number "" "";
-    optional "shaft_friction" Any "Pa" "largest, for axial = \"api\"; one number or [top, bottom]";
-    optional "end_bearing" Number "Pa" "largest, for axial = \"api\"";
-};
 
 tables! {
     /// The tables of the tower file that are listed here.
@@ -429,60 +502,6 @@ tables! {
     SOIL = "[[soil]]":
         optional "name" Text "" "";
         required "rows" Rows "" "height in m, springs in x, in y (N/m2), in z (N/m2), in torsion, against rotation about x and y (N)";
-
-    /// `[ground]`.
-    GROUND = "[ground]":
-        required "surface" Number "m" "height of the mudline or terrain before scour";
-        required "submerged" Flag "" "whether the soil is under water";
-        optional "model" Text "" "of the springs: api, dnv, reese-stiff-clay, kallehave, sorensen, pisa-cowden, pisa-bothkennar, pisa-dunkirk, winkler or vesic";
-        optional "axial" Text "" "model of the axial springs: api, kraft or randolph-wroth";
-        optional "edition" Text "" "of the standard of API: rp-2geo or rp-2a";
-        optional "factor" Number "" "on all springs of the ground";
-        optional "pile_diameter" Number "m" "for a tower given by a table of properties";
-        optional "scour" Table "" "";
-        required "layer" Table "" "a layer of soil, as often as needed, from the surface down";
-
-    /// `scour` of `[ground]`.
-    SCOUR = "scour":
-        optional "general" Number "m" "depth by which the whole surface goes down";
-        optional "local" Number "m" "depth of the hole around the pile below that";
-
-    /// `[[ground.layer]]` of type `sand`.
-    SAND = "[[ground.layer]] of type \"sand\"" with LAYER:
-        optional "friction_angle" Number "degrees" "";
-        optional "subgrade_modulus" Number "N/m3" "in place of friction_angle for api";
-        optional "relative_density" Number "" "as a fraction";
-        + SHEAR_MODULUS;
-        + PROFILE;
-        + AXIAL;
-
-    /// `[[ground.layer]]` of type `clay`.
-    CLAY = "[[ground.layer]] of type \"clay\"" with LAYER:
-        optional "undrained_strength" Any "Pa" "one number or [top, bottom]";
-        optional "strain_at_half_strength" Number "" "eps50";
-        optional "strength_factor" Number "" "J of Matlock, near the surface";
-        optional "stiffness_factor" Number "" "for dnv: 10 normally consolidated, 30 overconsolidated";
-        + SHEAR_MODULUS;
-        + PROFILE;
-        + AXIAL;
-
-    /// `[[ground.layer]]` of type `elastic`.
-    ELASTIC = "[[ground.layer]] of type \"elastic\"" with LAYER:
-        + SHEAR_MODULUS;
-        + PROFILE;
-        + AXIAL;
-
-    /// `[[ground.layer]]` of type `rock`.
-    ROCK = "[[ground.layer]] of type \"rock\"" with LAYER:
-        optional "youngs_modulus" Any "Pa" "initial, of the rock mass; one number or [top, bottom]";
-        + PROFILE;
-        + AXIAL;
-
-    /// `[[ground.layer]]` of type `py`.
-    PY_TABLE = "[[ground.layer]] of type \"py\"" with LAYER:
-        required "rows" Rows "" "height in m, displacement in m, reaction in N/m";
-        + SHEAR_MODULUS;
-        + AXIAL;
 
     /// `[[added_mass]]`.
     ADDED_MASS = "[[added_mass]]":

@@ -124,6 +124,11 @@ impl<'a> Table<'a> {
         self.entries.get(key)
     }
 
+    /// Whether a key is one of those that it may have.
+    pub(super) fn knows(&self, key: &str) -> bool {
+        self.known.contains(&key)
+    }
+
     /// Whether it has a key, perhaps misspelled.
     pub(super) fn has(&self, key: &str) -> bool {
         self.get(key).is_some() || self.has_misspelled(key)

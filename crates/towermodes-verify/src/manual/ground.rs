@@ -3,7 +3,7 @@
 use towermodes::{ApiEdition, Method};
 use towermodes::{
     Clay, Family, Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, Material, Rna,
-    Rock, Sand, Scour, Shear, ShearModulus, SoilModel, Station, TowerDescription,
+    Rock, Sand, Shear, ShearModulus, SoilModel, Station, TowerDescription,
 };
 
 use crate::case::{Case, Run, Unit};
@@ -134,31 +134,17 @@ fn tower(tip_m: f64, edition: ApiEdition, layers: Vec<GroundLayer>) -> TowerDesc
             ..FoundationSprings::RIGID
         }),
         ground: Some(Ground {
-            surface_m: SURFACE_M,
-            scour: Scour::default(),
-            factor: 1.0,
-            submerged: true,
-            pile_diameter_m: None,
-            axial: None,
             edition,
-            layers,
+            ..Ground::new(SURFACE_M, layers)
         }),
         ..TowerDescription::default()
     }
 }
 
-fn layer([top_m, bottom_m]: [f64; 2], soil: LayerSoil, model: SoilModel) -> GroundLayer {
+fn layer(ends_m: [f64; 2], soil: LayerSoil, model: SoilModel) -> GroundLayer {
     GroundLayer {
-        top_m,
-        bottom_m,
-        soil,
-        model,
         effective_unit_weight_n_per_m3: Some(9e3),
-        shear_modulus: None,
-        poissons_ratio: None,
-        shaft_friction_pa: None,
-        end_bearing_pa: None,
-        factor: 1.0,
+        ..GroundLayer::new(ends_m, soil, model)
     }
 }
 
@@ -174,7 +160,7 @@ fn clay(strength_pa: [f64; 2], strain: f64, model: SoilModel) -> GroundLayer {
         undrained_strength_pa: Some(strength_pa),
         strain_at_half_strength: Some(strain),
         strength_factor: (model == SoilModel::Api).then_some(0.5),
-        stiffness_factor: None,
+        ..Clay::default()
     });
     layer([SURFACE_M, -60.0], soil, model)
 }

@@ -34,6 +34,9 @@ pub struct Input {
     pub is_of_soil: bool,
     /// The usual range of towers.
     pub usual: Option<(Quantity, [f64; 2])>,
+    /// Its symbol, the factor to the unit in which a short list has it, and that unit; none if it
+    /// is not in such a list.
+    pub symbol: Option<(&'static str, f64, &'static str)>,
     /// A key beside which it has no effect.
     pub yields_to: Option<&'static str>,
     /// A key without which it has no effect, and what to do then.
@@ -63,6 +66,7 @@ impl Input {
             may_be_infinite: false,
             is_of_soil: false,
             usual: None,
+            symbol: None,
             yields_to: None,
             needs: None,
         }
@@ -152,10 +156,29 @@ impl Input {
         self.optional()
     }
 
-    /// The usual range of towers.
+    /// The usual range of towers; typical values, and the likely reason of one outside the range.
     #[must_use]
-    pub const fn usual(mut self, quantity: Quantity, range: [f64; 2]) -> Self {
+    pub const fn usual(self, range: [f64; 2], likely_slip: &'static str) -> Self {
+        let (name, unit) = (self.name, self.spaced_unit);
+        let quantity = Quantity::Value {
+            name,
+            unit,
+            likely_slip,
+        };
+        self.usual_of(quantity, range)
+    }
+
+    /// The usual range of a quantity that several values are.
+    #[must_use]
+    pub const fn usual_of(mut self, quantity: Quantity, range: [f64; 2]) -> Self {
         self.usual = Some((quantity, range));
+        self
+    }
+
+    /// Its symbol in a short list of values, and the factor to the unit that it has there.
+    #[must_use]
+    pub const fn symbol(mut self, symbol: &'static str, factor: f64, unit: &'static str) -> Self {
+        self.symbol = Some((symbol, factor, unit));
         self
     }
 

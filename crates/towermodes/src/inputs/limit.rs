@@ -7,6 +7,8 @@ pub enum Limit {
     Finite,
     /// A height or another coordinate, m: of either sign or zero.
     Coordinate,
+    /// A depth, m: positive or zero.
+    Depth,
     /// A length, m: positive.
     Length,
     /// Positive.
@@ -15,6 +17,8 @@ pub enum Limit {
     NotNegative,
     /// Positive or zero, and of any size: springs are scaled to themselves.
     Stiffness,
+    /// Positive, up to a number.
+    UpTo(f64),
     /// From the first number to the second.
     Within([f64; 2]),
     /// Poisson's ratio of soil: from 0 to 0.5.

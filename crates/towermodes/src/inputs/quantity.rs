@@ -4,6 +4,15 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Quantity {
+    /// A value of the tower file.
+    Value {
+        /// Its name in a sentence.
+        name: &'static str,
+        /// Its unit after a space; empty for none.
+        unit: &'static str,
+        /// Typical values, and the most likely reason of a value outside the range.
+        likely_slip: &'static str,
+    },
     /// Density of a material, kg/m³.
     Density,
     /// Young's modulus of a material, Pa.
@@ -76,40 +85,10 @@ pub enum Quantity {
     SoilPlaneRatio,
     /// Soil spring, N/m².
     SoilSpring,
-    /// Effective friction angle of sand, degrees.
-    FrictionAngle,
     /// Effective unit weight of soil under water, N/m³.
     BuoyantUnitWeight,
     /// Unit weight of soil above water, N/m³.
     SoilUnitWeight,
-    /// Undrained shear strength of clay, Pa.
-    UndrainedStrength,
-    /// Strain of clay at half its strength.
-    StrainAtHalfStrength,
-    /// Modulus k of the springs k z of sand, N/m³.
-    SubgradeModulus,
-    /// Velocity of shear waves in soil, m/s.
-    SoilWaveVelocity,
-    /// Density of soil with its water, kg/m³.
-    SoilDensity,
-    /// Cone resistance, Pa.
-    ConeResistance,
-    /// Blow count of the standard penetration test.
-    BlowCount,
-    /// Friction on the shaft of a pile, Pa.
-    ShaftFriction,
-    /// Pressure under the tip of a pile, Pa.
-    EndBearing,
-    /// Soil behaviour type index I_c.
-    BehaviourIndex,
-    /// Void ratio of sand.
-    VoidRatio,
-    /// Coefficient of earth pressure at rest K₀.
-    EarthPressure,
-    /// Matlock's factor J.
-    StrengthFactor,
-    /// The factor ξ of the initial stiffness of clay after DNV.
-    StiffnessFactor,
     /// Diameter of a steel wire with the stiffness given, m.
     WireDiameter,
     /// Number of wires in a set.
@@ -118,10 +97,6 @@ pub enum Quantity {
     WireAngle,
     /// Acceleration of gravity, m/s².
     Gravity,
-    /// Density of the water, kg/m³.
-    WaterDensity,
-    /// Added mass coefficient.
-    AddedMassCoefficient,
     /// Highest speed of the rotor, rpm.
     RotorSpeed,
 }
@@ -146,6 +121,7 @@ impl Quantity {
     #[rustfmt::skip]
     fn words(self) -> (&'static str, &'static str, &'static str) {
         match self {
+            Self::Value { name, unit, likely_slip } => (name, unit, likely_slip),
             Self::Density => ("the density", " kg/m3",
                 "steel has 7850, concrete 2400; the unit is kg/m3"),
             Self::YoungsModulus => ("Young's modulus", " Pa",
@@ -218,40 +194,10 @@ impl Quantity {
                 "soil is about equally stiff in both directions; check the exponents"),
             Self::SoilSpring => ("the soil spring", " N/m2",
                 "sand has about 1e8, rock 1e10; the unit is N/m2: N/m per metre of tower"),
-            Self::FrictionAngle => ("the friction angle", " degrees",
-                "loose sand has about 28, very dense sand 42; the unit is degrees (0.6 rad is 34 degrees)"),
             Self::BuoyantUnitWeight => ("the effective unit weight under water", " N/m3",
                 "typical: 6000 to 11000: the weight of the saturated soil less that of water; the unit is N/m3, not kN/m3"),
             Self::SoilUnitWeight => ("the unit weight above water", " N/m3",
                 "typical: 15000 to 21000; the unit is N/m3, not kN/m3"),
-            Self::UndrainedStrength => ("the undrained shear strength", " Pa",
-                "soft clay has 1e4 to 4e4, hard clay 2e5; the unit is Pa, not kPa"),
-            Self::StrainAtHalfStrength => ("the strain at half the strength", "",
-                "soft clay has about 0.02, stiff clay 0.005; it is a fraction, not percent"),
-            Self::SubgradeModulus => ("the subgrade modulus", " N/m3",
-                "loose sand has about 5e6, dense sand 4e7; the unit is N/m3, not kN/m3"),
-            Self::SoilWaveVelocity => ("the velocity of shear waves", " m/s",
-                "soft clay has about 100, dense sand 300, rock 1500; the unit is m/s"),
-            Self::SoilDensity => ("the density of the soil", " kg/m3",
-                "soil with its water has 1600 to 2200; the unit is kg/m3"),
-            Self::ConeResistance => ("the cone resistance", " Pa",
-                "clay has 3e5 to 3e6, dense sand 2e7 to 6e7; the unit is Pa, not kPa or MPa"),
-            Self::BlowCount => ("the blow count", "",
-                "typical: 2 to 60 blows per 0.3 m"),
-            Self::ShaftFriction => ("the shaft friction", " Pa",
-                "typical: 1e4 to 1.2e5; the unit is Pa, not kPa"),
-            Self::EndBearing => ("the end bearing", " Pa",
-                "typical: 1e5 to 1.2e7; the unit is Pa, not kPa"),
-            Self::BehaviourIndex => ("the soil behaviour type index", "",
-                "clean sand has about 1.5, clay 3"),
-            Self::VoidRatio => ("the void ratio", "",
-                "dense sand has about 0.5, loose sand 0.8; it is a fraction, not percent"),
-            Self::EarthPressure => ("the coefficient of earth pressure at rest", "",
-                "normally consolidated sand has about 0.4, overconsolidated soil up to 2; it is a fraction, not percent"),
-            Self::StrengthFactor => ("the strength factor J", "",
-                "soft clay has 0.5, stiff clay 0.25"),
-            Self::StiffnessFactor => ("the stiffness factor xi", "",
-                "normally consolidated clay has 10, overconsolidated clay 30"),
             Self::WireDiameter => ("the diameter of a steel wire with this stiffness and length", " m",
                 "typical: 0.01 to 0.1 m; the unit of the stiffness EA/L is N/m, not kN/m"),
             Self::WireCount => ("the number of guy wires in the set", "",
@@ -260,10 +206,6 @@ impl Quantity {
                 "typical: 20 to 70 degrees; the unit is degrees (0.785 rad is 45 degrees)"),
             Self::Gravity => ("the acceleration of gravity", " m/s2",
                 "on Earth it is 9.81"),
-            Self::WaterDensity => ("the density of the water", " kg/m3",
-                "sea water has 1025; the unit is kg/m3"),
-            Self::AddedMassCoefficient => ("the added mass coefficient", "",
-                "a cylinder has about 1"),
             Self::RotorSpeed => ("the highest rotor speed", " rpm",
                 "typical for towers higher than 20 m: 5 to 60 rpm; the unit is revolutions per minute (1 rad/s is 9.55 rpm)"),
         }

@@ -9,6 +9,8 @@ pub enum Given {
     Number(f64),
     /// A number that may be absent.
     Optional(Option<f64>),
+    /// A number at the top and one at the bottom of a layer; the tower file may give one for both.
+    Pair(Option<[f64; 2]>),
     /// Yes or no.
     Flag(bool),
     /// One of several names; none where a name may be absent.
@@ -18,7 +20,9 @@ pub enum Given {
 /// The type of a field that is a value of the tower file.
 pub trait Value {
     /// What the field holds where the tower file does not give the value.
-    fn blank(input: &Input) -> Self;
+    fn blank(input: &Input) -> Self
+    where
+        Self: Sized;
     /// What the field holds.
     fn given(&self) -> Given;
     /// Changes the field; a value of another type changes nothing.
@@ -44,7 +48,23 @@ impl Given {
         match self {
             Self::Number(value) => Some(value),
             Self::Optional(value) => value,
-            Self::Flag(_) | Self::Name(..) => None,
+            Self::Pair(_) | Self::Flag(_) | Self::Name(..) => None,
+        }
+    }
+
+    /// The numbers of a pair, if it is one and given.
+    pub fn pair(self) -> Option<[f64; 2]> {
+        match self {
+            Self::Pair(pair) => pair,
+            Self::Number(_) | Self::Optional(_) | Self::Flag(_) | Self::Name(..) => None,
+        }
+    }
+
+    /// The number, or that at one end of a pair, 0 for the top and 1 for the bottom.
+    pub fn at(self, end: Option<usize>) -> Option<f64> {
+        match end {
+            None => self.number(),
+            Some(end) => self.pair()?.get(end).copied(),
         }
     }
 
@@ -53,13 +73,25 @@ impl Given {
         matches!(self, Self::Number(_) | Self::Optional(_))
     }
 
-    /// The same type of value with another number; anything else stays as it is.
+    /// The same type of value with another number, of a pair given at both ends; anything else
+    /// stays as it is.
     #[must_use]
     pub fn with_number(self, number: f64) -> Self {
         match self {
             Self::Number(_) => Self::Number(number),
             Self::Optional(_) => Self::Optional(Some(number)),
-            other => other,
+            Self::Pair(_) => Self::Pair(Some([number; 2])),
+            other @ (Self::Flag(_) | Self::Name(..)) => other,
+        }
+    }
+
+    /// The same with another number at one end of a pair.
+    #[must_use]
+    pub fn with(self, end: Option<usize>, number: f64) -> Self {
+        match (self.pair(), end) {
+            (Some([_, bottom]), Some(0)) => Self::Pair(Some([number, bottom])),
+            (Some([top, _]), Some(_)) => Self::Pair(Some([top, number])),
+            _ => self.with_number(number),
         }
     }
 }
@@ -89,6 +121,34 @@ impl Value for Option<f64> {
 
     fn set(&mut self, given: Given) {
         *self = given.number();
+    }
+}
+
+impl Value for [f64; 2] {
+    fn blank(input: &Input) -> Self {
+        [input.default; 2]
+    }
+
+    fn given(&self) -> Given {
+        Given::Pair(Some(*self))
+    }
+
+    fn set(&mut self, given: Given) {
+        *self = given.pair().unwrap_or(*self);
+    }
+}
+
+impl Value for Option<[f64; 2]> {
+    fn blank(_: &Input) -> Self {
+        None
+    }
+
+    fn given(&self) -> Given {
+        Given::Pair(*self)
+    }
+
+    fn set(&mut self, given: Given) {
+        *self = given.pair();
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::number::Number;
 use super::part::{Indices, Part};
-use super::table::Table;
+use super::table::{Table, TableNumber};
 use crate::tower::TowerDescription;
 
 /// What has numbers.
@@ -10,16 +10,21 @@ use crate::tower::TowerDescription;
 pub(super) enum Holder {
     /// A part that lists its numbers.
     Part(&'static Part),
-    /// A table of the tower file whose fields describe them.
-    Table(&'static Table),
+    /// A table of the tower file whose fields describe them, and the numbers.
+    Table(&'static Table, &'static [TableNumber]),
 }
 
 impl Holder {
+    /// A table with its numbers, which are listed once, for as long as the program runs.
+    pub(super) fn table(table: &'static Table) -> Self {
+        Self::Table(table, table.numbers().leak())
+    }
+
     /// Its name in the tower file with `[]` for each index.
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Part(part) => part.name,
-            Self::Table(table) => table.name,
+            Self::Table(table, _) => table.name,
         }
     }
 
@@ -32,7 +37,7 @@ impl Holder {
     pub(super) fn noun(self) -> &'static str {
         match self {
             Self::Part(part) => part.noun,
-            Self::Table(table) => table.noun,
+            Self::Table(table, _) => table.noun,
         }
     }
 
@@ -40,7 +45,7 @@ impl Holder {
     pub(super) fn count(self, description: &TowerDescription) -> usize {
         match self {
             Self::Part(part) => (part.count)(description),
-            Self::Table(table) => table.count(description),
+            Self::Table(table, _) => table.count(description),
         }
     }
 
@@ -48,7 +53,7 @@ impl Holder {
     pub(super) fn rows(self, description: &TowerDescription, index: usize) -> usize {
         match self {
             Self::Part(part) => (part.rows)(description, index),
-            Self::Table(_) => 1,
+            Self::Table(_, _) => 1,
         }
     }
 
@@ -56,7 +61,7 @@ impl Holder {
     pub(super) fn is_symmetric(self) -> bool {
         match self {
             Self::Part(part) => part.is_symmetric,
-            Self::Table(_) => false,
+            Self::Table(_, _) => false,
         }
     }
 
@@ -64,11 +69,10 @@ impl Holder {
     pub(super) fn numbers(self) -> Vec<Number> {
         match self {
             Self::Part(part) => part.keys.iter().map(Number::Listed).collect(),
-            Self::Table(table) => {
-                let every = (table.every)(table.kind).into_iter();
-                let numbers = every.filter(|(_, given)| given.is_number());
+            Self::Table(table, numbers) => {
+                let numbers = numbers.iter();
                 numbers
-                    .map(|(input, _)| Number::Described(table, input))
+                    .map(|number| Number::Described(table, number))
                     .collect()
             }
         }

@@ -60,15 +60,15 @@ static PARTS: LazyLock<Vec<Holder>> = LazyLock::new(|| {
         Holder::Part(&foundation::FLOATING_HYDROSTATIC),
         Holder::Part(&foundation::FLOATING_MOORING),
         Holder::Part(&surroundings::SOIL),
-        Holder::Part(&ground::GROUND),
-        Holder::Part(&ground::LAYERS),
+        Holder::table(&ground::GROUND),
+        Holder::table(&ground::LAYERS),
         Holder::Part(&ground::ROWS),
         Holder::Part(&surroundings::ADDED_MASS),
-        Holder::Table(&surroundings::WATER),
+        Holder::table(&surroundings::WATER),
         Holder::Part(&surroundings::WIRES),
         Holder::Part(&surroundings::GRAVITY),
     ];
-    let forms = forms.iter().map(Holder::Table);
+    let forms = forms.iter().map(Holder::table);
     first.into_iter().chain(forms).chain(last).collect()
 });
 

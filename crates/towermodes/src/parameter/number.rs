@@ -3,8 +3,7 @@
 use std::hash::{Hash, Hasher};
 
 use super::part::{Indices, Key};
-use super::table::Table;
-use crate::inputs::Input;
+use super::table::{Table, TableNumber};
 use crate::tower::{Place, TowerDescription};
 
 /// A number of a part of a tower.
@@ -13,7 +12,7 @@ pub(super) enum Number {
     /// Of a part that lists its numbers.
     Listed(&'static Key),
     /// Of a part that is a table, which describes them.
-    Described(&'static Table, &'static Input),
+    Described(&'static Table, &'static TableNumber),
 }
 
 impl Number {
@@ -21,7 +20,7 @@ impl Number {
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Listed(key) => key.name,
-            Self::Described(_, input) => input.key,
+            Self::Described(_, number) => &number.name,
         }
     }
 
@@ -29,7 +28,7 @@ impl Number {
     pub(super) fn unit(self) -> &'static str {
         match self {
             Self::Listed(key) => key.unit,
-            Self::Described(_, input) => input.unit(),
+            Self::Described(_, number) => number.input.unit(),
         }
     }
 
@@ -37,7 +36,7 @@ impl Number {
     pub(super) fn meaning(self) -> &'static str {
         match self {
             Self::Listed(key) => key.meaning,
-            Self::Described(_, input) => input.meaning(),
+            Self::Described(_, number) => &number.meaning,
         }
     }
 
@@ -45,7 +44,7 @@ impl Number {
     pub(super) fn place(self, indices: Indices) -> Place {
         match self {
             Self::Listed(key) => (key.place)(indices),
-            Self::Described(table, input) => (table.place)(indices, input.key),
+            Self::Described(table, number) => (table.place)(indices, number.input.key),
         }
     }
 
@@ -53,7 +52,7 @@ impl Number {
     pub(super) fn get(self, description: &TowerDescription, indices: Indices) -> Option<f64> {
         match self {
             Self::Listed(key) => (key.get)(description, indices),
-            Self::Described(table, input) => table.value(input, description, indices),
+            Self::Described(table, number) => table.value(number, description, indices),
         }
     }
 
@@ -66,7 +65,7 @@ impl Number {
     ) -> Option<()> {
         match self {
             Self::Listed(key) => (key.set)(description, indices, value),
-            Self::Described(table, input) => table.set(input, description, indices, value),
+            Self::Described(table, number) => table.set(number, description, indices, value),
         }
     }
 
@@ -74,15 +73,15 @@ impl Number {
     pub(super) fn is_listed(self, description: &TowerDescription, indices: Indices) -> bool {
         match self {
             Self::Listed(key) => (key.is_listed)(description, indices),
-            Self::Described(table, input) => table.given(input, description, indices).is_some(),
+            Self::Described(table, number) => table.given(number, description, indices).is_some(),
         }
     }
 
     /// Whether it is a height in the datum of the tower file.
     pub(super) fn is_height(self) -> bool {
         match self {
-            Self::Listed(key) => matches!(key.name, "height" | "surface" | "top" | "bottom"),
-            Self::Described(_, input) => input.is_height(),
+            Self::Listed(key) => key.name == "height",
+            Self::Described(_, number) => number.input.is_height(),
         }
     }
 
@@ -90,7 +89,7 @@ impl Number {
     fn address(self) -> *const () {
         match self {
             Self::Listed(key) => std::ptr::from_ref(key).cast(),
-            Self::Described(_, input) => std::ptr::from_ref(input).cast(),
+            Self::Described(_, number) => std::ptr::from_ref(number).cast(),
         }
     }
 }

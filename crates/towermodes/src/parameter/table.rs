@@ -30,6 +30,44 @@ pub(super) struct Table {
     pub(super) absent: fn(&TowerDescription) -> Option<f64>,
 }
 
+/// A number of a table: a value, or one end of a pair.
+pub(super) struct TableNumber {
+    pub(super) input: &'static Input,
+    /// 0 for the top of a layer and 1 for its bottom; none for a value that is one number.
+    pub(super) end: Option<usize>,
+    /// Its name in the table.
+    pub(super) name: String,
+    /// What it is.
+    pub(super) meaning: String,
+}
+
+impl TableNumber {
+    fn new(input: &'static Input, end: Option<usize>) -> Self {
+        let (key, meaning) = (input.key, input.meaning());
+        let (name, meaning) = match end {
+            None => (key.to_owned(), meaning.to_owned()),
+            Some(0) => (format!("{key}[0]"), format!("{meaning} at the top")),
+            Some(end) => (format!("{key}[{end}]"), format!("{meaning} at the bottom")),
+        };
+        Self {
+            input,
+            end,
+            name,
+            meaning,
+        }
+    }
+
+    /// The numbers of a value.
+    fn of((input, given): (&'static Input, Given)) -> Vec<Self> {
+        let ends: &[Option<usize>] = match given {
+            Given::Number(_) | Given::Optional(_) => &[None],
+            Given::Pair(_) => &[Some(0), Some(1)],
+            Given::Flag(_) | Given::Name(..) => &[],
+        };
+        ends.iter().map(|end| Self::new(input, *end)).collect()
+    }
+}
+
 impl Table {
     /// How many such tables a description has.
     pub(super) fn count(&self, description: &TowerDescription) -> usize {
@@ -45,37 +83,43 @@ impl Table {
         (self.get)(description, indices, self.kind)
     }
 
+    /// The numbers that it can have.
+    pub(super) fn numbers(&self) -> Vec<TableNumber> {
+        let every = (self.every)(self.kind).into_iter();
+        every.flat_map(TableNumber::of).collect()
+    }
+
     /// A number that the table gives.
     pub(super) fn given(
         &self,
-        input: &'static Input,
+        number: &TableNumber,
         description: &TowerDescription,
         indices: Indices,
     ) -> Option<f64> {
-        self.number(input, description, indices)?
+        self.number(number, description, indices)?
     }
 
     /// A number that the table has, given or not.
     pub(super) fn value(
         &self,
-        input: &'static Input,
+        number: &TableNumber,
         description: &TowerDescription,
         indices: Indices,
     ) -> Option<f64> {
-        let number = self.number(input, description, indices)?;
+        let number = self.number(number, description, indices)?;
         number.or_else(|| (self.absent)(description))
     }
 
     fn number(
         &self,
-        input: &'static Input,
+        number: &TableNumber,
         description: &TowerDescription,
         indices: Indices,
     ) -> Option<Option<f64>> {
         let mut found = None;
-        self.of(description, indices)?.visit(&mut |other, given| {
-            if std::ptr::eq(other, input) {
-                found = Some(given.number());
+        self.of(description, indices)?.visit(&mut |input, given| {
+            if input.key == number.input.key {
+                found = Some(given.at(number.end));
             }
         });
         found
@@ -84,19 +128,19 @@ impl Table {
     /// Sets a number that the table has.
     pub(super) fn set(
         &self,
-        input: &'static Input,
+        number: &TableNumber,
         description: &mut TowerDescription,
         indices: Indices,
         value: f64,
     ) -> Option<()> {
         let mut done = None;
         let inputs = (self.get_mut)(description, indices, self.kind)?;
-        inputs.update(&mut |other, given| {
-            if !std::ptr::eq(other, input) {
+        inputs.update(&mut |input, given| {
+            if input.key != number.input.key {
                 return given;
             }
             done = Some(());
-            given.with_number(value)
+            given.with(number.end, value)
         });
         done
     }

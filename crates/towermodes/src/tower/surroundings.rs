@@ -1,7 +1,7 @@
 //! The surroundings of a tower as given by the user: soil, water, guy wires.
 
 use super::planes::Planes;
-use crate::inputs::{Input, Inputs, Limit, Quantity};
+use crate::inputs::{Input, Inputs, Limit};
 
 /// One row of soil springs along the tower; linear in height between rows, nothing outside them.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -133,13 +133,13 @@ pub struct Water {
     /// Density ρ, kg/m³.
     #[input(Input::new("density", " kg/m3", Limit::Positive, "the density of the water")
         .or(Water::SEA_KG_PER_M3)
-        .usual(Quantity::WaterDensity, [900.0, 1100.0]))]
+        .usual([900.0, 1100.0], "sea water has 1025; the unit is kg/m3"))]
     pub density_kg_per_m3: f64,
     /// Added mass coefficient C_a: the water outside moves with the mass ρ C_a π D²/4 per length,
     /// between bed and level.
     #[input(Input::new("added_mass_coefficient", "", Limit::NotNegative, "the added mass coefficient")
         .or(Water::CYLINDER)
-        .usual(Quantity::AddedMassCoefficient, [0.0, 2.0])
+        .usual([0.0, 2.0], "a cylinder has about 1")
         .also("ca c_a cm_coefficient added_mass_coeff"))]
     pub added_mass_coefficient: f64,
     /// Whether there is water inside too: ρ π (D − 2t)²/4 per length, from the lowest station to

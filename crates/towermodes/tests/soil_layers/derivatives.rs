@@ -94,7 +94,9 @@ fn names_set_the_numbers_of_the_ground() {
     }
     assert_eq!(ground_of(&mut description).factor, 0.5);
     let error = Parameter::parse("ground.layer[0].undrained_strength[0]", &description);
-    error.expect_err("sand has none").says("undrained strength");
+    error
+        .expect_err("sand has none")
+        .says("undrained shear strength");
 }
 
 /// Scour that is not there yet: the first metre costs what solves say.

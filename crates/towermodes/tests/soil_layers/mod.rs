@@ -10,7 +10,7 @@ use crate::towers;
 
 use towermodes::{
     ApiEdition, Clay, Foundation, FoundationSprings, Ground, GroundLayer, Inertia, LayerSoil,
-    Options, Rna, Sand, Scour, Shear, SoilModel, TowerDescription,
+    Options, Rna, Sand, Shear, SoilModel, TowerDescription,
 };
 use towermodes_testing::{changed, tube, with};
 
@@ -30,42 +30,26 @@ fn sand(top_m: f64, bottom_m: f64, friction_angle_deg: f64, model: SoilModel) ->
 }
 
 /// A layer with an effective unit weight of 10 kN/m³.
-fn layer([top_m, bottom_m]: [f64; 2], soil: LayerSoil, model: SoilModel) -> GroundLayer {
+fn layer(ends_m: [f64; 2], soil: LayerSoil, model: SoilModel) -> GroundLayer {
     GroundLayer {
-        top_m,
-        bottom_m,
-        soil,
-        model,
         effective_unit_weight_n_per_m3: Some(1e4),
-        shear_modulus: None,
-        poissons_ratio: None,
-        shaft_friction_pa: None,
-        end_bearing_pa: None,
-        factor: 1.0,
+        ..GroundLayer::new(ends_m, soil, model)
     }
 }
 
 fn clay() -> Clay {
-    Clay {
-        undrained_strength_pa: Some([4e4, 1.2e5]),
-        strain_at_half_strength: Some(0.01),
-        strength_factor: Some(0.5),
-        stiffness_factor: Some(10.0),
-    }
+    let matlock = with!(
+        Clay,
+        undrained_strength_pa = Some([4e4, 1.2e5]),
+        strain_at_half_strength = Some(0.01),
+        strength_factor = Some(0.5),
+    );
+    changed!(matlock, stiffness_factor = Some(10.0))
 }
 
 /// Submerged ground from a surface down.
 fn ground(layers: Vec<GroundLayer>) -> Ground {
-    Ground {
-        surface_m: layers[0].top_m,
-        scour: Scour::default(),
-        factor: 1.0,
-        submerged: true,
-        pile_diameter_m: None,
-        axial: None,
-        edition: ApiEdition::Rp2Geo,
-        layers,
-    }
+    Ground::new(layers[0].top_m, layers)
 }
 
 /// The NREL 5 MW turbine on the monopile of OC3, from its tip up, in three layers of sand with the

@@ -5,15 +5,14 @@ mod profile;
 mod shear_modulus;
 mod soil;
 
-use towermodes::{
-    ApiEdition, AxialModel, Foundation, FoundationSprings, Ground, Place, Scour, SoilModel,
-};
+use towermodes::inputs::Inputs;
+use towermodes::{AxialModel, Foundation, FoundationSprings, Ground, Place, SoilModel};
 
 use super::choice::{choices, choices_hint, chosen};
+use super::inputs::read;
 use super::reading::Reading;
 use super::schema;
 use super::table::{Table, every_table, with_names};
-use super::values::truth;
 use crate::places::TABLE;
 use profile::layers;
 
@@ -41,13 +40,8 @@ pub(super) fn ground(
     };
     reading.remember(at(TABLE), value.span());
     let table = Table::of(value, "[ground]", &schema::GROUND, reading)?;
-    let hint = "height of the mudline or of the terrain in m, in the datum of the stations";
-    let surface = table.required_number("surface", hint, at("surface"), reading);
-    let factor = table.number_or(1.0, "factor", at("factor"), reading);
-    let diameter = table.optional_number("pile_diameter", at("pile_diameter"), reading);
-    let submerged = submerged(&table, reading);
-    let (scour, axial) = (scour(&table, reading), axial(&table, reading));
-    let edition = edition(&table, reading);
+    let ground = read(Ground::blank(), &table, at, reading);
+    let surface = ground.as_ref().map(|ground| ground.surface_m);
     let hint = "write [[ground.layer]] once for each layer, from the surface down";
     let layers = table.require("layer", hint, reading).and_then(|_| {
         let mut next = 0;
@@ -61,14 +55,8 @@ pub(super) fn ground(
     let model = model(&table, reading);
     let (layers, names) = layers?;
     let ground = Ground {
-        surface_m: surface?,
-        scour: scour?,
-        factor: factor?,
-        submerged: submerged?,
-        axial: axial?,
-        edition: edition?,
-        pile_diameter_m: diameter?,
         layers: layer::with_models(layers, model?, &table, reading)?,
+        ..ground?
     };
     note_edition(&table, &ground, reading);
     Some(Some((ground, names)))
@@ -116,43 +104,6 @@ pub(super) fn default_foundation(
         vertical_n_per_m,
         torsion_n_m,
     }))
-}
-
-fn submerged(table: &Table<'_>, reading: &mut Reading) -> Option<bool> {
-    let hint = "submerged = true if the water table is at the surface or above it, else false";
-    let value = table.require("submerged", hint, reading)?;
-    reading.remember(at("submerged"), value.span());
-    truth(value, "submerged", reading)
-}
-
-fn scour(table: &Table<'_>, reading: &mut Reading) -> Option<Scour> {
-    let Some(value) = table.get("scour") else {
-        return Some(Scour::default());
-    };
-    reading.remember(at("scour"), value.span());
-    let table = Table::of(value, "scour", &schema::SCOUR, reading)?;
-    let general = table.number_or(0.0, "general", at("scour.general"), reading);
-    let local = table.number_or(0.0, "local", at("scour.local"), reading);
-    Some(Scour {
-        general_m: general?,
-        local_m: local?,
-    })
-}
-
-fn axial(table: &Table<'_>, reading: &mut Reading) -> Option<Option<AxialModel>> {
-    let Some(value) = table.get("axial") else {
-        return Some(None);
-    };
-    reading.remember(at("axial"), value.span());
-    chosen(value, "axial model", &choices(), reading).map(Some)
-}
-
-fn edition(table: &Table<'_>, reading: &mut Reading) -> Option<ApiEdition> {
-    let Some(value) = table.get("edition") else {
-        return Some(ApiEdition::default());
-    };
-    reading.remember(at("edition"), value.span());
-    chosen(value, "edition", &choices(), reading)
 }
 
 /// The model of the layers that name none.

@@ -11,7 +11,7 @@ use crate::layer_profile::{Profile, Row, SAME_M, profile};
 use crate::number::Rounded;
 use crate::resolver::FileResolver;
 use crate::source::Source;
-use crate::toml::kind::owners;
+use crate::toml::kind::{TableKind, owners};
 use crate::toml::reading::{ProfileFile, Reading};
 use crate::toml::values::{Value, text};
 
@@ -103,7 +103,7 @@ fn with_profile<'v>(
 ) -> Option<(&'v DeTable<'v>, &'static Kind, &'v Value<'v>)> {
     let entry = value.get_ref().as_table()?;
     let name = entry.get("type")?.get_ref().as_str()?;
-    let kind = KINDS.iter().find(|kind| kind.name == name)?;
+    let kind = KINDS.iter().find(|kind| kind.name() == name)?;
     kind.schema.key(KEY)?;
     Some((entry, kind, entry.get(KEY)?))
 }
@@ -138,7 +138,7 @@ fn of_kind(profile: Profile, kind: &Kind) -> Result<Profile, Vec<Diagnostic>> {
         .iter()
         .filter(|quantity| is_foreign(quantity.key));
     let mistake = |quantity: &crate::layer_profile::Quantity| {
-        let expected = format!("a quantity of a layer of type \"{}\"", kind.name);
+        let expected = format!("a quantity of a layer of type \"{}\"", kind.name());
         let found = DiagnosticKind::misplaced(expected, quoted(quantity.key));
         let hint = owners(quantity.key, &KINDS).unwrap_or_default();
         Diagnostic::new(quantity.span.clone(), found).with_hint(hint)

@@ -1,9 +1,10 @@
-//! The kinds of soil of a layer, with the keys of each.
+//! The kinds of soil of a layer, and the rows of a table.
+
+use std::sync::LazyLock;
 
 use toml::de::DeArray;
-use towermodes::{Clay, LayerSoil, Place, PyRow, Rock, Sand};
+use towermodes::{LayerSoil, Place, PyRow};
 
-use super::layer::{elastic, pair};
 use crate::toml::choice::ChoiceWords;
 use crate::toml::kind::TableKind;
 use crate::toml::reading::Reading;
@@ -13,11 +14,9 @@ use crate::toml::values::{every_row, list, number, row_of};
 
 /// A kind of soil.
 pub(super) struct Kind {
-    pub(super) name: &'static str,
     pub(super) schema: &'static TableSchema,
-    /// Whether it has the keys of a shear modulus.
-    pub(super) has_shear_modulus: bool,
-    pub(super) read: fn(&Table<'_>, usize, &mut Reading) -> Option<LayerSoil>,
+    /// The soil with blank values.
+    pub(super) blank: LayerSoil,
 }
 
 impl TableKind for Kind {
@@ -29,7 +28,7 @@ impl TableKind for Kind {
     };
 
     fn name(&self) -> &'static str {
-        self.name
+        self.blank.kind()
     }
 
     fn schema(&self) -> &'static TableSchema {
@@ -37,75 +36,13 @@ impl TableKind for Kind {
     }
 }
 
-pub(super) static KINDS: [Kind; 5] = [
-    Kind {
-        name: "sand",
-        schema: &schema::SAND,
-        has_shear_modulus: true,
-        read: sand,
-    },
-    Kind {
-        name: "clay",
-        schema: &schema::CLAY,
-        has_shear_modulus: true,
-        read: clay,
-    },
-    Kind {
-        name: "elastic",
-        schema: &schema::ELASTIC,
-        has_shear_modulus: true,
-        read: elastic,
-    },
-    Kind {
-        name: "rock",
-        schema: &schema::ROCK,
-        has_shear_modulus: false,
-        read: rock,
-    },
-    Kind {
-        name: "py",
-        schema: &schema::PY_TABLE,
-        has_shear_modulus: true,
-        read: py_table,
-    },
-];
-
-fn sand(table: &Table<'_>, index: usize, reading: &mut Reading) -> Option<LayerSoil> {
-    let mut optional =
-        |key: &'static str| table.optional_number(key, Place::GroundLayer { index, key }, reading);
-    let angle = optional("friction_angle");
-    let modulus = optional("subgrade_modulus");
-    let density = optional("relative_density");
-    Some(LayerSoil::Sand(Sand {
-        friction_angle_deg: angle?,
-        subgrade_modulus_n_per_m3: modulus?,
-        relative_density: density?,
-    }))
-}
-
-fn clay(table: &Table<'_>, index: usize, reading: &mut Reading) -> Option<LayerSoil> {
-    let at = |key| Place::GroundLayer { index, key };
-    let key = "undrained_strength";
-    let strength = pair(table, key, at(key), reading);
-    let mut optional = |key: &'static str| table.optional_number(key, at(key), reading);
-    let strain = optional("strain_at_half_strength");
-    let surface = optional("strength_factor");
-    let stiffness = optional("stiffness_factor");
-    Some(LayerSoil::Clay(Clay {
-        undrained_strength_pa: strength?,
-        strain_at_half_strength: strain?,
-        strength_factor: surface?,
-        stiffness_factor: stiffness?,
-    }))
-}
-
-fn rock(table: &Table<'_>, index: usize, reading: &mut Reading) -> Option<LayerSoil> {
-    let key = "youngs_modulus";
-    let modulus = pair(table, key, Place::GroundLayer { index, key }, reading);
-    Some(LayerSoil::Rock(Rock {
-        youngs_modulus_pa: modulus?,
-    }))
-}
+pub(super) static KINDS: LazyLock<Vec<Kind>> = LazyLock::new(|| {
+    let kind = |blank: LayerSoil| Kind {
+        schema: schema::layer(&blank),
+        blank,
+    };
+    LayerSoil::blanks().map(kind).into()
+});
 
 const ROW: &str = "a row is [height in m, displacement in m, reaction in N/m]";
 
@@ -116,7 +53,12 @@ const COLUMNS: [(&str, &str); 3] = [
     ("reaction", "the reaction"),
 ];
 
-fn py_table(table: &Table<'_>, layer: usize, reading: &mut Reading) -> Option<LayerSoil> {
+/// The rows of a table of p-y curves.
+pub(super) fn py_table(
+    table: &Table<'_>,
+    layer: usize,
+    reading: &mut Reading,
+) -> Option<LayerSoil> {
     let hint = "rows = [[height, displacement, reaction], ...] from the top to the bottom";
     let rows = list(table.require("rows", hint, reading)?, "rows", reading)?;
     let rows = every_row(rows, |row, value| {

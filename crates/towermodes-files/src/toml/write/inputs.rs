@@ -1,16 +1,18 @@
 //! Tables whose values are described beside their fields: written by these descriptions.
 
-use towermodes::inputs::{Given, Inputs, given_inputs};
+use towermodes::inputs::{Given, Input, Inputs, given_inputs};
 
+use super::text::number;
 use super::writing::Writing;
 
 /// The values of a table. Quiet ones are left out where they have their default, unless another
 /// value that is written needs them.
 pub(super) fn values(inputs: &dyn Inputs, writing: &mut Writing) {
     let all = given_inputs(inputs);
-    let is_written = |(input, given): &(&towermodes::inputs::Input, Given)| match *given {
+    let is_written = |(input, given): &(&Input, Given)| match *given {
         Given::Number(value) => !input.is_quiet || value != input.default,
         Given::Optional(value) => value.is_some(),
+        Given::Pair(pair) => pair.is_some(),
         Given::Flag(flag) => flag || !input.is_quiet,
         Given::Name(place, _) => place.is_some_and(|place| place != 0 || !input.is_quiet),
     };
@@ -18,18 +20,42 @@ pub(super) fn values(inputs: &dyn Inputs, writing: &mut Writing) {
     let needed: Vec<&str> = written
         .filter_map(|(input, _)| Some(input.needs?.0))
         .collect();
-    for (input, given) in &all {
-        if is_written(&(input, *given)) || needed.contains(&input.key) {
-            value(input.key, *given, writing);
+    let group = |input: &Input| Some(input.key.split_once('.')?.0);
+    let same = |a: &(&Input, Given), b: &(&Input, Given)| {
+        group(a.0).is_some_and(|one| Some(one) == group(b.0))
+    };
+    for values in all.chunk_by(same) {
+        let is_needed = |(input, _): &(&Input, Given)| needed.contains(&input.key);
+        if !values
+            .iter()
+            .any(|value| is_written(value) || is_needed(value))
+        {
+            continue;
+        }
+        let texts = values
+            .iter()
+            .filter_map(|(input, given)| Some((input.key, text(*given)?)));
+        match group(values[0].0) {
+            None => texts.for_each(|(key, text)| writing.value(key, &text)),
+            // A table in one line.
+            Some(name) => {
+                let entry =
+                    |(key, text): (&str, String)| format!("{} = {text}", &key[name.len() + 1..]);
+                let entries: Vec<String> = texts.map(entry).collect();
+                writing.value(name, &format!("{{ {} }}", entries.join(", ")));
+            }
         }
     }
 }
 
-fn value(key: &str, given: Given, writing: &mut Writing) {
+/// A value as it is written; one number for two that are the same.
+fn text(given: Given) -> Option<String> {
     match given {
-        Given::Number(value) | Given::Optional(Some(value)) => writing.number(key, value),
-        Given::Flag(flag) => writing.value(key, &flag.to_string()),
-        Given::Name(Some(place), names) => writing.value(key, &format!("\"{}\"", names[place])),
-        Given::Optional(None) | Given::Name(None, _) => {}
+        Given::Number(value) | Given::Optional(Some(value)) => Some(number(value)),
+        Given::Pair(Some([top, bottom])) if top == bottom => Some(number(top)),
+        Given::Pair(Some([top, bottom])) => Some(format!("[{}, {}]", number(top), number(bottom))),
+        Given::Flag(flag) => Some(flag.to_string()),
+        Given::Name(Some(place), names) => Some(format!("\"{}\"", names[place])),
+        Given::Optional(None) | Given::Pair(None) | Given::Name(None, _) => None,
     }
 }

@@ -1,8 +1,8 @@
 //! The soil around the embedded part of a monopile: elastic, of one shear modulus.
 
 use towermodes::{
-    ApiEdition, Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, Place, Scour,
-    ShearModulus, SoilModel, TowerDescription,
+    Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, Place, ShearModulus, SoilModel,
+    TowerDescription,
 };
 
 use super::super::text::reading::Reading;
@@ -56,29 +56,17 @@ impl Soil {
             reading.remember(Place::GroundLayer { index: 0, key }, span);
         }
         let layer = GroundLayer {
-            top_m: mudline_m,
-            bottom_m: tip.height_m,
-            soil: LayerSoil::Elastic,
-            model: SoilModel::Winkler,
-            effective_unit_weight_n_per_m3: None,
             shear_modulus: Some(ShearModulus::Given {
                 shear_modulus_pa: [self.shear_modulus_pa; 2],
             }),
             poissons_ratio: Some(self.poissons_ratio),
-            shaft_friction_pa: None,
-            end_bearing_pa: None,
-            factor: 1.0,
+            ..GroundLayer::new(
+                [mudline_m, tip.height_m],
+                LayerSoil::Elastic,
+                SoilModel::Winkler,
+            )
         };
-        description.ground = Some(Ground {
-            surface_m: mudline_m,
-            scour: Scour::default(),
-            factor: 1.0,
-            submerged: true,
-            pile_diameter_m: None,
-            axial: None,
-            edition: ApiEdition::default(),
-            layers: vec![layer],
-        });
+        description.ground = Some(Ground::new(mudline_m, vec![layer]));
         description.foundation = Foundation::Springs(FoundationSprings {
             lateral_n_per_m: 0.0,
             rocking_n_m: 0.0,

@@ -1,9 +1,10 @@
 //! The layers of soil around the pile, in a table.
 
-use towermodes::number::{Plain, four_digits};
-use towermodes::{Ground, GroundLayer, HeadStiffness, LayerSoil, Scour, ShearModulus, Tower};
+use towermodes::number::four_digits;
+use towermodes::{Ground, GroundLayer, HeadStiffness, Scour, Tower};
 
 use super::super::table::Table;
+use super::inputs::in_short;
 use crate::number::{NOTHING, given, length};
 
 /// More layers are not shown.
@@ -101,96 +102,7 @@ fn layers(ground: &Ground, names: &[String]) -> Table {
 
 /// The values of a layer, each with its unit.
 fn values(layer: &GroundLayer) -> Vec<String> {
-    let mut values = Vec::new();
-    let mut one = |name: &str, value: Option<f64>, unit: &str| {
-        values.extend(value.map(|value| format!("{name} {}{unit}", Plain(value))));
-    };
-    match &layer.soil {
-        LayerSoil::Sand(sand) => {
-            one("φ′", sand.friction_angle_deg, "°");
-            let modulus = sand.subgrade_modulus_n_per_m3.map(|k| 1e-6 * k);
-            one("k", modulus, " MN/m³");
-            one("D_r", sand.relative_density, "");
-        }
-        LayerSoil::Clay(clay) => {
-            one("ε₅₀", clay.strain_at_half_strength, "");
-            one("J", clay.strength_factor, "");
-            one("ξ", clay.stiffness_factor, "");
-            values.extend(profile("S_u", clay.undrained_strength_pa, 1e-3, " kPa"));
-        }
-        LayerSoil::Rock(rock) => {
-            values.extend(profile("E_ir", rock.youngs_modulus_pa, 1e-6, " MPa"));
-        }
-        LayerSoil::Table(rows) => values.push(format!("{} rows", rows.len())),
-        LayerSoil::Elastic => {}
-    }
-    values.extend(layer.shear_modulus.as_ref().map(shear_modulus));
-    let ratio = layer.poissons_ratio;
-    values.extend(ratio.map(|ratio| format!("ν {}", Plain(ratio))));
-    values.extend(profile("t_max", layer.shaft_friction_pa, 1e-3, " kPa"));
-    let bearing = layer.end_bearing_pa;
-    values.extend(bearing.map(|q| format!("q {} MPa", Plain(1e-6 * q))));
-    if layer.factor != 1.0 {
-        values.push(format!("springs × {}", Plain(layer.factor)));
-    }
-    values
-}
-
-/// "S_u 80 to 200 kPa".
-fn profile(name: &str, value: Option<[f64; 2]>, scale: f64, unit: &str) -> Option<String> {
-    let [top, bottom] = value?.map(|value| scale * value);
-    Some(match top == bottom {
-        true => format!("{name} {}{unit}", Plain(top)),
-        false => format!("{name} {} to {}{unit}", Plain(top), Plain(bottom)),
-    })
-}
-
-/// The shear modulus, or what it follows from.
-fn shear_modulus(modulus: &ShearModulus) -> String {
-    let text = match *modulus {
-        ShearModulus::Given { shear_modulus_pa } => {
-            profile("G₀", Some(shear_modulus_pa), 1e-6, " MPa")
-        }
-        ShearModulus::Youngs { youngs_modulus_pa } => {
-            profile("E", Some(youngs_modulus_pa), 1e-6, " MPa")
-        }
-        ShearModulus::WaveVelocity {
-            velocity_m_per_s, ..
-        } => profile("V_s", Some(velocity_m_per_s), 1.0, " m/s"),
-        ShearModulus::RixStokoe { cone_resistance_pa } => profile(
-            "G₀ by Rix & Stokoe, q_c",
-            Some(cone_resistance_pa),
-            1e-6,
-            " MPa",
-        ),
-        ShearModulus::MayneRix { cone_resistance_pa } => profile(
-            "G₀ by Mayne & Rix, q_c",
-            Some(cone_resistance_pa),
-            1e-6,
-            " MPa",
-        ),
-        ShearModulus::RobertsonCabal {
-            cone_resistance_pa,
-            behaviour_index,
-            ..
-        } => {
-            let name = format!(
-                "G₀ by Robertson & Cabal, I_c {}, q_t",
-                Plain(behaviour_index)
-            );
-            profile(&name, Some(cone_resistance_pa), 1e-6, " MPa")
-        }
-        ShearModulus::Hardin {
-            void_ratio,
-            earth_pressure_at_rest,
-        } => Some(format!(
-            "G₀ by Hardin, e {}, K₀ {}",
-            Plain(void_ratio),
-            Plain(earth_pressure_at_rest)
-        )),
-        ShearModulus::BlowCount { blow_count, .. } => {
-            profile("G₀ by Imai & Tonouchi, N", Some(blow_count), 1.0, "")
-        }
-    };
-    text.unwrap_or_default()
+    let rows = layer.soil.rows().len();
+    let rows = (rows > 0).then(|| format!("{rows} rows"));
+    rows.into_iter().chain(in_short(layer)).collect()
 }

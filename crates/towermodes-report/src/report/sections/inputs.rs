@@ -1,6 +1,7 @@
 //! The values of a table of the tower file, as rows of a report.
 
 use towermodes::inputs::{Given, Input, Inputs, given_inputs};
+use towermodes::number::Plain;
 
 use super::super::table::Table;
 use crate::number::{given, length};
@@ -24,9 +25,34 @@ pub(super) fn of_inputs(
     table
 }
 
+/// The values of a table in a few words, each with its symbol: "φ′ 35°".
+pub(super) fn in_short(inputs: &dyn Inputs) -> Vec<String> {
+    let values = given_inputs(inputs).into_iter();
+    let texts = values.filter_map(|(input, given)| {
+        let (symbol, factor, unit) = input.symbol?;
+        let text = match given {
+            Given::Number(value) if input.is_quiet && value == input.default => return None,
+            Given::Number(value) | Given::Optional(Some(value)) => {
+                Plain(factor * value).to_string()
+            }
+            Given::Pair(Some([top, bottom])) if top == bottom => Plain(factor * top).to_string(),
+            Given::Pair(Some(pair)) => {
+                let [top, bottom] = pair.map(|value| Plain(factor * value));
+                format!("{top} to {bottom}")
+            }
+            _ => return None,
+        };
+        Some(format!("{symbol} {text}{unit}"))
+    });
+    texts.collect()
+}
+
 /// "density of the water (kg/m³)".
 fn labelled(input: &Input, value: Given) -> String {
     let meaning = input.meaning();
+    if input.is_height() {
+        return format!("{meaning} z (m)");
+    }
     match (value.is_number(), input.unit()) {
         (false, _) => meaning.to_owned(),
         (true, "") => format!("{meaning} (−)"),
@@ -45,6 +71,10 @@ fn shown(input: &Input, value: Given) -> Option<String> {
         }
         Given::Number(value) | Given::Optional(Some(value)) => Some(given(value)),
         Given::Optional(None) => Some(input.otherwise.to_owned()).filter(|text| !text.is_empty()),
+        Given::Pair(pair) => {
+            let [top, bottom] = pair?.map(given);
+            Some(format!("{top} to {bottom}"))
+        }
         Given::Flag(flag) => Some(if flag { "yes" } else { "no" }.to_owned()),
         Given::Name(place, names) => Some(names[place?].to_owned()),
     }

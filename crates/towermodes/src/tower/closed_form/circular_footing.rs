@@ -63,7 +63,7 @@ pub struct CircularFooting {
         .quiet()
         .note("below the stratum; without it rock")
         .needs("soil_thickness", "add the thickness of the stratum above it, in m")
-        .usual(Quantity::SoilShearModulus, [1e6, 5e10])
+        .usual_of(Quantity::SoilShearModulus, [1e6, 5e10])
         .of_soil())]
     pub lower_shear_modulus_pa: f64,
     /// Whether the embedment couples sliding and rocking.

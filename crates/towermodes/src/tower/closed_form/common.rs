@@ -41,7 +41,7 @@ pub(super) const SOIL_SHEAR_MODULUS: Input = Input::new(
     "the shear modulus of the soil",
 )
 .hint("Pa; dense sand has about 5e7")
-.usual(Quantity::SoilShearModulus, [1e6, 5e10])
+.usual_of(Quantity::SoilShearModulus, [1e6, 5e10])
 .of_soil();
 
 /// Poisson's ratio of the soil.
@@ -62,12 +62,15 @@ pub(super) const SOIL_YOUNGS_MODULUS: Input = Input::new(
 )
 .note("at the depth of one diameter")
 .hint("Pa, at the depth of one diameter")
-.usual(Quantity::SoilYoungsModulus, [1e6, 5e10])
+.usual_of(Quantity::SoilYoungsModulus, [1e6, 5e10])
 .of_soil();
 
 /// The profile of that modulus.
-pub(super) const SOIL_PROFILE: Input =
-    Input::choice("soil_profile", "the soil profile").note("homogeneous, parabolic or linear");
+pub(super) const SOIL_PROFILE: Input = Input::choice(
+    "soil_profile",
+    "the profile of Young's modulus over the depth",
+)
+.note("homogeneous, parabolic or linear");
 
 /// Stiffness against z, which a formula does not give.
 pub(super) const VERTICAL: Input = Input::new(

@@ -24,7 +24,7 @@ pub struct PileTube {
     #[input(Input::new("youngs_modulus", " Pa", Limit::Positive, "Young's modulus of the pile")
         .note("of the pile")
         .hint("of the pile in Pa; steel has 2.1e11")
-        .usual(Quantity::YoungsModulus, [1e9, 1e12]))]
+        .usual_of(Quantity::YoungsModulus, [1e9, 1e12]))]
     pub youngs_modulus_pa: f64,
 }
 

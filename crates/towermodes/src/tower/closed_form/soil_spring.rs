@@ -86,7 +86,7 @@ static SPRING: Input = Input::new(
 .yields_to("spring_formula")
 .note("per metre of pile, at the depth of one diameter")
 .hint("N/m2 per metre of pile at the depth of one diameter; or spring_formula with the modulus of the soil")
-.usual(Quantity::SoilSpring, [5e4, 1e12])
+.usual_of(Quantity::SoilSpring, [5e4, 1e12])
 .of_soil();
 static MODULUS: Input = SOIL_YOUNGS_MODULUS
     .optional()

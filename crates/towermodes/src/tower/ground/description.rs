@@ -1,7 +1,7 @@
 //! Soil in layers as its user describes it.
 
 use super::layer::GroundLayer;
-use crate::inputs::{Named, names};
+use crate::inputs::{Input, Inputs, Limit, Named, names};
 
 /// Soil in layers around the part of a tower below the surface of the ground.
 ///
@@ -14,28 +14,20 @@ use crate::inputs::{Named, names};
 /// A monopile of 6 m in 36 m of sand and clay. Its tip is free to move sideways and to turn.
 /// ```
 /// use towermodes::{
-///     ApiEdition, Clay, Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, Material,
-///     Options, Rna, Sand, Scour, SoilModel, Station, Tower, TowerDescription, solve,
+///     Clay, Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, Material, Options, Rna,
+///     Sand, Scour, SoilModel, Station, Tower, TowerDescription, solve,
 /// };
 ///
-/// let layer = |top_m, bottom_m, soil| GroundLayer {
-///     top_m,
-///     bottom_m,
-///     soil,
-///     model: SoilModel::Api,
+/// let layer = |ends_m, soil| GroundLayer {
 ///     effective_unit_weight_n_per_m3: Some(1e4),
-///     shear_modulus: None,
-///     poissons_ratio: None,
-///     shaft_friction_pa: None,
-///     end_bearing_pa: None,
-///     factor: 1.0,
+///     ..GroundLayer::new(ends_m, soil, SoilModel::Api)
 /// };
 /// let sand = Sand { friction_angle_deg: Some(35.0), ..Sand::default() };
 /// let clay = Clay {
 ///     undrained_strength_pa: Some([8e4, 1.5e5]),
 ///     strain_at_half_strength: Some(0.007),
 ///     strength_factor: Some(0.25),
-///     stiffness_factor: None,
+///     ..Clay::default()
 /// };
 /// let tower = |local_m| TowerDescription {
 ///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
@@ -47,17 +39,14 @@ use crate::inputs::{Named, names};
 ///         ..FoundationSprings::RIGID
 ///     }),
 ///     ground: Some(Ground {
-///         surface_m: -20.0,
 ///         scour: Scour { general_m: 0.0, local_m },
-///         factor: 1.0,
-///         submerged: true,
-///         pile_diameter_m: None,
-///         axial: None,
-///         edition: ApiEdition::Rp2Geo,
-///         layers: vec![
-///             layer(-20.0, -32.0, LayerSoil::Sand(sand)),
-///             layer(-32.0, -60.0, LayerSoil::Clay(clay)),
-///         ],
+///         ..Ground::new(
+///             -20.0,
+///             vec![
+///                 layer([-20.0, -32.0], LayerSoil::Sand(sand)),
+///                 layer([-32.0, -60.0], LayerSoil::Clay(clay)),
+///             ],
+///         )
 ///     }),
 ///     ..TowerDescription::default()
 /// };
@@ -68,28 +57,60 @@ use crate::inputs::{Named, names};
 /// let loss = 1.0 - first_hz(6.0) / first_hz(0.0);
 /// assert!((0.02..0.06).contains(&loss), "{loss}");
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Inputs)]
 pub struct Ground {
     /// Height of the surface before scour in the datum of the stations, m: mudline or terrain.
+    #[input(Input::height("surface", "the height of the surface before scour")
+        .note("height of the mudline or terrain before scour")
+        .hint("height of the mudline or of the terrain in m, in the datum of the stations"))]
     pub surface_m: f64,
+    /// Whether the soil is under water: the groundwater table is at the surface or above it.
+    #[input(Input::new("submerged", "", Limit::Elsewhere, "whether the soil is under water")
+        .note("whether the soil is under water")
+        .hint("submerged = true if the water table is at the surface or above it, else false"))]
+    pub submerged: bool,
     /// Soil that is eroded.
+    #[inputs]
     pub scour: Scour,
     /// Multiplies every spring: 0.5 and 2 show the uncertainty of soil.
+    #[input(Input::new("factor", "", Limit::Positive, "the factor on all springs of the ground")
+        .or(1.0)
+        .quiet()
+        .note("on all springs of the ground"))]
     pub factor: f64,
-    /// Whether the soil is under water: the groundwater table is at the surface or above it.
-    pub submerged: bool,
     /// Outer diameter of the pile, m, for a tower that is given by a table of properties; none:
     /// that of the stations.
+    #[input(Input::length("pile_diameter", "the outer diameter of the pile")
+        .optional()
+        .note("for a tower given by a table of properties"))]
     pub pile_diameter_m: Option<f64>,
     /// The springs along and about the axis of the pile; none if these motions are held otherwise.
+    #[input(Input::choice("axial", "the axial model")
+        .optional()
+        .note("model of the axial springs: api, kraft or randolph-wroth"))]
     pub axial: Option<AxialModel>,
     /// The edition of the standard of API that its models follow.
+    #[input(Input::choice("edition", "the edition")
+        .optional()
+        .note("of the standard of API: rp-2geo or rp-2a"))]
     pub edition: ApiEdition,
     /// The layers from the surface down, each below the previous one.
+    #[tables]
     pub layers: Vec<GroundLayer>,
 }
 
 impl Ground {
+    /// Layers under water from a surface (m) down, without scour and axial springs, by the current
+    /// edition of API.
+    pub fn new(surface_m: f64, layers: Vec<GroundLayer>) -> Self {
+        Self {
+            surface_m,
+            submerged: true,
+            layers,
+            ..Self::blank()
+        }
+    }
+
     /// Height of the surface after scour, at the pile: of the bottom of the hole of local scour, m.
     pub fn scoured_surface_m(&self) -> f64 {
         self.surface_m - self.scour.general_m - self.scour.local_m
@@ -97,11 +118,19 @@ impl Ground {
 }
 
 /// Erosion of the soil around a pile; zero for none.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Inputs)]
 pub struct Scour {
     /// By how much the surface as a whole goes down, m.
+    #[input(Input::new("scour.general", " m", Limit::Depth, "the depth of general scour")
+        .or(0.0)
+        .quiet()
+        .note("depth by which the whole surface goes down"))]
     pub general_m: f64,
     /// Depth of the hole around the pile below that, m.
+    #[input(Input::new("scour.local", " m", Limit::Depth, "the depth of local scour")
+        .or(0.0)
+        .quiet()
+        .note("depth of the hole around the pile below that"))]
     pub local_m: f64,
 }
 

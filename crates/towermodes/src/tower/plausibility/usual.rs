@@ -72,7 +72,10 @@ pub(super) fn check_inputs(
     warnings: &mut Vec<Warning>,
 ) {
     for (input, given) in given_inputs(inputs) {
-        let finite = given.number().filter(|value| value.is_finite());
+        // The larger one of the values at top and bottom: the other may be zero.
+        let larger = given.pair().map(|[top, bottom]| top.max(bottom));
+        let finite = given.number().or(larger);
+        let finite = finite.filter(|value| value.is_finite());
         if let (Some((quantity, [least, most])), Some(value)) = (input.usual, finite) {
             let usual = Usual::new(quantity, least, most);
             usual.check(value, Site::at(at(input.key)), warnings);

@@ -9,9 +9,17 @@ pub(super) fn check_inputs(
     inputs: &dyn Inputs,
     at: impl Fn(&'static str) -> Place,
 ) -> Result<(), TowerError> {
-    let numbers = given_inputs(inputs).into_iter();
-    let mut numbers = numbers.filter_map(|(input, given)| Some((input, given.number()?)));
-    numbers.try_for_each(|(input, value)| check_input(input, value, at(input.key)))
+    for (input, given) in given_inputs(inputs) {
+        let numbers = match given.pair() {
+            // Strength and stiffness can begin with zero, as those of normally consolidated clay.
+            Some([0.0, other] | [other, 0.0]) if other > 0.0 => [Some(other), None],
+            Some(pair) => pair.map(Some),
+            None => [given.number(), None],
+        };
+        let mut numbers = numbers.into_iter().flatten();
+        numbers.try_for_each(|value| check_input(input, value, at(input.key)))?;
+    }
+    Ok(())
 }
 
 fn check_input(input: &Input, value: f64, place: Place) -> Result<(), TowerError> {
@@ -22,10 +30,18 @@ fn check_input(input: &Input, value: f64, place: Place) -> Result<(), TowerError
     match input.limit {
         Limit::Finite => finite(place, name, value, unit),
         Limit::Coordinate => coordinate(place, name, value),
+        Limit::Depth => {
+            not_negative(place, name, value, unit)?;
+            coordinate(place, name, value)
+        }
         Limit::Length => length(place, name, value),
         Limit::Positive => positive(place, name, value, unit),
         Limit::NotNegative => not_negative(place, name, value, unit),
         Limit::Stiffness => stiffness(place, name, value, unit),
+        Limit::UpTo(most) => {
+            positive(place, name, value, unit)?;
+            within(place, input, value, [0.0, most])
+        }
         Limit::Within(range) => within(place, input, value, range),
         Limit::PoissonsRatioOfSoil => {
             finite(place, name, value, unit)?;

@@ -52,7 +52,11 @@ impl Undrained {
         let (strength, strain) = (clay.undrained_strength_pa, clay.strain_at_half_strength);
         let (key, value) = ("strain_at_half_strength", "the strain at half the strength");
         Ok(Self {
-            strength_pa: values.needed("undrained_strength", "the undrained strength", strength)?,
+            strength_pa: values.needed(
+                "undrained_strength",
+                "the undrained shear strength",
+                strength,
+            )?,
             strain_50: values.needed(key, value, strain)?,
         })
     }

@@ -3,7 +3,8 @@
 mod model;
 mod values;
 
-use super::scale::{coordinate, error, length, not_negative, positive};
+use super::inputs::check_inputs;
+use super::scale::{coordinate, error};
 use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
 use crate::tower::ground::{ConeBelowStress, Ground, GroundLayer, Models, cone_below_stress};
@@ -29,9 +30,9 @@ pub(in crate::tower::validate) fn check_ground(
     let Some(ground) = &description.ground else {
         return Ok(());
     };
+    check_inputs(ground, at)?;
     check_heights(ground, base_m, top_m)?;
     check_diameter(description, ground)?;
-    positive(at("factor"), "the factor on the soil", ground.factor, "")?;
     check_layers(ground, base_m)?;
     let mut models = Vec::with_capacity(ground.layers.len());
     for (index, own) in ground.layers.iter().enumerate() {
@@ -66,17 +67,7 @@ fn check_cones(description: &TowerDescription) -> Checked {
 
 fn check_heights(ground: &Ground, base_m: f64, top_m: f64) -> Checked {
     let surface_m = ground.surface_m;
-    coordinate(at("surface"), "the height of the surface", surface_m)?;
     let (general_m, local_m) = (ground.scour.general_m, ground.scour.local_m);
-    not_negative(
-        at("scour.general"),
-        "the depth of general scour",
-        general_m,
-        " m",
-    )?;
-    not_negative(at("scour.local"), "the depth of local scour", local_m, " m")?;
-    coordinate(at("scour.general"), "the depth of general scour", general_m)?;
-    coordinate(at("scour.local"), "the depth of local scour", local_m)?;
     if surface_m > top_m {
         return error(
             at("surface"),
@@ -103,10 +94,9 @@ fn check_heights(ground: &Ground, base_m: f64, top_m: f64) -> Checked {
 fn check_diameter(description: &TowerDescription, ground: &Ground) -> Checked {
     let key = "pile_diameter";
     match (ground.pile_diameter_m, description.stations.is_empty()) {
-        (Some(diameter_m), true) => length(at(key), "the pile's diameter", diameter_m),
         (None, true) => error(at(key), Problem::PileWithoutDiameter),
         (Some(_), false) => error(at(key), Problem::PileWithTwoDiameters),
-        (None, false) => Ok(()),
+        (Some(_), true) | (None, false) => Ok(()),
     }
 }
 
