@@ -522,3 +522,31 @@ fn the_derivative_by_the_soil_is_that_of_all_springs() {
     assert!(by_soil > 0.0);
     assert_close(by_soil, by_springs, 1e-6, "the sum");
 }
+
+/// The springs of a pile depend on powers of its diameter, so one central difference is not exact:
+/// it misses the derivative, here by differences of sixth order, by twice the error that it states.
+#[test]
+fn the_derivative_by_the_diameter_of_a_pile_is_that_of_frequencies() {
+    let base = tower_on(Foundation::Monopile(Box::new(dtu())));
+    let diameter = Change::parse("foundation.diameter", &base).expect("a number");
+    let mut solver = Solver::new(Options {
+        method: Method::Spectral,
+        degree: Some(14),
+        modes: 2,
+        ..Options::default()
+    });
+    let own_m = diameter.parameters()[0].value(&base);
+    let h = 2e-2 * own_m;
+    let mut hz = |steps: f64| {
+        let mut changed = base.clone();
+        diameter.apply(&mut changed, own_m + steps * h);
+        let tower = Tower::new(changed).expect("a tower");
+        solver.frequencies(&tower).expect("solved").modes[0].extrapolated_hz
+    };
+    let mut central = |k: f64| (hz(k) - hz(-k)) / (2.0 * k * h);
+    let expected = 1.5 * central(1.0) - 0.6 * central(2.0) + 0.1 * central(3.0);
+    let found = Solver::default().sensitivities(&base, std::slice::from_ref(&diameter));
+    let found = found.expect("derivatives").changes[0].modes[0].expect("a derivative");
+    let missed = (found.hz_per_unit - expected).abs();
+    assert!(missed <= found.error_hz_per_unit, "{missed:e} {found:?}");
+}
