@@ -2,7 +2,7 @@
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
-use towermodes::{Change, ModeFrequency, ModeName, Options, Sensitivities, SensitivityError};
+use towermodes::{Change, ModeName, Sensitivities, SensitivityError, Solver};
 use towermodes_files::SweepResults;
 use towermodes_sweep::{Base, MORE_MODES, Sweep};
 
@@ -51,33 +51,22 @@ pub fn sensitivities<'py>(
 
 /// The derivatives, and the place of each mode of the sweep in their list.
 fn derived(py: Python<'_>, sweep: &Sweep) -> PyResult<(Sensitivities, Vec<usize>)> {
-    let mut options = sweep.options().clone();
-    loop {
-        let solved = interruptible(py, options.clone(), |solver| {
-            solver.sensitivities(sweep.base(), sweep.changes())
-        })?;
-        let solved = solved.map_err(|error| failed(&error))?;
-        let place = |name: &ModeName| solved.modes.iter().position(|mode| is_named(mode, name));
-        let columns: Option<Vec<usize>> = sweep.modes().iter().map(place).collect();
-        if let Some(columns) = columns {
-            return Ok((solved, columns));
-        }
-        // On the mesh with borders at all rows, a mode may have another place than in the sweep.
-        more(&mut options, sweep)?;
-    }
-}
-
-fn is_named(mode: &ModeFrequency, name: &ModeName) -> bool {
-    (mode.family, mode.order) == (name.family, name.order)
-}
-
-fn more(options: &mut Options, sweep: &Sweep) -> PyResult<()> {
-    options.modes += 2;
-    match options.modes > sweep.options().modes + MORE_MODES {
-        true => Err(usage(
+    let columns = |solved: &Sensitivities| -> Option<Vec<usize>> {
+        let place = |name: &ModeName| solved.modes.iter().position(|mode| mode.name() == *name);
+        sweep.modes().iter().map(place).collect()
+    };
+    // On the mesh with borders at all rows, a mode may have another place than in the sweep.
+    let most = sweep.options().modes + MORE_MODES;
+    let solved = interruptible(py, sweep.options().clone(), |solver| {
+        let solve = |solver: &mut Solver| solver.sensitivities(sweep.base(), sweep.changes());
+        solver.until(most, solve, |solved| columns(solved).is_some())
+    })?;
+    let solved = solved.map_err(|error| failed(&error))?;
+    match columns(&solved) {
+        Some(columns) => Ok((solved, columns)),
+        None => Err(usage(
             "a mode of the tower has another name with borders of segments at all stations; increase segments",
         )),
-        false => Ok(()),
     }
 }
 

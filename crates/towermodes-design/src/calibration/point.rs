@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-use towermodes::{ModeFrequency, ModeName, Operation, Options, Solver, TowerDescription};
+use towermodes::{
+    ModeFrequency, ModeName, Operation, Options, Sensitivities, Solver, TowerDescription,
+};
 
 use super::error::CalibrationError;
 use super::pairing::MOST_MODES;
@@ -81,18 +83,15 @@ impl<'a> Towers<'a> {
         self.description.clone_from(&self.problem.base);
         apply(self.variables, x, &mut self.description);
         let changes: Vec<_> = self.variables.iter().map(|v| v.change.clone()).collect();
-        let found = loop {
-            self.solver.options.clone_from(&self.options);
-            let found = self.solver.sensitivities(&self.description, &changes)?;
+        // A mode may have moved up.
+        let has_all = |found: &Sensitivities| {
             let is_there = |name: &ModeName| found.modes.iter().any(|mode| mode.name() == *name);
-            let modes = self.options.modes;
-            let is_last = modes >= MOST_MODES || found.modes.len() < modes;
-            if is_last || self.names.iter().all(is_there) {
-                break found;
-            }
-            // A mode that has moved up.
-            self.options.modes = (2 * modes).min(MOST_MODES);
+            self.names.iter().all(is_there)
         };
+        let solve = |solver: &mut Solver| solver.sensitivities(&self.description, &changes);
+        self.solver.options.clone_from(&self.options);
+        let found = self.solver.until(MOST_MODES, solve, has_all)?;
+        self.options.modes = self.solver.options.modes;
         let (n, data) = (x.len(), self.names.len());
         let mut point = Point {
             x: x.to_vec(),

@@ -8,7 +8,7 @@ use towermodes::{
 use super::error::DesignError;
 use super::problem::Goal;
 use super::steps::multiple;
-use super::towers::{End, MOST_MODES, Towers};
+use super::towers::{End, Towers};
 
 /// A goal and the frequency of the tower that was found.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,7 +69,7 @@ impl Confirmed {
 pub(super) fn original(towers: &mut Towers<'_>) -> Option<Solution> {
     let tower = Tower::new(towers.base.clone()).ok()?;
     let options = options(towers);
-    towers.solution(&tower, &options).ok()
+    towers.solution(&tower, options, |_| true).ok()
 }
 
 /// How a tower is solved by `solve`: with its default number of segments, if that is finer than the
@@ -95,30 +95,28 @@ pub(super) fn confirmed(
     let values = written(towers, scaled);
     let description = towers.problem.tower(towers.base, &values);
     let tower = Tower::new(description.clone())?;
-    let mut options = options(towers);
-    loop {
-        let after = towers.solution(&tower, &options)?;
-        let is_last = options.modes >= MOST_MODES;
-        let all = towers.problem.goals.iter();
-        let all = all.map(|goal| reached(goal, &after, before, is_last).ok_or(goal.mode));
-        match all.collect::<Result<Vec<_>, ModeName>>() {
-            Ok(all) => {
-                let (reached, ends): (Vec<Reached>, Vec<[End; 2]>) = all.into_iter().unzip();
-                return Ok(Confirmed {
-                    limits: towers.limit_values(&ends, &description),
-                    certificate: after.certificate,
-                    tower: description,
-                    values,
-                    reached,
-                });
-            }
-            Err(mode) if is_last => {
-                let modes = options.modes;
-                return Err(DesignError::NoMode { mode, modes });
-            }
-            Err(_) => options.modes = (2 * options.modes).min(MOST_MODES),
-        }
-    }
+    let goals = &towers.problem.goals;
+    let has_all = |after: &Solution| {
+        let mut goals = goals.iter();
+        goals.all(|goal| reached(goal, after, before, false).is_some())
+    };
+    let after = towers.solution(&tower, options(towers), has_all)?;
+    let all = goals.iter().map(|goal| {
+        let reached = reached(goal, &after, before, true);
+        reached.ok_or(DesignError::NoMode {
+            mode: goal.mode,
+            modes: after.modes.len(),
+        })
+    });
+    let all = all.collect::<Result<Vec<_>, DesignError>>()?;
+    let (reached, ends): (Vec<Reached>, Vec<[End; 2]>) = all.into_iter().unzip();
+    Ok(Confirmed {
+        limits: towers.limit_values(&ends, &description),
+        certificate: after.certificate,
+        tower: description,
+        values,
+        reached,
+    })
 }
 
 /// What a solution has of a goal, and the lowest and the highest frequency that it binds; none if

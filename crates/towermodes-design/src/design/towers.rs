@@ -170,15 +170,19 @@ impl<'d> Towers<'d> {
         self.last = None;
     }
 
-    /// A tower, solved as any other.
+    /// A tower, solved as any other, with as many modes as `has_all` needs.
     pub(super) fn solution(
         &mut self,
         tower: &Tower,
-        options: &Options,
+        options: Options,
+        has_all: impl FnMut(&Solution) -> bool,
     ) -> Result<Solution, SolveError> {
-        self.solves += 1;
-        let solve = |solver: &mut Solver| solver.solve(tower);
-        self.solver.with(options.clone(), solve)
+        let solve = |solver: &mut Solver| {
+            self.solves += 1;
+            solver.solve(tower)
+        };
+        let all = |solver: &mut Solver| solver.until(MOST_MODES, solve, has_all);
+        self.solver.with(options, all)
     }
 
     /// A limit in its unit, and its scaled change per unit by which it is relaxed.
@@ -250,22 +254,23 @@ impl<'d> Towers<'d> {
     ) -> Result<(Sensitivities, Vec<[usize; 2]>), DesignError> {
         let variables = self.problem.variables.iter().filter(|_| slopes);
         let changes: Vec<Change> = variables.map(|of| of.change.clone()).collect();
-        loop {
-            let modes = self.modes;
-            let options = Options {
-                modes,
-                ..self.options.clone()
-            };
-            let solve = |solver: &mut Solver| solver.sensitivities(tower, &changes);
-            let found = self.solver.with(options, solve)?;
-            let is_last = modes >= MOST_MODES || found.modes.len() < modes;
-            match ends(&self.problem.goals, &found.modes, is_last) {
-                Ok(ends) => return Ok((found, ends)),
-                Err(mode) if is_last => {
-                    let modes = found.modes.len();
-                    return Err(DesignError::NoMode { mode, modes });
-                }
-                Err(_) => self.modes = (2 * modes).min(MOST_MODES),
+        let goals = &self.problem.goals;
+        let options = Options {
+            modes: self.modes,
+            ..self.options.clone()
+        };
+        let solve = |solver: &mut Solver| solver.sensitivities(tower, &changes);
+        let has_all = |found: &Sensitivities| ends(goals, &found.modes, false).is_ok();
+        let found = self.solver.with(options, |solver| {
+            let found = solver.until(MOST_MODES, solve, has_all);
+            self.modes = solver.options.modes;
+            found
+        })?;
+        match ends(goals, &found.modes, true) {
+            Ok(ends) => Ok((found, ends)),
+            Err(mode) => {
+                let modes = found.modes.len();
+                Err(DesignError::NoMode { mode, modes })
             }
         }
     }
