@@ -2,13 +2,13 @@
 
 use std::f64::consts::TAU;
 
-use super::checks::{check_modes, check_segments, check_size};
-use super::cost::Cost;
 use super::error::SolveError;
-use super::solution::Certificate;
+use super::errors::tracking::{Ladder, Levels, MORE};
+use super::on_mesh::spectrum::Found;
+use super::request::checks::{check_modes, check_segments, check_size};
+use super::request::cost::Cost;
+use super::results::solution::Certificate;
 use super::solver::Solver;
-use super::spectrum::Found;
-use super::tracking::{Ladder, Levels, MORE};
 use super::workspace::Workspace;
 use crate::Method;
 use crate::beam::blade_coordinates;

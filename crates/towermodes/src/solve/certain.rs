@@ -1,7 +1,7 @@
 //! As many of the modes requested as double precision resolves.
 
 use super::error::SolveError;
-use super::solution::Solution;
+use super::results::solution::Solution;
 use super::solver::Solver;
 use crate::eigen::EigenError;
 use crate::tower::{Tower, Warning};

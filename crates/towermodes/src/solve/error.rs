@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::limits::{MAX_BYTES, MAX_DEGREE, MAX_POINTS, MAX_SECONDS};
+use super::request::limits::{MAX_BYTES, MAX_DEGREE, MAX_POINTS, MAX_SECONDS};
 use crate::eigen::EigenError;
 use crate::elements::BorderError;
 use crate::modes::Family;

@@ -4,15 +4,15 @@
 //! the vector held is that of the eigenvalue (Hellmann 1937, Feynman 1939; Fox & Kapoor 1968). The
 //! scaled coordinates of a vector are held: they are the same on every tower of one structure.
 
-use super::cut::Cut;
 use super::error::SolveError;
-use super::estimate::powers;
-use super::frequencies::ModeFrequency;
-use super::guesses::{Guesses, followed};
-use super::model::Model;
-use super::options::Options;
-use super::spectrum::{ModeKey, Spectrum};
-use super::stability::find_origin_again;
+use super::errors::estimate::powers;
+use super::errors::guesses::{Guesses, followed};
+use super::on_mesh::cut::Cut;
+use super::on_mesh::model::Model;
+use super::on_mesh::spectrum::{ModeKey, Spectrum};
+use super::on_mesh::stability::find_origin_again;
+use super::request::options::Options;
+use super::results::frequencies::ModeFrequency;
 use super::without_shapes::solve_keeping_vectors;
 use super::workspace::Workspace;
 use crate::Method;

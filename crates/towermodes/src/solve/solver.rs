@@ -1,7 +1,7 @@
 //! The solver: how to solve, and the memory that is reused from solve to solve.
 
-use super::options::Options;
 use super::progress::{Monitor, Progress};
+use super::request::options::Options;
 use super::workspace::Workspace;
 
 /// Options, and memory that is reused from solve to solve: after a first tower most solves of

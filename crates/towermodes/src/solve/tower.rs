@@ -1,15 +1,15 @@
 //! The front door for towers.
 
-use super::cut::Cut;
 use super::error::SolveError;
-use super::estimate::{Estimates, estimate_errors, other_segments};
-use super::frequencies::Estimated;
-use super::one_mesh::{Described, describe, solve_cut};
-use super::options::Options;
-use super::p_refinement;
-use super::solution::{ErrorBasis, Mode, Solution};
+use super::errors::estimate::{Estimates, estimate_errors, other_segments};
+use super::errors::p_refinement;
+use super::on_mesh::cut::Cut;
+use super::on_mesh::one_mesh::{Described, describe, solve_cut};
+use super::request::options::Options;
+use super::results::frequencies::Estimated;
+use super::results::solution::{ErrorBasis, Mode, Solution};
+use super::results::warnings::{irregular, uncertain_end, warnings};
 use super::solver::Solver;
-use super::warnings::{irregular, uncertain_end, warnings};
 use super::workspace::Workspace;
 use crate::tower::Tower;
 

@@ -1,14 +1,14 @@
 //! Frequencies without shapes, for many towers one after the other.
 
 use super::error::SolveError;
-use super::estimate::estimate_errors;
-use super::frequencies::Frequencies;
-use super::listing::list;
-use super::one_mesh::solve_cut;
-use super::options::Options;
-use super::p_refinement;
+use super::errors::estimate::estimate_errors;
+use super::errors::p_refinement;
+use super::on_mesh::listing::list;
+use super::on_mesh::one_mesh::solve_cut;
+use super::request::options::Options;
+use super::results::frequencies::Frequencies;
+use super::results::warnings::is_uncertain_end;
 use super::solver::Solver;
-use super::warnings::is_uncertain_end;
 use super::workspace::Workspace;
 use crate::tower::Tower;
 

@@ -1,12 +1,12 @@
 //! The memory of a solve.
 
-use super::cut::{Cut, LastCut};
-use super::frequencies::{Estimated, Frequencies};
-use super::guesses::Guesses;
-use super::model::Model;
-use super::naming::Naming;
-use super::spectrum::{ModeKey, Spectrum};
-use super::tracking::{Ladder, Levels};
+use super::errors::guesses::Guesses;
+use super::errors::tracking::{Ladder, Levels};
+use super::on_mesh::cut::{Cut, LastCut};
+use super::on_mesh::model::Model;
+use super::on_mesh::naming::Naming;
+use super::on_mesh::spectrum::{ModeKey, Spectrum};
+use super::results::frequencies::{Estimated, Frequencies};
 use crate::elements::Mesh;
 
 /// Memory that is reused from solve to solve.

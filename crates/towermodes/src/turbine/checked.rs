@@ -1,10 +1,10 @@
 //! A turbine that can exist.
 
-use super::blade_elements::borders;
 use super::description::TurbineDescription;
+use super::equations::blade_elements::borders;
+use super::equations::machine::Machine;
+use super::equations::mesh::TurbineMesh;
 use super::error::{MOST_GENERATOR, TurbineError};
-use super::machine::Machine;
-use super::mesh::TurbineMesh;
 use super::validate::check;
 use crate::beam::TurningBlade;
 use crate::blade::Blade;

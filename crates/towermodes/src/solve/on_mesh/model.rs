@@ -1,0 +1,189 @@
+//! A tower or a blade as uncoupled subsystems, whatever the method.
+
+use super::super::progress::Monitor;
+use super::super::request::options::Options;
+use crate::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams, assemble_blade};
+use crate::blade::Blade;
+use crate::chain::Chains;
+use crate::elements::{Element, Mesh, assemble_chains};
+use crate::modes::ByMotion;
+use crate::subsystem::{
+    Coefficients, Eigenproblem, Energies, Resultant, Subsystem, SubsystemPencil,
+};
+use crate::tower::{Motions, Tower};
+
+/// The subsystems of a tower or a blade, with the memory to work on them.
+///
+/// They are chains or beams, whichever was assembled last: one of the two lists is empty.
+#[derive(Default)]
+pub(crate) struct Model {
+    chains: Chains,
+    beams: Beams,
+    beam_memory: BeamWorkspace,
+    /// Height of the base, or radius of the blade's root, m.
+    base_m: f64,
+    /// Where the spectrum begins, rad²/s²: 0, or below where nothing holds a floating tower in some
+    /// direction.
+    pub(crate) origin: f64,
+    /// The progress observer.
+    pub(crate) monitor: Monitor,
+}
+
+impl std::fmt::Debug for Model {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Model").finish_non_exhaustive()
+    }
+}
+
+/// The forces and the energy of a mode.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct ModalForces {
+    /// Products of the inertia forces with rigid-body motions (x, y, z, rotation about x, y, z)
+    /// about the base.
+    pub(super) force: [f64; 6],
+    /// Kinetic energy, times 2/ω².
+    pub(crate) kinetic: ByMotion,
+    /// Strain energy, times 2; none for a subsystem of one motion, which has all of it.
+    pub(crate) strain: Option<ByMotion>,
+}
+
+impl Model {
+    /// Assembles a tower on a mesh, with elements of this degree if they have one.
+    pub(crate) fn assemble(
+        &mut self,
+        tower: &Tower,
+        mesh: &Mesh,
+        degree: usize,
+        options: &Options,
+    ) {
+        let Some(element) = Element::of(options.method) else {
+            return self.assemble_beams(tower, mesh, options.beam_recipe(degree));
+        };
+        self.restart(tower.base_m());
+        let recipe = options.recipe(element);
+        assemble_chains(tower, mesh, &recipe, &mut self.chains);
+    }
+
+    /// Assembles a tower as beams.
+    pub(crate) fn assemble_beams(&mut self, tower: &Tower, mesh: &Mesh, recipe: BeamRecipe) {
+        self.restart(tower.base_m());
+        let Self {
+            beam_memory, beams, ..
+        } = self;
+        assemble_beams(tower, mesh, recipe, beam_memory, beams);
+    }
+
+    /// Assembles a rotating blade with elements between these fractions of its span.
+    pub(crate) fn assemble_blade(&mut self, blade: &Blade, borders: &[f64]) {
+        self.restart(blade.description().hub_radius_m);
+        assemble_blade(blade, borders, &mut self.beams);
+    }
+
+    fn restart(&mut self, base_m: f64) {
+        self.chains.release();
+        self.beams.release();
+        self.base_m = base_m;
+        self.origin = 0.0;
+    }
+
+    /// Number of subsystems; of two equal bending planes only one is there.
+    pub(crate) fn count(&self) -> usize {
+        self.chains.members().len() + self.beams.members().len()
+    }
+
+    /// A subsystem; the first one has the bending in the fore-aft plane.
+    pub(crate) fn subsystem(&self, index: usize) -> &dyn Subsystem {
+        let (chains, beams) = (self.chains.members(), self.beams.members());
+        match index.checked_sub(chains.len()) {
+            None => &*chains[index],
+            Some(index) => &*beams[index],
+        }
+    }
+
+    /// The eigenvalue problem of a subsystem.
+    pub(crate) fn pencil(&mut self, index: usize, problem: Eigenproblem) -> SubsystemPencil<'_> {
+        let subsystem = subsystem_mut(&mut self.chains, &mut self.beams, index);
+        SubsystemPencil::new(subsystem, problem).observed_by(self.monitor.observer())
+    }
+
+    /// The free vibration of a subsystem, from the [origin](Self::origin) of the spectrum.
+    pub(crate) fn vibration(&mut self, index: usize) -> SubsystemPencil<'_> {
+        let origin = self.origin;
+        self.pencil(index, Eigenproblem::Vibration { origin })
+    }
+
+    /// How many times the modes of a subsystem are in the spectrum.
+    pub(crate) fn multiplicity(&self, index: usize) -> usize {
+        match self.chains.members().is_empty() {
+            true => self.beams.multiplicity(index),
+            false => self.chains.multiplicity(index),
+        }
+    }
+
+    /// The motions of a subsystem.
+    pub(crate) fn motions(&self, index: usize) -> Motions {
+        self.subsystem(index).motions()
+    }
+
+    /// Whether a subsystem has a single motion, which then has all the energy.
+    pub(crate) fn has_single_motion(&self, index: usize) -> bool {
+        self.motions(index).only_one().is_some()
+    }
+
+    /// Unknowns of the whole, an equal plane counted twice.
+    pub(crate) fn degrees_of_freedom(&self) -> usize {
+        (0..self.count())
+            .map(|index| self.multiplicity(index) * self.subsystem(index).degrees_of_freedom())
+            .sum()
+    }
+
+    /// Whether no number overflowed.
+    pub(crate) fn is_finite(&self) -> bool {
+        (0..self.count()).all(|index| self.subsystem(index).is_finite())
+    }
+
+    /// The resultant and the energy of a matrix A and an eigenvector of a subsystem.
+    pub(crate) fn resultant(
+        &mut self,
+        index: usize,
+        a: &Coefficients,
+        vector: &[f64],
+    ) -> Resultant {
+        let base_m = self.base_m;
+        subsystem_mut(&mut self.chains, &mut self.beams, index).resultant(a, vector, base_m)
+    }
+
+    /// xᵀ A x of a vector of a subsystem for each of its matrices.
+    pub(crate) fn energies(&mut self, index: usize, vector: &[f64]) -> Energies {
+        subsystem_mut(&mut self.chains, &mut self.beams, index).energies(vector)
+    }
+
+    /// The forces and the energy of an eigenvector of a subsystem.
+    pub(super) fn modal_forces(&mut self, index: usize, vector: &[f64]) -> ModalForces {
+        // A single motion has all the energy, however large it is.
+        let (resultant, strain) = if self.has_single_motion(index) {
+            (self.resultant(index, &Coefficients::MASS, vector), None)
+        } else {
+            let base_m = self.base_m;
+            let subsystem = subsystem_mut(&mut self.chains, &mut self.beams, index);
+            let (resultant, strain) = subsystem.modal_resultant(vector, base_m);
+            (resultant, Some(strain))
+        };
+        ModalForces {
+            force: resultant.force,
+            kinetic: ByMotion::sums(resultant.energy),
+            strain: strain.map(ByMotion::sums),
+        }
+    }
+}
+
+fn subsystem_mut<'a>(
+    chains: &'a mut Chains,
+    beams: &'a mut Beams,
+    index: usize,
+) -> &'a mut dyn Subsystem {
+    match index.checked_sub(chains.members().len()) {
+        None => &mut *chains.members_mut()[index],
+        Some(index) => &mut *beams.members_mut()[index],
+    }
+}

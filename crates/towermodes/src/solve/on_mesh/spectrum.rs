@@ -1,0 +1,254 @@
+//! The lowest modes of all subsystems together, and the proof that none is missing.
+
+use super::alignment::align;
+use super::model::Model;
+use crate::eigen::{
+    CountCheck, EigenError, EigenWorkspace, Eigenvalue, Pencil, Statistics, lowest, verify,
+};
+
+/// Relative distances above the last mode at which completeness is certified, widest first.
+const MARGINS: [f64; 7] = [0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-6, REPEATED];
+/// Eigenvalues closer than this, relatively, count as repeated: two planes of different inertia can
+/// cross as near as that.
+const REPEATED: f64 = 1e-9;
+
+/// Eigenvalues and eigenvectors of all subsystems.
+#[derive(Debug, Default)]
+pub(crate) struct Spectrum {
+    of_subsystems: Vec<EigenWorkspace>,
+    /// How many modes are sought in each subsystem.
+    wanted: Vec<usize>,
+    /// Memory for a list of modes.
+    spare: Vec<Found>,
+    pub(crate) statistics: Statistics,
+}
+
+/// The identity of a mode of a tower, the same on any mesh and by any method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct ModeKey {
+    /// The subsystem (uncoupled group of motions) that the mode belongs to, from 0. Where both
+    /// bending planes are equal, subsystem 0 is bending in either.
+    pub subsystem: usize,
+    /// Order within the subsystem, from 1.
+    pub order: usize,
+    /// Whether it is the side-side copy of a fore-aft mode, of a tower whose planes are equal.
+    pub is_turned: bool,
+}
+
+impl ModeKey {
+    /// Whether both modes differ by the bending plane at most.
+    pub(super) fn is_twin(self, other: Self) -> bool {
+        (self.subsystem, self.order) == (other.subsystem, other.order)
+    }
+}
+
+/// A mode found, and its eigenvalue.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Found {
+    pub(crate) key: ModeKey,
+    pub(crate) eigenvalue: Eigenvalue,
+}
+
+/// A proof of completeness: `count` modes lie below `below`, rad²/s².
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Proof {
+    pub(crate) count: usize,
+    pub(crate) below: f64,
+}
+
+impl Spectrum {
+    /// The eigenvector of a mode of the last solve.
+    pub(crate) fn vector(&self, key: ModeKey) -> &[f64] {
+        self.of_subsystems[key.subsystem].vector(key.order - 1)
+    }
+
+    /// The eigenvalues of a subsystem in its last solve, from the beginning of the spectrum.
+    pub(crate) fn eigenvalues_of(&self, subsystem: usize) -> &[Eigenvalue] {
+        self.of_subsystems[subsystem].eigenvalues()
+    }
+
+    /// An eigenvector of the last solve of a subsystem, by its place from 0.
+    pub(crate) fn vector_of(&self, subsystem: usize, place: usize) -> &[f64] {
+        self.of_subsystems[subsystem].vector(place)
+    }
+
+    /// Takes the memory of a list of modes back for the next one.
+    pub(crate) fn recycle(&mut self, found: Vec<Found>) {
+        self.spare = found;
+    }
+
+    /// The lowest eigenvector of a subsystem in the last solve, if any was found.
+    pub(super) fn first_of(&self, subsystem: usize) -> Option<&[f64]> {
+        let workspace = &self.of_subsystems[subsystem];
+        (!workspace.eigenvalues().is_empty()).then(|| workspace.vector(0))
+    }
+
+    /// The eigenvalue of a mode of the last solve of its subsystem.
+    pub(crate) fn eigenvalue(&self, model: &Model, key: ModeKey) -> Eigenvalue {
+        self.of_subsystems[key.subsystem].eigenvalues()[key.order - 1].shifted(model.origin)
+    }
+
+    /// Solves one subsystem for its `wanted` lowest modes.
+    pub(crate) fn solve_subsystem(
+        &mut self,
+        model: &mut Model,
+        subsystem: usize,
+        wanted: usize,
+    ) -> Result<(), EigenError> {
+        self.of_subsystems.resize_with(
+            model.count().max(self.of_subsystems.len()),
+            EigenWorkspace::default,
+        );
+        let workspace = &mut self.of_subsystems[subsystem];
+        self.statistics += lowest(&mut model.vibration(subsystem), wanted, workspace)?;
+        Ok(())
+    }
+
+    /// Solves for at least the `wanted` lowest modes of all subsystems together; returns all found,
+    /// sorted.
+    ///
+    /// The first subsystem, which has the bending fore-aft and so is the softest, is solved first;
+    /// its highest mode bounds how many the others must give.
+    pub(crate) fn solve(
+        &mut self,
+        model: &mut Model,
+        wanted: usize,
+    ) -> Result<Vec<Found>, EigenError> {
+        self.statistics = Statistics::default();
+        let all_first = model.subsystem(0).degrees_of_freedom();
+        // Side-side bending is as soft, or nearly, and gives the other half.
+        let is_alone = model.count() == 1;
+        let half = if is_alone { wanted } else { wanted.div_ceil(2) };
+        let mut first = half.min(all_first);
+        loop {
+            self.solve_subsystem(model, 0, first)?;
+            self.count_below_first(model, wanted);
+            let of_first = self.of_subsystems[0].eigenvalues().len() * model.multiplicity(0);
+            let total = of_first + self.wanted[1..].iter().sum::<usize>();
+            if total >= wanted {
+                break;
+            }
+            if first == all_first {
+                // With the first subsystem exhausted there is no ceiling: any mode of the others
+                // may be among the lowest.
+                let all = |index| model.subsystem(index).degrees_of_freedom().min(wanted);
+                self.wanted.clear();
+                self.wanted.extend((0..model.count()).map(all));
+                break;
+            }
+            first = (first + (wanted - total)).min(all_first);
+        }
+        for index in 1..model.count() {
+            self.solve_subsystem(model, index, self.wanted[index])?;
+        }
+        for (index, workspace) in self
+            .of_subsystems
+            .iter_mut()
+            .take(model.count())
+            .enumerate()
+        {
+            align(model, index, REPEATED, workspace);
+        }
+        Ok(self.sorted(model))
+    }
+
+    /// Counts how many modes each subsystem has below the highest mode found of the first. More
+    /// than the `wanted` lowest of a subsystem are not sought: a tower without torsional stiffness
+    /// has a mode of torsion for each element below the first of bending.
+    fn count_below_first(&mut self, model: &mut Model, wanted: usize) {
+        let found = self.of_subsystems[0].eigenvalues();
+        let ceiling = found.last().map_or(0.0, |e| e.lambda);
+        // Just above the ceiling, so that a mode equal to it counts.
+        let above = ceiling * (1.0 + REPEATED);
+        self.wanted.clear();
+        self.wanted.push(found.len());
+        for index in 1..model.count() {
+            self.wanted.push(count_of(model, index, above).min(wanted));
+        }
+    }
+
+    /// All modes found, by frequency; of a repeated pair the fore-aft mode first.
+    fn sorted(&mut self, model: &Model) -> Vec<Found> {
+        let mut found = std::mem::take(&mut self.spare);
+        found.clear();
+        for (subsystem, workspace) in self.of_subsystems.iter().take(model.count()).enumerate() {
+            for is_turned in [false, true]
+                .into_iter()
+                .take(model.multiplicity(subsystem))
+            {
+                let eigenvalues = workspace.eigenvalues().iter().enumerate();
+                found.extend(eigenvalues.map(|(index, eigenvalue)| Found {
+                    key: ModeKey {
+                        subsystem,
+                        order: index + 1,
+                        is_turned,
+                    },
+                    eigenvalue: eigenvalue.shifted(model.origin),
+                }));
+            }
+        }
+        // Motions that nothing resists are ordered by subsystem.
+        let place = |found: &Found| (found.key.subsystem, found.key.is_turned, found.key.order);
+        let lambda = |found: &Found| match found.eigenvalue {
+            eigenvalue if eigenvalue.is_zero() => 0.0,
+            eigenvalue => eigenvalue.lambda,
+        };
+        found.sort_unstable_by(|a, b| {
+            let by_frequency = lambda(a).total_cmp(&lambda(b));
+            by_frequency.then_with(|| place(a).cmp(&place(b)))
+        });
+        found
+    }
+
+    /// Counts the modes of all subsystems in the gap above `found[..listed]`.
+    ///
+    /// A mode that repeats the last of the list lies below the gap too, and is counted.
+    pub(crate) fn prove(
+        &mut self,
+        model: &mut Model,
+        found: &[Found],
+        listed: usize,
+    ) -> Result<Proof, EigenError> {
+        let (last, origin) = (&found[listed - 1], model.origin);
+        // Distances are relative to the beginning of the spectrum.
+        let lambda = last.eigenvalue.lambda - origin;
+        let repeats = found[listed..]
+            .iter()
+            .take_while(|next| next.repeats(last, origin));
+        let expected = listed + repeats.count();
+        let count_below = |shift| count_below(model, shift + origin);
+        match verify(lambda, expected, &MARGINS, count_below) {
+            CountCheck::Complete { margin } => Ok(Proof {
+                count: expected,
+                below: lambda * (1.0 + margin) + origin,
+            }),
+            CountCheck::Disagrees { count, shift } => Err(EigenError::Incomplete {
+                found: listed,
+                counted: count,
+                below_hz: (shift + origin).max(0.0).sqrt() / std::f64::consts::TAU,
+                restarts: self.statistics.restarts,
+            }),
+        }
+    }
+}
+
+/// Number of modes of a subsystem below μ, counted from the beginning of the spectrum, rad²/s².
+fn count_of(model: &mut Model, subsystem: usize, shift: f64) -> usize {
+    model.vibration(subsystem).count_below(shift)
+}
+
+/// Number of modes of all subsystems below λ, rad²/s².
+pub(crate) fn count_below(model: &mut Model, lambda: f64) -> usize {
+    let shift = lambda - model.origin;
+    (0..model.count())
+        .map(|index| model.multiplicity(index) * count_of(model, index, shift))
+        .sum()
+}
+
+impl Found {
+    /// Whether its eigenvalue is that of another mode, so that no count is taken between the two.
+    pub(super) fn repeats(&self, other: &Self, origin: f64) -> bool {
+        let from_origin = |found: &Self| found.eigenvalue.lambda - origin;
+        from_origin(self) <= from_origin(other) * (1.0 + REPEATED)
+    }
+}

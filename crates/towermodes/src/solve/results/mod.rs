@@ -1,0 +1,8 @@
+//! What a solve answers: modes with shapes or frequencies alone, their energies by parts, warnings.
+
+pub(super) mod energy_parts;
+pub(super) mod frequencies;
+#[cfg(feature = "serde")]
+pub(super) mod mode_keys;
+pub(super) mod solution;
+pub(super) mod warnings;

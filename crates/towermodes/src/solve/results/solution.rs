@@ -1,0 +1,319 @@
+//! The result of a solve.
+
+use super::super::on_mesh::naming::Identity;
+use super::super::on_mesh::spectrum::{Found, ModeKey, Proof};
+use crate::Method;
+use crate::eigen::Statistics;
+use crate::modes::{
+    Energy, EnergyParts, Family, ModeCurve, ModeName, SecondFamily, ShapePoint, Shares,
+};
+use crate::space::SpatialMatrix;
+use crate::tower::{Motion, Warning};
+
+/// A natural mode of a tower, one of [`Solution::modes`].
+///
+/// # Example
+/// ```
+/// use towermodes::{Material, Options, Rna, Station, Tower, TowerDescription, solve};
+///
+/// let tower = Tower::new(TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+///     rna: Rna::point(350e3),
+///     ..TowerDescription::default()
+/// })?;
+/// let mode = &solve(&tower, &Options::default())?.modes[0];
+/// assert_eq!(mode.label(), "1st fore-aft bending");
+/// assert!((mode.period_s() - 3.331).abs() < 1e-3);
+/// assert!(mode.error_hz() < 1e-4 * mode.frequency_hz);
+/// let top = mode.shape.last().expect("101 points");
+/// assert_eq!((top.height_m, top.translation[0]), (87.6, 1.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mode {
+    /// Number in the list, from 1.
+    pub number: usize,
+    /// Natural frequency of the discretized tower, Hz; 0 for a rigid-body motion that nothing
+    /// resists.
+    pub frequency_hz: f64,
+    /// The kind of motion: the one whose energy in the modes so far exceeds its names by most
+    /// ([`Arrears`](crate::modes::Arrears)).
+    pub family: Family,
+    /// Order within the family, from 1.
+    pub order: usize,
+    /// The share of each kind of motion in its energy.
+    pub shares: Shares,
+    /// Bound on the error of the eigenvalue computation, Hz.
+    pub algebraic_error_hz: f64,
+    /// Estimate of the discretization error: the difference from the frequency of the beam, Hz.
+    pub discretization_error_hz: f64,
+    /// The frequency of the beam, extrapolated from meshes with half or twice the segments, Hz.
+    pub extrapolated_hz: f64,
+    /// Modal mass uᵀMu of the shape as normalized here: kg, or kg m² for torsion and yaw. A family
+    /// with less than a tenth of the energy scales no shape; then the one with the largest share
+    /// does.
+    pub modal_mass: f64,
+    /// Distribution of its energy over the motions.
+    pub energy: Energy,
+    /// Distribution of its energy over the parts of the tower; only with
+    /// [`Options::energy_parts`](crate::Options::energy_parts).
+    pub energy_parts: Option<EnergyParts>,
+    /// Effective modal masses in x, y, z, kg, and about the axes x, y, z through the base, kg m²:
+    /// (uᵀ M r)²/(uᵀ M u) with r the rigid motion of 1 in that direction. Over all modes they add
+    /// up to the diagonal of [`Solution::rigid_inertia`].
+    pub effective_mass: [f64; 6],
+    /// The shape at equal heights from the base to the top.
+    pub shape: Vec<ShapePoint>,
+    /// The shape at the tower's stations.
+    pub station_shape: Vec<ShapePoint>,
+    /// The shape at the heights of [`Options::heights_m`](crate::Options::heights_m).
+    pub shape_there: Vec<ShapePoint>,
+    /// Its identity on any mesh and by any method.
+    pub(crate) key: ModeKey,
+}
+
+impl Mode {
+    /// A mode as found in a spectrum that begins at `origin` (rad²/s²), its discretization error
+    /// still unknown, with its shape at equal heights, at the stations and at others, m.
+    pub(crate) fn new(
+        number: usize,
+        found: &Found,
+        identity: &Identity,
+        origin: f64,
+        curve: &ModeCurve<'_>,
+        [equal_m, stations_m, others_m]: [&[f64]; 3],
+    ) -> Self {
+        let frequency_hz = found.eigenvalue.frequency_hz();
+        Self {
+            number,
+            frequency_hz,
+            family: identity.family,
+            order: identity.order,
+            shares: identity.shares,
+            energy: identity.energy,
+            energy_parts: None,
+            effective_mass: identity.effective_mass,
+            key: found.key,
+            algebraic_error_hz: found.eigenvalue.frequency_error_hz(),
+            discretization_error_hz: 0.0,
+            extrapolated_hz: frequency_hz,
+            // The vector has uᵀ(K − σM)u = 1, and so uᵀMu = 1/(λ − σ).
+            modal_mass: 1.0
+                / (curve.largest() * curve.largest() * (found.eigenvalue.lambda - origin)),
+            shape: curve.sample(equal_m),
+            station_shape: curve.sample(stations_m),
+            shape_there: curve.sample(others_m),
+        }
+    }
+
+    /// The same mode in the side-side plane of a tower whose planes are equal.
+    pub(crate) fn in_side_side(&self, number: usize, found: &Found, identity: &Identity) -> Self {
+        let turned =
+            |shape: &[ShapePoint]| shape.iter().map(ShapePoint::turned_to_side_side).collect();
+        Self {
+            number,
+            family: identity.family,
+            order: identity.order,
+            shares: identity.shares,
+            energy: identity.energy,
+            energy_parts: None,
+            effective_mass: identity.effective_mass,
+            key: found.key,
+            shape: turned(&self.shape),
+            station_shape: turned(&self.station_shape),
+            shape_there: turned(&self.shape_there),
+            ..*self
+        }
+    }
+
+    /// Whether every number is finite.
+    pub(crate) fn is_finite(&self) -> bool {
+        let points = self.shape.iter().chain(&self.station_shape);
+        let mut points = points.chain(&self.shape_there);
+        self.modal_mass.is_finite() && points.all(ShapePoint::is_finite)
+    }
+
+    /// Whether it is the same mode as one of another solution of the tower, on another mesh or by
+    /// another method: of the same subsystem of the tower and of the same order in it, whatever its
+    /// frequency and family are there.
+    pub fn is_same_as(&self, other: &Self) -> bool {
+        self.key == other.key
+    }
+
+    /// The identity of the mode, the same on any mesh and by any method.
+    pub fn key(&self) -> ModeKey {
+        self.key
+    }
+
+    /// Period 1/f, s; infinite for a motion that nothing resists.
+    pub fn period_s(&self) -> f64 {
+        1.0 / self.frequency_hz
+    }
+
+    /// The total error, discretization and eigenvalue computation together, Hz.
+    pub fn error_hz(&self) -> f64 {
+        self.discretization_error_hz + self.algebraic_error_hz
+    }
+
+    /// Modal mass, kg; none for torsion and yaw.
+    pub fn modal_mass_kg(&self) -> Option<f64> {
+        (!self.is_turning()).then_some(self.modal_mass)
+    }
+
+    /// Modal inertia, kg m²; for torsion and yaw only.
+    pub fn modal_inertia_kg_m2(&self) -> Option<f64> {
+        self.is_turning().then_some(self.modal_mass)
+    }
+
+    /// Whether the rotation about z scales the shape.
+    fn is_turning(&self) -> bool {
+        self.shares.scale(self.family).motion() == Motion::Torsion
+    }
+
+    /// Its name: family and order.
+    pub fn name(&self) -> ModeName {
+        ModeName {
+            family: self.family,
+            order: self.order,
+        }
+    }
+
+    /// The share of its own family in its energy.
+    pub fn share(&self) -> f64 {
+        self.shares.of(self.family)
+    }
+
+    /// The family with the largest share of its energy beside its own; none if there is none.
+    pub fn second(&self) -> Option<SecondFamily> {
+        self.shares.second_to(self.family)
+    }
+
+    /// Whether it has less than 60 % of its energy in the motion of its family; surge, pitch and
+    /// fore-aft bending are one motion.
+    pub fn is_coupled(&self) -> bool {
+        self.shares.is_coupled(self.family)
+    }
+
+    /// Order and family in words: "1st fore-aft bending".
+    pub fn label(&self) -> String {
+        self.family.label(self.order)
+    }
+}
+
+/// The proof that no mode is missing: an inertia count (Sylvester's law) of the stiffness less a
+/// shift times the mass, just above the last mode, equals the number of modes found.
+///
+/// # Example
+/// ```
+/// use towermodes::{Material, Options, Station, Tower, TowerDescription, solve};
+///
+/// let tower = Tower::new(TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+///     ..TowerDescription::default()
+/// })?;
+/// let solution = solve(&tower, &Options::default())?;
+/// let certificate = &solution.certificate;
+/// assert_eq!((certificate.complete, certificate.count), (true, 8));
+/// assert!(certificate.below_hz > solution.modes[7].frequency_hz);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Certificate {
+    /// Whether the inertia count and the list agree; a solution that is not complete is never
+    /// returned.
+    pub complete: bool,
+    /// Number of modes below `below_hz` by the inertia count: the number of listed modes, or more
+    /// if the number asked for cuts a repeated pair.
+    pub count: usize,
+    /// A frequency in the gap above the last mode, Hz.
+    pub below_hz: f64,
+}
+
+impl Certificate {
+    pub(crate) fn of(proof: &Proof) -> Self {
+        Self {
+            complete: true,
+            count: proof.count,
+            below_hz: proof.below.max(0.0).sqrt() / std::f64::consts::TAU,
+        }
+    }
+}
+
+/// The lowest modes of a tower, with their errors and the proof that none is missing.
+///
+/// # Example
+/// ```
+/// use towermodes::{Family, Material, Options, Rna, Station, Tower, TowerDescription, solve};
+///
+/// let tower = Tower::new(TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+///     rna: Rna::point(350e3),
+///     ..TowerDescription::default()
+/// })?;
+/// let solution = solve(&tower, &Options::default())?;
+/// let first = solution.mode(Family::ForeAft, 1).expect("it is the lowest mode");
+/// assert!((first.frequency_hz - 0.300206).abs() < 1e-5);
+/// assert_eq!(solution.modes.len(), 8);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solution {
+    /// The method used.
+    pub method: Method,
+    /// Number of segments or elements used.
+    pub segments: usize,
+    /// Polynomial degree of the elements of [`Method::Spectral`]; none for other methods.
+    pub degree: Option<usize>,
+    /// Degrees of freedom of the whole tower.
+    pub degrees_of_freedom: usize,
+    /// The modes by frequency; of a repeated pair the fore-aft one first.
+    pub modes: Vec<Mode>,
+    /// What the discretization errors of the modes are estimated from.
+    pub error_basis: ErrorBasis,
+    /// The proof that none is missing.
+    pub certificate: Certificate,
+    /// The inertia of the whole tower, with everything that moves with it, against rigid-body
+    /// motions (x, y, z, rotation about x, y, z) about its base: kg, kg m, kg m². Its diagonal is
+    /// the sum of the effective masses of all modes.
+    pub rigid_inertia: SpatialMatrix,
+    /// The factor by which self-weight must be multiplied for the tower to buckle; none without
+    /// gravity, or where it floats.
+    pub buckling_load_factor: Option<f64>,
+    /// Possible input mistakes, and limits of the results.
+    pub warnings: Vec<Warning>,
+    /// Number of products and restarts.
+    pub statistics: Statistics,
+}
+
+/// What the discretization errors of a [`Solution`] are estimated from. Both lists are empty for
+/// [`Method::Spectral`], whose errors are estimated from its own degrees and elements.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct ErrorBasis {
+    /// The numbers of segments or elements of the other meshes that were solved.
+    pub segments: Vec<usize>,
+    /// The numbers of the modes whose error is instead the difference from the reference solution
+    /// ([`Method::Spectral`]), and whose extrapolated frequency is that of this solution.
+    pub compared: Vec<usize>,
+}
+
+impl Solution {
+    /// The sums of the effective masses of the modes in the list, as fractions of the whole: in x,
+    /// y, z and about x, y, z.
+    pub fn effective_mass_shares(&self) -> [f64; 6] {
+        std::array::from_fn(|i| {
+            let listed: f64 = self.modes.iter().map(|mode| mode.effective_mass[i]).sum();
+            listed / self.rigid_inertia[i][i]
+        })
+    }
+
+    /// The mode of a family and an order in it, from 1, if it is in the list.
+    pub fn mode(&self, family: Family, order: usize) -> Option<&Mode> {
+        let mut modes = self.modes.iter();
+        modes.find(|mode| mode.family == family && mode.order == order)
+    }
+}

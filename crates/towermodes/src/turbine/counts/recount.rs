@@ -1,0 +1,82 @@
+//! A list of modes checked against new counts.
+
+use std::f64::consts::TAU;
+
+use thiserror::Error;
+
+use super::super::equations::model::{TurbineModel, UNRESISTED};
+use super::super::results::mode::{TurbineMode, TurbineModes};
+
+/// Modes that counts show where a list has others, or none.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error(
+    "counts change by {counted} between {from_hz:.6} and {to_hz:.6} Hz, but the list has {listed} there"
+)]
+pub struct MissedModes {
+    /// Where the interval begins, Hz.
+    pub from_hz: f64,
+    /// Where it ends, Hz.
+    pub to_hz: f64,
+    /// By how much the count of negative eigenvalues rises: the number of modes, less twice those
+    /// of negative energy.
+    pub counted: isize,
+    /// The same by the list.
+    pub listed: isize,
+}
+
+impl TurbineModel {
+    /// Checks a list of modes of this model: counts at the bounds of each mode and at the limit.
+    ///
+    /// It finds every mode that is missing, in the list once too often, or outside its bounds. Only
+    /// a mode of negative energy and one of positive energy that are missing together in one gap
+    /// escape it.
+    ///
+    /// # Errors
+    /// [`MissedModes`] with the first interval where list and counts differ.
+    pub fn recount(&mut self, modes: &TurbineModes) -> Result<(), MissedModes> {
+        let speed = modes.rotor_speed_rpm;
+        let from_hz = UNRESISTED / TAU;
+        let mut last = (from_hz, self.count(from_hz, speed));
+        let same = |a: &TurbineMode, b: &TurbineMode| a.bounds_hz() == b.bounds_hz();
+        for group in modes.modes.chunk_by(same) {
+            let [low_hz, high_hz] = group[0].bounds_hz();
+            let size = group.len() as isize;
+            let listed = if group[0].frequency.has_negative_energy {
+                -size
+            } else {
+                size
+            };
+            self.compare(&mut last, low_hz, 0, speed)?;
+            self.compare(&mut last, high_hz, listed, speed)?;
+        }
+        self.compare(&mut last, modes.limit_hz, 0, speed)
+    }
+
+    fn compare(
+        &mut self,
+        last: &mut (f64, usize),
+        to_hz: f64,
+        listed: isize,
+        speed: f64,
+    ) -> Result<(), MissedModes> {
+        let (from_hz, before) = *last;
+        let count = self.count(to_hz, speed);
+        *last = (to_hz, count);
+        let counted = count as isize - before as isize;
+        match counted == listed {
+            true => Ok(()),
+            false => Err(MissedModes {
+                from_hz,
+                to_hz,
+                counted,
+                listed,
+            }),
+        }
+    }
+}
+
+impl TurbineMode {
+    fn bounds_hz(&self) -> [f64; 2] {
+        [self.frequency.lower_hz, self.frequency.upper_hz]
+    }
+}
