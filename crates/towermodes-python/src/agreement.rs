@@ -13,7 +13,8 @@ use towermodes_files::{FileFormat, ResultError, write_result_json};
 use crate::answer::{Answer, Shown};
 use crate::error::{of_agreement, of_tower};
 use crate::lock::released;
-use crate::tower::{Model, Tower};
+use crate::model::Model;
+use crate::tower::Tower;
 
 /// The comparison of two descriptions.
 struct Agreement {

@@ -16,8 +16,9 @@ use crate::answer::{Answer, Shown};
 use crate::error::of_campbell;
 use crate::interrupt::interruptible;
 use crate::lock::released;
+use crate::model::Model;
 use crate::options::SolveOptions;
-use crate::tower::{Model, Tower};
+use crate::tower::Tower;
 
 /// A Campbell diagram.
 struct Campbell {

@@ -13,8 +13,9 @@ use towermodes_report::wording::compared_segments;
 
 use crate::answer::{Answer, Shown};
 use crate::interrupt::interruptible;
+use crate::model::Model;
 use crate::options::method_named;
-use crate::tower::{Model, Tower};
+use crate::tower::Tower;
 
 /// The shortest of several solves is taken as the time of one, as long as they take less than this.
 const TIMING: Duration = Duration::from_millis(20);

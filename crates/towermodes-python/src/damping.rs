@@ -12,8 +12,9 @@ use towermodes_files::{Note, ResultError, write_damping_csv, write_damping_json}
 use crate::answer::{Answer, Shown};
 use crate::error::usage;
 use crate::interrupt::interruptible;
+use crate::model::Model;
 use crate::options::SolveOptions;
-use crate::tower::{Model, Tower};
+use crate::tower::Tower;
 
 /// The damping of modes.
 struct Damping {

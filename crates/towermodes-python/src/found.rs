@@ -17,8 +17,9 @@ use towermodes_files::{
 use crate::error::{of_read, of_result, of_solve, of_tower, said, unsolved, usage};
 use crate::interrupt::reported;
 use crate::lock::released;
+use crate::model::Model;
 use crate::options::SolveOptions;
-use crate::tower::{Model, Tower};
+use crate::tower::Tower;
 
 /// The text of a file, and its name.
 #[pyfunction]

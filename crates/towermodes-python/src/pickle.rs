@@ -12,7 +12,7 @@ use towermodes_files::{
 };
 
 use crate::error::usage;
-use crate::reading::input_of_text;
+use crate::input::input_of_text;
 
 /// The name of the text of a tower from a pickle.
 pub const PICKLED: &str = "<pickle>.toml";

@@ -13,8 +13,8 @@ use towermodes_files::{
 use towermodes_sweep::{RowSource, SweepSource, Table, rows_within};
 
 use crate::error::{of_read, of_slice, usage};
+use crate::input::tower_input;
 use crate::lock::released;
-use crate::reading::tower_input;
 use crate::sweep::SweepOptions;
 use crate::tower::Tower;
 

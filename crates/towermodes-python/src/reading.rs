@@ -1,14 +1,15 @@
 //! Towers from files and texts.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use towermodes_files::{
-    FileFormat, Input, ReadOptions, RotorLock, SiblingFiles, Source, TowerInput, TowerPart,
-    read_source, tower_file_schema,
+    FileFormat, ReadOptions, RotorLock, SiblingFiles, Source, TowerPart, read_source,
+    tower_file_schema,
 };
 
 use crate::error::{MADE_HERE, of_read, usage};
+use crate::input::{input_of_text, tower_input};
 use crate::lock::released;
 use crate::tower::Tower;
 
@@ -61,30 +62,6 @@ pub fn tower_file_keys() -> [Vec<&'static str>; 2] {
         table.map_or_else(Vec::new, |table| table.key_names().collect())
     };
     [keys("the file"), keys("[tower]")]
-}
-
-/// The input of a text.
-///
-/// # Errors
-/// `TowerError` with the mistakes of the text.
-pub fn input_of_text(text: String, name: String) -> PyResult<TowerInput> {
-    let source = Source { name, text };
-    let files = SiblingFiles::of(Path::new(""));
-    let input = read_source(source, &files, &ReadOptions::default());
-    tower_input(input.map_err(of_read)?)
-}
-
-/// The tower of a file that may describe a blade.
-///
-/// # Errors
-/// `ValueError` for a blade.
-pub fn tower_input(input: Input) -> PyResult<TowerInput> {
-    match input {
-        Input::Tower(input) => Ok(*input),
-        Input::Blade(_) => Err(usage(
-            "this is a deck of a rotating blade, not of a tower; the program solves it: towermodes solve FILE",
-        )),
-    }
 }
 
 impl Reading {

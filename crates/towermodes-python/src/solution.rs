@@ -15,7 +15,7 @@ use towermodes_report::wording::computed_by;
 
 use crate::answer::text;
 use crate::array;
-use crate::tower::Model;
+use crate::model::Model;
 
 /// The lowest modes of a tower.
 #[pyclass(frozen, module = "towermodes._towermodes")]

@@ -5,23 +5,19 @@ use std::sync::Arc;
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use towermodes::{
-    Change, DEFAULT_SEGMENTS, Operation, Parameter, SolveError, Solver, Tower as CheckedTower,
-    Warning,
-};
-use towermodes_files::{Note, Setting, TowerInput};
-use towermodes_report::figures::{self, TitleWords, titled};
-use towermodes_report::svg::{Figure, Look};
-use towermodes_sweep::{named, number_at};
+use towermodes::{Change, DEFAULT_SEGMENTS, Operation, Parameter, Solver, Tower as CheckedTower};
+use towermodes_files::{Setting, TowerInput};
+use towermodes_report::figures::{self};
+use towermodes_report::svg::Look;
 
 use crate::array;
-use crate::error::{MADE_HERE, explained, of_numbers, of_read, of_solve, usage};
+use crate::error::{of_numbers, of_read, usage};
 use crate::interrupt::interruptible;
 use crate::lock::released;
+use crate::model::Model;
 use crate::options::SolveOptions;
-use crate::pickle::{PICKLED, restored, state};
+use crate::pickle::{restored, state};
 use crate::solution::Solution;
-use crate::turbine::{missing, notes};
 
 /// Computations with a smaller product of segments and modes end within a tenth of a second, before
 /// anyone can interrupt them. To look for signals costs them a few microseconds.
@@ -29,60 +25,6 @@ const SOON: usize = 20_000;
 
 /// Operation, numbers with their values, and unit of a change.
 type ChangeParts = (&'static str, Vec<(String, f64)>, &'static str);
-
-/// A tower and the input that it was made of.
-pub struct Model {
-    /// The tower.
-    pub tower: CheckedTower,
-    /// Its description, the notes of the reader and the places of the values.
-    pub input: TowerInput,
-}
-
-impl Model {
-    /// The notes of the reader.
-    pub fn notes(&self) -> Vec<String> {
-        self.input.notes.iter().map(Note::to_string).collect()
-    }
-
-    /// The same with those on a computation.
-    pub fn notes_with(&self, own: &[Note]) -> Vec<String> {
-        let own = own.iter().map(Note::to_string);
-        self.notes().into_iter().chain(own).collect()
-    }
-
-    /// A picture with the name of the tower above it, as SVG.
-    pub fn titled(&self, figure: Figure, computed: Option<&str>, conclusion: &[String]) -> String {
-        let words = TitleWords {
-            title: None,
-            computed,
-            conclusion,
-        };
-        titled(figure, &self.tower, &words).to_svg(Look::Standalone)
-    }
-
-    /// Warnings, with file and line of the input if they are known, else with the name of the
-    /// number.
-    pub fn located(&self, warnings: &[Warning]) -> Vec<String> {
-        let located = |warning: &Warning| {
-            let line = warning.place().and_then(|place| self.input.line_of(place));
-            // The lines of a text that the package made itself mean nothing to the user.
-            let line = line.filter(|(file, _)| ![MADE_HERE, PICKLED].contains(file));
-            match line {
-                Some((file, line)) => format!("{file}:{line}: {warning}"),
-                None => named(warning, |place| {
-                    let numbers = Parameter::all(&self.input.description);
-                    number_at(place, numbers.into_iter())
-                }),
-            }
-        };
-        warnings.iter().map(located).collect()
-    }
-
-    /// The error of this tower, if it is not solved, with what is improbable in it.
-    pub fn unsolved(&self, error: &SolveError) -> PyErr {
-        explained(of_solve(error), &self.located(self.tower.warnings()))
-    }
-}
 
 /// A tower.
 #[pyclass(frozen, module = "towermodes._towermodes")]
@@ -168,13 +110,13 @@ impl Tower {
     /// Why it has no turbine.
     #[getter]
     fn turbine_missing(&self) -> String {
-        missing(&self.model)
+        self.model.missing_turbine()
     }
 
     /// The notes on the tower and on its turbine.
     #[getter]
     fn turbine_notes(&self) -> Vec<String> {
-        notes(&self.model)
+        self.model.notes_with_turbine()
     }
 
     /// The format of its file.

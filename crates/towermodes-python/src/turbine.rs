@@ -7,12 +7,12 @@ use pyo3::prelude::*;
 use towermodes::turbine::{
     BladeMotion, Turbine, TurbineEnergy, TurbineMode, TurbineModes as Modes,
 };
-use towermodes_files::Note;
 
 use crate::array;
 use crate::error::{of_read, of_turbine, usage};
 use crate::lock::released;
-use crate::tower::{Model, Tower};
+use crate::model::Model;
+use crate::tower::Tower;
 
 /// Number of parts that energies are given for.
 const PARTS: usize = 24;
@@ -30,13 +30,7 @@ pub struct TurbineModes {
 /// `ValueError` if it has none.
 pub fn turbine_of(model: &Model) -> PyResult<Turbine> {
     let turbine = model.input.whole_turbine().map_err(of_read)?;
-    turbine.ok_or_else(|| usage(missing(model)))
-}
-
-/// Why there is no turbine.
-pub fn missing(model: &Model) -> String {
-    let reason = model.input.turbine_missing.as_ref().map(Note::to_string);
-    reason.unwrap_or_else(|| "the tower has no turbine with flexible blades".to_owned())
+    turbine.ok_or_else(|| usage(model.missing_turbine()))
 }
 
 /// Fractions of the elastic energy by the names of their parts.
@@ -198,14 +192,8 @@ impl TurbineModes {
     /// Notes on the turbine.
     #[getter]
     fn notes(&self) -> Vec<String> {
-        notes(&self.model)
+        self.model.notes_with_turbine()
     }
-}
-
-/// The notes of the reader on the tower and its turbine.
-pub fn notes(model: &Model) -> Vec<String> {
-    let of_turbine = model.input.turbine_notes.iter().map(Note::to_string);
-    model.notes().into_iter().chain(of_turbine).collect()
 }
 
 impl TurbineModes {

@@ -18,8 +18,9 @@ use crate::answer::{Answer, Shown};
 use crate::campbell::RotorOptions;
 use crate::error::of_coupled;
 use crate::interrupt::{interruptible, looking};
-use crate::tower::{Model, Tower};
-use crate::turbine::{notes, turbine_of};
+use crate::model::Model;
+use crate::tower::Tower;
+use crate::turbine::turbine_of;
 
 /// A coupled Campbell diagram.
 struct TurbineCampbell {
@@ -118,7 +119,7 @@ impl Shown for TurbineCampbell {
     }
 
     fn notes(&self) -> Vec<String> {
-        notes(&self.model)
+        self.model.notes_with_turbine()
     }
 
     fn warnings(&self) -> Vec<String> {

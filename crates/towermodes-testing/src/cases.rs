@@ -3,8 +3,9 @@
 use std::str::FromStr;
 
 /// The rows of a table, one on each line: cells apart by ` | `, empty where they are missing at the
-/// end. In a cell `\n`, `\r` and `\t` are what they are in Rust and `␣` is a blank at an end; lines that begin with `#`
-/// give the reason of the rows below. The cells live as long as the test program.
+/// end. In a cell `\n`, `\r` and `\t` are what they are in Rust and `␣` is a blank at an end; lines
+/// that begin with `#` give the reason of the rows below. The cells live as long as the test
+/// program.
 pub fn rows<const N: usize>(table: &str) -> impl Iterator<Item = [&'static str; N]> {
     let lines = table.lines().map(str::trim);
     let lines = lines.filter(|line| !line.is_empty() && !line.starts_with("# "));

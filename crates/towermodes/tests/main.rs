@@ -3,6 +3,7 @@
 mod allocation;
 mod analytic;
 mod architecture;
+mod circles;
 mod beams;
 mod blade;
 mod buckling;

@@ -40,7 +40,8 @@ pub struct OtherHolder {
 }
 
 impl Reached {
-    /// Whether the frequency of the mode, and of each other one that the band binds, is in the band.
+    /// Whether the frequency of the mode, and of each other one that the band binds, is in the
+    /// band.
     pub fn is_met(&self) -> bool {
         let others = self.others.iter().map(|other| other.hz);
         let mut all = others.chain([self.after_hz]);

@@ -1,5 +1,5 @@
-//! The limits of a design, in words and those of the shape as linear functions of the numbers of the
-//! tower.
+//! The limits of a design, in words and those of the shape as linear functions of the numbers of
+//! the tower.
 
 use towermodes::{Operation, Parameter, TowerDescription};
 

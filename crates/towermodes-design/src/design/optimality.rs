@@ -1,8 +1,9 @@
 //! The first-order conditions of a minimum (Karush, Kuhn and Tucker).
 //!
-//! At a local minimum the gradient of the mass is a combination −Σ λᵢ ∇gᵢ of those of the active limits
-//! with λᵢ ≥ 0 (Nocedal & Wright, Numerical Optimization, 2006, theorem 12.1). The multipliers are
-//! found from the exact gradients by nonnegative least squares, independently of the optimizer.
+//! At a local minimum the gradient of the mass is a combination −Σ λᵢ ∇gᵢ of those of the active
+//! limits with λᵢ ≥ 0 (Nocedal & Wright, Numerical Optimization, 2006, theorem 12.1). The
+//! multipliers are found from the exact gradients by nonnegative least squares, independently of
+//! the optimizer.
 
 use super::limits::Limit;
 use super::nonnegative::{nonnegative, residual};

@@ -1,5 +1,5 @@
-//! Flat quantities of a result: each is one line of a list, from which its CSV and the arrays of the
-//! Python package follow.
+//! Flat quantities of a result: each is one line of a list, from which its CSV and the arrays of
+//! the Python package follow.
 
 use std::io::Write;
 

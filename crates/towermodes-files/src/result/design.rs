@@ -27,8 +27,8 @@ pub struct DesignDocument {
     /// The residual of the conditions of a minimum (Karush, Kuhn, Tucker) of the problem without
     /// steps, relative.
     pub kkt_residual: f64,
-    /// Whether the residual is that of rounding: the problem without steps has a point that meets the
-    /// first-order conditions of a local minimum.
+    /// Whether the residual is that of rounding: the problem without steps has a point that meets
+    /// the first-order conditions of a local minimum.
     pub is_stationary: bool,
     /// Whether no change by one step, and no exchange of two, that the derivatives predict to be
     /// lighter makes a lighter tower; null if no variable has steps.

@@ -16,8 +16,8 @@ use super::{Distribution, Sampling, SamplingKind};
 pub struct Correlation {
     /// The names of the two numbers, as in [`Varied::name`](crate::Varied::name).
     pub between: [String; 2],
-    /// The correlation coefficient of the normal scores, from −1 to 1. Of two normal numbers without
-    /// limits it is that of the values too.
+    /// The correlation coefficient of the normal scores, from −1 to 1. Of two normal numbers
+    /// without limits it is that of the values too.
     pub coefficient: f64,
 }
 

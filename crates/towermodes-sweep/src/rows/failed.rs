@@ -5,8 +5,8 @@ use std::collections::TryReserveError;
 /// The numbers of rows that failed or lack a mode, and the sentence of each, by rising rows.
 ///
 /// The sentences are one text: ten million sentences of their own would need the memory twice, and
-/// memory that is asked for here and not available is an error, where that of each sentence ends the
-/// process.
+/// memory that is asked for here and not available is an error, where that of each sentence ends
+/// the process.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct FailedRows {
     rows: Vec<u64>,

@@ -76,9 +76,9 @@ impl Holders {
         })
     }
 
-    /// The modes that a limit on a name binds: all holders, if the mode that has the name is coupled
-    /// (less than 60 % of its energy is in the family); otherwise that mode alone, because no small
-    /// change of the tower gives the name to another one.
+    /// The modes that a limit on a name binds: all holders, if the mode that has the name is
+    /// coupled (less than 60 % of its energy is in the family); otherwise that mode alone, because
+    /// no small change of the tower gives the name to another one.
     pub fn bound<'m>(
         name: ModeName,
         mut modes: impl Iterator<Item = (ModeName, &'m Shares)> + Clone,

@@ -1,5 +1,7 @@
 //! The description of what turns on a tower, and of what carries it.
 
+use std::f64::consts::PI;
+
 use crate::blade::BladeDescription;
 use crate::tower::RigidBody;
 
@@ -96,4 +98,9 @@ impl Default for Generator {
             is_locked: true,
         }
     }
+}
+
+/// A speed in rpm, rad/s.
+pub(crate) fn rad_per_s(rpm: f64) -> f64 {
+    rpm * PI / 30.0
 }

@@ -57,8 +57,8 @@ pub struct OutRow {
 }
 
 impl OutMode {
-    /// A mode of the motions [`euclidean`](super::super::euclidean) takes; `borders` are the element
-    /// borders as fractions of the flexible length, one for each node.
+    /// A mode of the motions [`euclidean`](super::super::euclidean) takes; `borders` are the
+    /// element borders as fractions of the flexible length, one for each node.
     pub fn new(
         frequency_hz: f64,
         borders: &[f64],

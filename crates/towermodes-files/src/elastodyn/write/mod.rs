@@ -1,4 +1,5 @@
-//! Tower files of ElastoDyn as text: written anew, or with new coefficients in the text that is there.
+//! Tower files of ElastoDyn as text: written anew, or with new coefficients in the text that is
+//! there.
 
 pub(super) mod columns;
 pub(super) mod diff;

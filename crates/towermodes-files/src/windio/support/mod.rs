@@ -1,4 +1,5 @@
-//! The support structure of a windIO turbine: tower and monopile, their walls or tables, soil and water.
+//! The support structure of a windIO turbine: tower and monopile, their walls or tables, soil and
+//! water.
 
 pub(super) mod comparison;
 pub(super) mod curve;

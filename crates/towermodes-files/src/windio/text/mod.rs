@@ -1,4 +1,5 @@
-//! The text of a windIO file: YAML as values with their places, the keys that are read, notes and mistakes.
+//! The text of a windIO file: YAML as values with their places, the keys that are read, notes and
+//! mistakes.
 
 pub(super) mod airfoils;
 pub(super) mod known_keys;

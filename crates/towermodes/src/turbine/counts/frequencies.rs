@@ -2,11 +2,11 @@
 
 use std::f64::consts::TAU;
 
+use super::super::description::rad_per_s;
 use super::super::equations::coupled::{Coupled, OnStillHub};
 use super::super::equations::gyroscopic::Gyroscopic;
 use super::super::equations::model::TurbineModel;
 use super::super::error::TurbineError;
-use super::super::results::mode::rad_per_s;
 use super::search::{Found, Guess, Search};
 use crate::beam::BladeFactors;
 use crate::rotor::{Reactionless, reactionless};

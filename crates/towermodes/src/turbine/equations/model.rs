@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use super::super::checked::{Turbine, rotor};
+use super::super::description::rad_per_s;
 use super::super::error::TurbineError;
-use super::super::results::mode::rad_per_s;
 use super::gyroscopic::{Gyroscopic, Raise};
 use super::machine::{Machine, MachineFactors};
 use super::mesh::TurbineMesh;

@@ -1,9 +1,9 @@
 //! The modes of a turbine at a speed of its rotor.
 
-use std::f64::consts::PI;
 use std::ops::Range;
 
 use super::super::counts::frequencies::{CoupledFrequency, Part};
+use super::super::description::rad_per_s;
 use super::energy::{Nodding, TurbineEnergy, TurbinePart};
 use super::name::TurbineModeName;
 use super::shape::TurbineShape;
@@ -59,7 +59,8 @@ pub struct TurbineModes {
     /// [`CoupledSpectrum::is_complete`](super::super::CoupledSpectrum::is_complete).
     pub is_complete: bool,
     /// Intervals, Hz, in which counts do not exclude two more modes, one of positive and one of
-    /// negative energy; see [`CoupledSpectrum::unproven_hz`](super::super::CoupledSpectrum::unproven_hz).
+    /// negative energy; see
+    /// [`CoupledSpectrum::unproven_hz`](super::super::CoupledSpectrum::unproven_hz).
     pub unproven_hz: Vec<[f64; 2]>,
     /// How many modes grow without limit, as far as it is known; see
     /// [`CoupledSpectrum::growing`](super::super::CoupledSpectrum::growing).
@@ -79,11 +80,6 @@ impl TurbineModes {
     pub(crate) fn speed(&self) -> f64 {
         rad_per_s(self.rotor_speed_rpm)
     }
-}
-
-/// A speed in rpm, rad/s.
-pub(crate) fn rad_per_s(rpm: f64) -> f64 {
-    rpm * PI / 30.0
 }
 
 impl TurbineMode {
