@@ -3,11 +3,11 @@
 mod allocation;
 mod analytic;
 mod architecture;
-mod circles;
 mod beams;
 mod blade;
 mod buckling;
 mod certain;
+mod circles;
 mod closed_forms;
 mod convergence;
 mod dense;
