@@ -61,7 +61,7 @@
 //! assert_eq!(agreement.verdict, Verdict::Fail);
 //!
 //! // tower_shapes: polynomials of x² to x⁶ for ElastoDyn, from the base up
-//! let shapes = tower_shapes(&tower, &options, tower.base_m())?;
+//! let shapes = tower_shapes(&tower, &solver.options, tower.base_m())?;
 //! let sum: f64 = shapes.coefficients()[0].iter().sum();
 //! assert!((sum - 1.0).abs() < 1e-9);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -66,7 +66,7 @@ impl Failure {
     }
 
     /// A file or stream cannot be written.
-    pub(crate) fn unwritable(name: impl Display, error: io::Error) -> Self {
+    pub(crate) fn unwritable(name: impl Display, error: &io::Error) -> Self {
         Self::failed(format!("{name}: {error}"))
     }
 
@@ -168,7 +168,7 @@ wrong_usage!(&'static str, EndingError, BladeError);
 
 impl From<ResultError> for Failure {
     fn from(error: ResultError) -> Self {
-        Self::unwritable("the result", io::Error::other(error))
+        Self::unwritable("the result", &io::Error::other(error))
     }
 }
 

@@ -32,7 +32,7 @@ impl House {
                     .rfind(|c: char| !is_of_name(c))
                     .map_or(0, |i| i + 1);
                 open(&code[start..], &mut ModulePath::new(), &mut |path, _| {
-                    paths.extend(house.from_root(module, path));
+                    paths.extend(house.in_crate(module, path));
                 });
             }
             house.paths.insert(module.clone(), paths);
@@ -42,7 +42,7 @@ impl House {
                 .map(|(at, word)| &code[at + word.len()..])
             {
                 open(used, &mut ModulePath::new(), &mut |path, name| {
-                    let origin = house.from_root(module, path);
+                    let origin = house.in_crate(module, path);
                     names.extend(origin.map(|origin| (name.to_owned(), origin)));
                 });
             }
@@ -72,7 +72,7 @@ impl House {
     }
 
     /// A path as written in a module, from the root; none if it leads out of the crate.
-    fn from_root(&self, module: &ModulePath, path: &[String]) -> Option<ModulePath> {
+    fn in_crate(&self, module: &ModulePath, path: &[String]) -> Option<ModulePath> {
         let supers = path.iter().take_while(|part| *part == "super").count();
         let base = match path.first()?.as_str() {
             "crate" => return Some(path[1..].to_vec()),

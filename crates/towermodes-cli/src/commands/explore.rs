@@ -124,5 +124,5 @@ fn clock() -> f64 {
 
 /// Writes the reports of `towermodes report`.
 fn reporter() -> Reporter {
-    Box::new(|input, words| page_of(input, words).map_err(|failure| failure.to_string()))
+    Box::new(|input, words| page_of(&input, words).map_err(|failure| failure.to_string()))
 }

@@ -166,7 +166,7 @@ pub(crate) fn run(arguments: &ReportArguments, words: &[OsString]) -> Result<(),
 }
 
 /// The page that a command line of `report` writes, of an input that is read already.
-pub(crate) fn page_of(input: TowerInput, words: &[String]) -> Result<String, Failure> {
+pub(crate) fn page_of(input: &TowerInput, words: &[String]) -> Result<String, Failure> {
     let words: Vec<OsString> = words.iter().map(OsString::from).collect();
     let parsed = Arguments::try_parse_from(&words);
     let parsed = parsed.map_err(Failure::failed)?;
@@ -174,7 +174,7 @@ pub(crate) fn page_of(input: TowerInput, words: &[String]) -> Result<String, Fai
         return Err(Failure::usage("this is not the command report"));
     };
     let tower = input.tower()?;
-    let content = content(&input, tower, &arguments, &words)?;
+    let content = content(input, tower, &arguments, &words)?;
     html(&content).map_err(Failure::failed)
 }
 

@@ -79,6 +79,6 @@ pub(crate) fn man(arguments: &ManArguments) -> Result<(), Failure> {
     let mut page = Vec::new();
     let man = clap_mangen::Man::new(page_of);
     man.render(&mut page)
-        .map_err(|error| Failure::unwritable("the manual page", error))?;
+        .map_err(|error| Failure::unwritable("the manual page", &error))?;
     deliver(&page, None)
 }

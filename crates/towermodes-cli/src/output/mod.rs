@@ -37,7 +37,7 @@ pub(crate) fn deliver_bytes(result: &[u8], output: Option<&Path>) -> Result<(), 
 /// Writes a result of two files: both or neither.
 pub(crate) fn deliver_both(first: (&Path, &[u8]), second: (&Path, &[u8])) -> Result<(), Failure> {
     let names = format!("{} and {}", first.0.display(), second.0.display());
-    whole::write_both(first, second).map_err(|error| Failure::unwritable(names, error))
+    whole::write_both(first, second).map_err(|error| Failure::unwritable(names, &error))
 }
 
 fn write(result: &[u8], output: Option<&Path>, mut stdout: impl Write) -> Result<(), Failure> {
@@ -55,7 +55,7 @@ fn write(result: &[u8], output: Option<&Path>, mut stdout: impl Write) -> Result
     match done {
         // The reader of a pipe has closed it; this is not an error.
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-        done => done.map_err(|error| Failure::unwritable(name, error)),
+        done => done.map_err(|error| Failure::unwritable(name, &error)),
     }
 }
 
@@ -81,14 +81,14 @@ pub(crate) fn check_terminal(
 pub(crate) fn check_place(path: &Path) -> Result<(), Failure> {
     match place::Place::of(path) {
         Ok(_) => Ok(()),
-        Err(error) => Err(Failure::unwritable(path.display(), error)),
+        Err(error) => Err(Failure::unwritable(path.display(), &error)),
     }
 }
 
 /// Replaces a file, completely or not at all.
 pub(crate) fn replace(path: &Path, content: &[u8]) -> Result<(), Failure> {
     let done = whole::write(path, content);
-    done.map_err(|error| Failure::unwritable(path.display(), error))
+    done.map_err(|error| Failure::unwritable(path.display(), &error))
 }
 
 /// Copies a file to a name with `.bak` appended, or `.bak2` and so on if it exists; returns the
@@ -102,7 +102,7 @@ pub(crate) fn back_up(path: &Path, content: &[u8]) -> Result<PathBuf, Failure> {
     let numbered = (2..MOST_BACKUPS).map(|number| named(format!(".bak{number}")));
     let names = std::iter::once(named(".bak".to_owned())).chain(numbered);
     whole::write_anew(names, content)
-        .map_err(|error| Failure::unwritable(named(".bak".to_owned()).display(), error))
+        .map_err(|error| Failure::unwritable(named(".bak".to_owned()).display(), &error))
 }
 
 /// Maximum number of backups of a file.

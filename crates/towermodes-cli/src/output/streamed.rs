@@ -33,7 +33,7 @@ impl Streamed {
         let name = output.map_or("standard output".into(), |path| path.display().to_string());
         match target(output) {
             Ok(target) => Ok(Self { name, target }),
-            Err(error) => Err(Failure::unwritable(name, error)),
+            Err(error) => Err(Failure::unwritable(name, &error)),
         }
     }
 
@@ -59,7 +59,7 @@ impl Streamed {
     pub(crate) fn failed(name: String, error: io::Error) -> Result<(), Failure> {
         match error.kind() {
             ErrorKind::BrokenPipe => Ok(()),
-            _ => Err(Failure::unwritable(name, error)),
+            _ => Err(Failure::unwritable(name, &error)),
         }
     }
 }

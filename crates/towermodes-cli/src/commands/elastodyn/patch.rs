@@ -36,7 +36,7 @@ pub(crate) fn run(arguments: &PatchArguments) -> Result<(), Failure> {
         return Ok(());
     }
     let path = Path::new(&old.name);
-    let bytes = std::fs::read(path).map_err(|e| Failure::unwritable(old.name.clone(), e))?;
+    let bytes = std::fs::read(path).map_err(|e| Failure::unwritable(old.name.clone(), &e))?;
     if arguments.backup {
         let backup = back_up(path, &bytes)?;
         report(&format!("{}: backup written\n", backup.display()));

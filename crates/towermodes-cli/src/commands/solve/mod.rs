@@ -33,14 +33,14 @@ pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         return several::run(arguments, format);
     };
     let result = match input(file, &arguments.reading)? {
-        Input::Tower(tower) => of_tower(*tower, arguments, format)?,
+        Input::Tower(tower) => of_tower(&tower, arguments, format)?,
         Input::Blade(blade) => of_blade(&blade, arguments, format)?,
     };
     deliver(&result, arguments.destination.output())
 }
 
 fn of_tower(
-    input: TowerInput,
+    input: &TowerInput,
     arguments: &SolveArguments,
     format: SolveFormat,
 ) -> Result<Vec<u8>, Failure> {
@@ -49,20 +49,20 @@ fn of_tower(
     let borders_m = input.prescribed.borders_m.clone();
     let has_own_heights = borders_m.is_some();
     arguments.check_heights(format, has_own_heights)?;
-    let mut options = arguments.options(&input, format)?;
+    let mut options = arguments.options(input, format)?;
     let tower = input.tower()?;
     let nodes = OutNodes::of_tower(&tower, borders_m, arguments.points(), input.layout);
     if format == SolveFormat::Bmodes {
         options.heights_m = nodes.heights_m();
     }
     let solution = solve(&tower, &options);
-    let solution = explained(solution, (&tower, &input))?;
+    let solution = explained(solution, (&tower, input))?;
     let mut result = Vec::new();
     match format {
         SolveFormat::Table => result.extend(tower_text(&tower, &solution, arguments).into_bytes()),
         SolveFormat::Json if arguments.sensitivities => {
             let influences = influences_of(&input.description, None, &options);
-            let influences = explained(influences, (&tower, &input))?;
+            let influences = explained(influences, (&tower, input))?;
             let of_numbers = (&input.description, &influences);
             let notes = &input.notes;
             write_json_with_sensitivities(&tower, &solution, of_numbers, notes, &mut result)?;
@@ -72,7 +72,7 @@ fn of_tower(
         SolveFormat::Bmodes => result = nodes.of_solution(&tower, &solution).into_bytes(),
     }
     note(&input.notes);
-    warn(&solution.warnings, &input);
+    warn(&solution.warnings, input);
     Ok(result)
 }
 

@@ -316,7 +316,7 @@ mod tests {
             ("a: 1\n---\nb: 2\n", 5, "several documents"),
             ("{[1]: 2}", 0, "a key is a list"),
             ("a: *b", 3, ""),
-            ("a: [1, 2", 8, ""),
+            ("a: [1, 2", 3, "unclosed bracket"),
             ("x: !!int y", 9, "`y` is not a number"),
             (&nested, 64, "more deeply nested"),
             (&laughs, 0, "it is larger"),
