@@ -46,7 +46,7 @@ impl Streamed {
         };
         match done {
             Ok(()) => Ok(()),
-            Err(error) => Self::failed(self.name, error),
+            Err(error) => Self::failed(self.name, &error),
         }
     }
 
@@ -56,10 +56,10 @@ impl Streamed {
     }
 
     /// An error of writing. The reader of a pipe that has closed it is none.
-    pub(crate) fn failed(name: String, error: io::Error) -> Result<(), Failure> {
+    pub(crate) fn failed(name: String, error: &io::Error) -> Result<(), Failure> {
         match error.kind() {
             ErrorKind::BrokenPipe => Ok(()),
-            _ => Err(Failure::unwritable(name, &error)),
+            _ => Err(Failure::unwritable(name, error)),
         }
     }
 }

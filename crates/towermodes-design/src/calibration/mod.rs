@@ -2,7 +2,7 @@
 //!
 //! Weighted least squares: the sum of ((f − measured)/σ)² over all measurements and of
 //! ((x − mean)/σ)² over all priors is minimized by the method of Levenberg (1944) and Marquardt
-//! (1963), with the exact derivatives of [`towermodes::sensitivities`]. Positive numbers are fitted
+//! (1963), with the exact derivatives of [`towermodes::Solver::sensitivities`]. Positive numbers are fitted
 //! by their logarithm. Standard deviations and correlations are those of the linearized problem
 //! (Tarantola 2005, ch. 3).
 //!
@@ -40,7 +40,7 @@ const MOST_PAIRINGS: usize = 4;
 
 /// Fits numbers of a tower to measured frequencies.
 ///
-/// [`Options::modes`] is the number of modes at first; more are computed where a measurement needs
+/// [`towermodes::Options::modes`] is the number of modes at first; more are computed where a measurement needs
 /// them.
 ///
 /// # Errors

@@ -35,7 +35,7 @@ pub(super) fn run(
     });
     drop(progress);
     let solved = match solved {
-        Err(SliceError::Output(error)) => return Streamed::failed(out.name().to_owned(), error),
+        Err(SliceError::Output(error)) => return Streamed::failed(out.name().to_owned(), &error),
         solved => solved?,
     };
     let name = out.name().to_owned();
