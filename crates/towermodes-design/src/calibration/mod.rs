@@ -2,9 +2,9 @@
 //!
 //! Weighted least squares: the sum of ((f − measured)/σ)² over all measurements and of
 //! ((x − mean)/σ)² over all priors is minimized by the method of Levenberg (1944) and Marquardt
-//! (1963), with the exact derivatives of [`towermodes::Solver::sensitivities`]. Positive numbers are fitted
-//! by their logarithm. Standard deviations and correlations are those of the linearized problem
-//! (Tarantola 2005, ch. 3).
+//! (1963), with the exact derivatives of [`towermodes::Solver::sensitivities`]. Positive numbers
+//! are fitted by their logarithm. Standard deviations and correlations are those of the linearized
+//! problem (Tarantola 2005, ch. 3).
 //!
 //! A fit explains measurements; it does not validate the model with them.
 //!
@@ -40,8 +40,8 @@ const MOST_PAIRINGS: usize = 4;
 
 /// Fits numbers of a tower to measured frequencies.
 ///
-/// [`towermodes::Options::modes`] is the number of modes at first; more are computed where a measurement needs
-/// them.
+/// [`towermodes::Options::modes`] is the number of modes at first; more are computed where a
+/// measurement needs them.
 ///
 /// # Errors
 /// [`CalibrationError`]: the problem contradicts itself or is not determined, a tower on the way is

@@ -2,26 +2,26 @@
 
 use towermodes::{PartNames, TowerDescription};
 
-use super::added_mass::added_mass;
-use super::damping::damping;
-use super::drivetrain::drivetrain;
 use super::foundation::foundation;
-use super::gravity::gravity;
 use super::ground::{default_foundation, ground};
-use super::masses::{is_point_mass, point_masses, rna};
-use super::materials::{Materials, materials};
-use super::missing_parts::missing_parts;
-use super::properties::properties;
-use super::reading::Reading;
-use super::rotor::rotor;
 use super::schema;
-use super::soil::soil;
-use super::stations::{outfitting_factor, shear, stations};
-use super::table::Table;
+use super::tables::added_mass::added_mass;
+use super::tables::damping::damping;
+use super::tables::drivetrain::drivetrain;
+use super::tables::gravity::gravity;
+use super::tables::masses::{is_point_mass, point_masses, rna};
+use super::tables::materials::{Materials, materials};
+use super::tables::missing_parts::missing_parts;
+use super::tables::properties::properties;
+use super::tables::rotor::rotor;
+use super::tables::soil::soil;
+use super::tables::stations::{outfitting_factor, shear, stations};
+use super::tables::water::water;
+use super::tables::wires::wires;
+use super::text::reading::Reading;
+use super::text::table::Table;
+use super::text::values::text;
 use super::turbine::turbine;
-use super::values::text;
-use super::water::water;
-use super::wires::wires;
 
 /// The whole file.
 pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<TowerDescription> {

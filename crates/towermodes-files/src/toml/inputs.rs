@@ -3,9 +3,9 @@
 use towermodes::Place;
 use towermodes::inputs::{Given, Input, Inputs, given_inputs};
 
-use super::reading::Reading;
-use super::table::{Table, suggestion};
-use super::values::{Value, list, number, number_or_infinity, text, truth, wrong_kind};
+use super::text::reading::Reading;
+use super::text::table::{Table, suggestion};
+use super::text::values::{Value, list, number, number_or_infinity, text, truth, wrong_kind};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// Reads the values of a table into a blank one; none after a mistake. `at` gives the place of a

@@ -1,40 +1,18 @@
 //! Reads and writes towers in TOML.
 
-mod added_mass;
-mod body;
-mod choice;
-mod damping;
 mod design;
-mod drivetrain;
-mod entry;
 mod file;
 mod foundation;
-mod gravity;
 mod ground;
 mod inputs;
-mod kind;
-mod masses;
-mod materials;
-mod matrix;
 mod measured;
-mod missing_parts;
-mod numbers;
-mod properties;
-mod reading;
-mod rewrite;
-mod rotor;
 mod schema;
-mod soil;
-mod stations;
 mod study;
 mod study_file;
 mod synonyms;
-mod syntax;
-mod table;
+mod tables;
+mod text;
 mod turbine;
-mod values;
-mod water;
-mod wires;
 mod write;
 
 use ::toml::de::DeTable;
@@ -48,17 +26,17 @@ use crate::note::Note;
 use crate::places::Places;
 use crate::resolver::FileResolver;
 use crate::source::{FileError, Source};
-use reading::{ProfileFile, Reading, STATION_FILE};
 use schema::FILE;
-use syntax::syntax_mistake;
-use table::Table;
+use text::reading::{ProfileFile, Reading, STATION_FILE};
+use text::syntax::syntax_mistake;
+use text::table::Table;
 
 pub use design::{design_study_schema, read_design_study};
-pub use entry::entry_at;
 pub use measured::{measured_schema, read_measured};
-pub use rewrite::{Rewritten, WrittenAnew, rewritten};
 pub use schema::{KeySchema, TableSchema, ValueKind, tower_file_schema};
 pub use study::{read_sweep_study, sweep_study_schema};
+pub use text::entry::entry_at;
+pub use text::rewrite::{Rewritten, WrittenAnew, rewritten};
 pub(crate) use write::can_be_written;
 pub use write::{write_toml, write_toml_with};
 

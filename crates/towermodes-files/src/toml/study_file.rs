@@ -2,10 +2,10 @@
 
 use ::toml::de::DeTable;
 
-use super::reading::Reading;
 use super::schema::TableSchema;
-use super::syntax::syntax_mistake;
-use super::table::Table;
+use super::text::reading::Reading;
+use super::text::syntax::syntax_mistake;
+use super::text::table::Table;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::source::Source;

@@ -1,8 +1,8 @@
 //! Bodies and springs at a height of a tower: point masses, guy wires, rotor-nacelle assembly.
 
 use super::description::{PointMass, Rna};
-use super::inertia::Inertia;
-use super::surroundings::Wires;
+use super::parts::inertia::Inertia;
+use super::parts::surroundings::Wires;
 use crate::space::SpatialMatrix;
 
 /// A body or spring at a height of the tower, for the motion (x, y, z, rotation about x, y, z) of

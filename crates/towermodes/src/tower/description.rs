@@ -1,17 +1,17 @@
 //! The description of a tower as a user gives it, before it is checked.
 
-use super::damping::Damping;
-use super::drivetrain::Drivetrain;
 use super::foundation::Foundation;
 use super::ground::Ground;
-use super::inertia::Inertia;
-use super::material::Material;
-use super::missing::MissingPart;
-use super::part_names::PartNames;
-use super::properties::Properties;
-use super::rotor::Rotor;
-use super::shear::Shear;
-use super::surroundings::{AddedMassRow, SoilRow, Water, Wires};
+use super::parts::damping::Damping;
+use super::parts::drivetrain::Drivetrain;
+use super::parts::inertia::Inertia;
+use super::parts::material::Material;
+use super::parts::missing::MissingPart;
+use super::parts::part_names::PartNames;
+use super::parts::properties::Properties;
+use super::parts::rotor::Rotor;
+use super::parts::surroundings::{AddedMassRow, SoilRow, Water, Wires};
+use super::pieces::shear::Shear;
 
 /// One row of the tower's geometry: the tube at a height. Between rows diameter and wall are
 /// linear.

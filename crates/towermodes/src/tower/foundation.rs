@@ -6,8 +6,8 @@ use super::closed_form::{
     CircularFooting, ClosedForm, HalfSpace, Monopile, RectangularFooting, SuctionCaisson,
     WinklerPile,
 };
-use super::foundation_springs::FoundationSprings;
-use super::inertia::Inertia;
+use super::parts::foundation_springs::FoundationSprings;
+use super::parts::inertia::Inertia;
 use crate::inputs::Inputs;
 use crate::space::SpatialMatrix;
 

@@ -1,21 +1,24 @@
 //! Makes a tower from a description: checks, linear pieces, independent motions.
 
 use super::attachment::Attachment;
-use super::base::Base;
 use super::description::TowerDescription;
 use super::error::TowerError;
 use super::foundation::Foundation;
 use super::ground::{Plan, with_rows};
-use super::immersion::in_environment;
-use super::independent::{self, Motion, Motions};
-use super::missing::MissingParts;
 use super::model::{InGround, Tower};
 use super::name::printable;
-use super::piece::{self, Piece, Rows};
+use super::parts::missing::MissingParts;
+use super::parts::rotor::Rotor;
+use super::pieces::immersion::in_environment;
+use super::pieces::piece;
+use super::pieces::piece::{Piece, Rows};
+use super::pieces::weight::Above;
 use super::plausibility::{self, Given, rotor_plausibility};
-use super::rotor::Rotor;
-use super::weight::Above;
-use super::{rigid_body_modes, validate};
+use super::support::base::Base;
+use super::support::independent;
+use super::support::independent::{Motion, Motions};
+use super::support::rigid_body_modes;
+use super::validate;
 use crate::tower::Warning;
 use std::mem::take;
 

@@ -1,14 +1,14 @@
 //! The tower itself: constant once it is made.
 
 use super::attachment::Attachment;
-use super::base::Base;
 use super::description::{PointMass, PropertyStation, Rna, Station};
-use super::independent::{Motion, Motions};
-use super::integrals::weight_integrals;
-use super::missing::MissingParts;
-use super::piece::Piece;
-use super::rotor::Rotor;
-use super::weight::Above;
+use super::parts::missing::MissingParts;
+use super::parts::rotor::Rotor;
+use super::pieces::integrals::weight_integrals;
+use super::pieces::piece::Piece;
+use super::pieces::weight::Above;
+use super::support::base::Base;
+use super::support::independent::{Motion, Motions};
 use crate::tower::Warning;
 
 /// A valid tower: every property is finite and positive, every wall fits its tube, and the tower is

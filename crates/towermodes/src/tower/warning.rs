@@ -11,7 +11,7 @@ use std::fmt;
 use thiserror::Error;
 
 use super::error::Place;
-use super::missing::MissingParts;
+use super::parts::missing::MissingParts;
 use crate::inputs::Quantity;
 use crate::method::Method;
 use crate::number::{Plain, Rounded, significant};

@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
-use super::super::reading::Reading;
 use super::super::study::refuse_keys;
-use super::super::table::Table;
-use super::super::values::{Value, number, wrong_kind};
+use super::super::text::reading::Reading;
+use super::super::text::table::Table;
+use super::super::text::values::{Value, number, wrong_kind};
 use super::positive;
 use super::schema::FREQUENCY;
 use super::variable::range;

@@ -7,11 +7,11 @@ mod variable;
 
 use ::toml::de::DeTable;
 
-use super::reading::Reading;
 use super::study::{method, segments};
 use super::study_file::read_study;
-use super::table::Table;
-use super::values::{Value, number, truth};
+use super::text::reading::Reading;
+use super::text::table::Table;
+use super::text::values::{Value, number, truth};
 use crate::design_study::DesignStudy;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;

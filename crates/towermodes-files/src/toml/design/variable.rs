@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
-use super::super::choice::{ChoiceWords, one_of};
-use super::super::reading::Reading;
 use super::super::study::unquoted;
-use super::super::table::Table;
-use super::super::values::{Value, every_row, list, number, wrong_kind};
+use super::super::text::choice::{ChoiceWords, one_of};
+use super::super::text::reading::Reading;
+use super::super::text::table::Table;
+use super::super::text::values::{Value, every_row, list, number, wrong_kind};
 use super::positive;
 use super::schema::VARIABLE;
 use crate::design_study::{DesignEach, DesignVariable};

@@ -2,13 +2,13 @@
 
 use towermodes::{FloatingPlatform, Foundation, ReferredMatrix};
 
+use super::super::tables::body::{center, inertia};
+use super::super::tables::matrix::matrix;
+use super::super::text::reading::Reading;
+use super::super::text::table::Table;
+use super::super::text::values::{number, number_or_infinity};
 use super::{Kind, Read, at};
-use crate::toml::body::{center, inertia};
-use crate::toml::matrix::matrix;
-use crate::toml::reading::Reading;
 use crate::toml::schema;
-use crate::toml::table::Table;
-use crate::toml::values::{number, number_or_infinity};
 
 pub(super) const KIND: Kind = Kind {
     name: "floating",

@@ -9,12 +9,12 @@ use std::sync::LazyLock;
 
 use towermodes::{Foundation, Place};
 
-use super::choice::ChoiceWords;
 use super::inputs::read_into;
-use super::kind::{TableKind, kind_of, owners};
-use super::reading::Reading;
 use super::schema::{self, TableSchema};
-use super::table::Table;
+use super::text::choice::ChoiceWords;
+use super::text::kind::{TableKind, kind_of, owners};
+use super::text::reading::Reading;
+use super::text::table::Table;
 use crate::places::TABLE;
 
 /// A type of foundation.

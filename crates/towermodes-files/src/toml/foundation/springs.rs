@@ -2,11 +2,11 @@
 
 use towermodes::{Foundation, FoundationSprings};
 
+use super::super::text::reading::Reading;
+use super::super::text::table::Table;
+use super::super::text::values::number_or_infinity;
 use super::{Kind, Read, at};
-use crate::toml::reading::Reading;
 use crate::toml::schema;
-use crate::toml::table::Table;
-use crate::toml::values::number_or_infinity;
 
 pub(super) const KIND: Kind = Kind {
     name: "springs",

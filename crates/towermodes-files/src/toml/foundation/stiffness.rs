@@ -2,12 +2,12 @@
 
 use towermodes::{Foundation, StiffnessFoundation};
 
+use super::super::tables::matrix::matrix;
+use super::super::text::reading::Reading;
+use super::super::text::table::Table;
+use super::super::text::values::{Value, infinity, number};
 use super::{Kind, Read, at};
-use crate::toml::matrix::matrix;
-use crate::toml::reading::Reading;
 use crate::toml::schema;
-use crate::toml::table::Table;
-use crate::toml::values::{Value, infinity, number};
 
 pub(super) const KIND: Kind = Kind {
     name: "stiffness",

@@ -3,16 +3,16 @@
 use towermodes::inputs::Inputs;
 use towermodes::{GroundLayer, LayerSoil, Place, SoilModel};
 
+use super::super::text::kind::{TableKind, kind_of, owners};
+use super::super::text::reading::Reading;
+use super::super::text::table::Table;
+use super::super::text::values::Value;
 use super::model_hint;
 use super::shear_modulus::shear_modulus;
 use super::soil::{KINDS, py_table};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::places::TABLE;
 use crate::toml::inputs::read;
-use crate::toml::kind::{TableKind, kind_of, owners};
-use crate::toml::reading::Reading;
-use crate::toml::table::Table;
-use crate::toml::values::Value;
 
 /// A layer whose model may still be that of the whole ground.
 pub(crate) struct Layer {

@@ -8,11 +8,11 @@ mod soil;
 use towermodes::inputs::Inputs;
 use towermodes::{AxialModel, Foundation, FoundationSprings, Ground, Place, SoilModel};
 
-use super::choice::{choices, choices_hint, chosen};
 use super::inputs::read;
-use super::reading::Reading;
 use super::schema;
-use super::table::{Table, every_table, with_names};
+use super::text::choice::{choices, choices_hint, chosen};
+use super::text::reading::Reading;
+use super::text::table::{Table, every_table, with_names};
 use crate::places::TABLE;
 use profile::layers;
 

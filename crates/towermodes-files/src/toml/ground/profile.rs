@@ -4,6 +4,9 @@ use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue};
 use towermodes::Place;
 
+use super::super::text::kind::{TableKind, owners};
+use super::super::text::reading::{ProfileFile, Reading};
+use super::super::text::values::{Value, text};
 use super::layer::{Layer, layer};
 use super::soil::{KINDS, Kind};
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
@@ -11,9 +14,6 @@ use crate::layer_profile::{Profile, Row, SAME_M, profile};
 use crate::number::Rounded;
 use crate::resolver::FileResolver;
 use crate::source::Source;
-use crate::toml::kind::{TableKind, owners};
-use crate::toml::reading::{ProfileFile, Reading};
-use crate::toml::values::{Value, text};
 
 const KEY: &str = "profile";
 

@@ -3,8 +3,8 @@
 use towermodes::ShearModulus;
 use towermodes::inputs::given_inputs;
 
-use crate::toml::reading::Reading;
-use crate::toml::table::Table;
+use super::super::text::reading::Reading;
+use super::super::text::table::Table;
 
 /// The shear modulus with blank values: `Some(None)` if the layer has none, `None` after a mistake.
 pub(super) fn shear_modulus(

@@ -5,12 +5,12 @@ use std::sync::LazyLock;
 use toml::de::DeArray;
 use towermodes::{LayerSoil, Place, PyRow};
 
-use crate::toml::choice::ChoiceWords;
-use crate::toml::kind::TableKind;
-use crate::toml::reading::Reading;
+use super::super::text::choice::ChoiceWords;
+use super::super::text::kind::TableKind;
+use super::super::text::reading::Reading;
+use super::super::text::table::Table;
+use super::super::text::values::{every_row, list, number, row_of};
 use crate::toml::schema::{self, TableSchema};
-use crate::toml::table::Table;
-use crate::toml::values::{every_row, list, number, row_of};
 
 /// A kind of soil.
 pub(super) struct Kind {

@@ -8,9 +8,9 @@ mod unknown;
 
 use ::toml::de::DeTable;
 
-use super::reading::Reading;
 use super::study_file::read_study;
-use super::table::{Table, every_table};
+use super::text::reading::Reading;
+use super::text::table::{Table, every_table};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::measured::{MeasuredFile, MeasuredMode};

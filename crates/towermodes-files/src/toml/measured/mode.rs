@@ -1,9 +1,9 @@
 //! `[[measured]]`: one measured frequency with its mode.
 
-use super::super::reading::Reading;
 use super::super::study::mode_name;
-use super::super::table::Table;
-use super::super::values::{Value, every_row, list, number, row_of};
+use super::super::text::reading::Reading;
+use super::super::text::table::Table;
+use super::super::text::values::{Value, every_row, list, number, row_of};
 use super::schema::MEASURED;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::measured::MeasuredMode;

@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
-use super::super::reading::Reading;
 use super::super::study::unquoted;
-use super::super::table::Table;
-use super::super::values::{Value, every_row, list, number, wrong_kind};
+use super::super::text::reading::Reading;
+use super::super::text::table::Table;
+use super::super::text::values::{Value, every_row, list, number, wrong_kind};
 use super::schema::{CALIBRATE, UNKNOWN};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::measured::NamedUnknown;

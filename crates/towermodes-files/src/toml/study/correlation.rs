@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use super::super::reading::Reading;
-use super::super::table::{Table, suggestion};
-use super::super::values::{Value, every_row, list, number, text, wrong_kind};
+use super::super::text::reading::Reading;
+use super::super::text::table::{Table, suggestion};
+use super::super::text::values::{Value, every_row, list, number, text, wrong_kind};
 use super::schema::CORRELATION;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::sampling::{

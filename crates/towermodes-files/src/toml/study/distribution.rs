@@ -4,10 +4,10 @@ use std::ops::Range;
 
 use toml::de::DeValue;
 
-use super::super::reading::Reading;
 use super::super::schema::TableSchema;
-use super::super::table::Table;
-use super::super::values::{Value, every_row, list, number, whole, wrong_kind};
+use super::super::text::reading::Reading;
+use super::super::text::table::Table;
+use super::super::text::values::{Value, every_row, list, number, whole, wrong_kind};
 use super::refuse_keys;
 use super::schema::VARY;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};

@@ -10,10 +10,10 @@ mod schema;
 
 use ::toml::de::DeTable;
 
-use super::reading::Reading;
 use super::study_file::read_study;
-use super::table::Table;
-use super::values::text;
+use super::text::reading::Reading;
+use super::text::table::Table;
+use super::text::values::text;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::source::Source;

@@ -1,8 +1,8 @@
 //! `[sweep.reading]`: how the base is read where its format leaves a choice.
 
-use super::super::reading::Reading;
-use super::super::table::{Table, suggestion};
-use super::super::values::{Value, every_row, list, number, text, truth, whole};
+use super::super::text::reading::Reading;
+use super::super::text::table::{Table, suggestion};
+use super::super::text::values::{Value, every_row, list, number, text, truth, whole};
 use super::schema::READING;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::input::{ReadOptions, RotorLock, TowerPart};

@@ -2,9 +2,9 @@
 
 use towermodes::{MAX_SEGMENTS, Method, ModeName};
 
-use super::super::reading::Reading;
-use super::super::table::{Table, suggestion};
-use super::super::values::{Value, every_row, text, truth, whole, wrong_kind};
+use super::super::text::reading::Reading;
+use super::super::text::table::{Table, suggestion};
+use super::super::text::values::{Value, every_row, text, truth, whole, wrong_kind};
 use super::schema::RESULTS;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::study::{SweepModes, SweepResults};

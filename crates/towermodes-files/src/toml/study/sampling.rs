@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use super::super::reading::Reading;
-use super::super::table::{Table, suggestion};
-use super::super::values::{Value, text, whole};
+use super::super::text::reading::Reading;
+use super::super::text::table::{Table, suggestion};
+use super::super::text::values::{Value, text, whole};
 use super::correlation::{correlations, of_values, refused_pair};
 use super::distribution::varied;
 use super::refuse_keys;

@@ -2,14 +2,14 @@
 
 use towermodes::{BladeDescription, BladeSection, RigidBody};
 
+use super::super::text::reading::Reading;
+use super::super::text::table::Table;
+use super::super::text::values::{Value, every_row, list, number, number_or_infinity, text};
 use super::spans::{Spans, key};
 use crate::bmodes::is_deck;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::elastodyn::{BladeFile, read_blade_file};
-use crate::toml::reading::Reading;
 use crate::toml::schema;
-use crate::toml::table::Table;
-use crate::toml::values::{Value, every_row, list, number, number_or_infinity, text};
 use crate::turbine::{MOST_SECTIONS, blade_borders};
 
 /// A list of the sections: its name, and its value for a blade without it; none for lists that must

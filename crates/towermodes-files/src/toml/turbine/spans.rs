@@ -3,9 +3,9 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use crate::toml::reading::Reading;
-use crate::toml::table::Table;
-use crate::toml::values::{Value, number, number_or_infinity};
+use super::super::text::reading::Reading;
+use super::super::text::table::Table;
+use super::super::text::values::{Value, number, number_or_infinity};
 
 /// The place of each value by its name, such as `hub.mass`, and in a list its index.
 #[derive(Debug)]

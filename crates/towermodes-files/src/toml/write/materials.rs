@@ -2,7 +2,7 @@
 
 use towermodes::{Material, TowerDescription};
 
-use super::super::materials::NUMBERED;
+use super::super::tables::materials::NUMBERED;
 use super::text::quoted;
 use super::writing::Writing;
 use crate::toml::schema;

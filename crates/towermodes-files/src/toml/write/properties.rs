@@ -2,8 +2,8 @@
 
 use towermodes::{Planes, Properties, PropertyStation};
 
+use super::super::tables::properties::shared_out;
 use super::writing::Writing;
-use crate::toml::properties::shared_out;
 use crate::toml::schema;
 
 pub(super) fn properties(rows: &[PropertyStation], writing: &mut Writing) {

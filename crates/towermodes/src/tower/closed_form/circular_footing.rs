@@ -1,5 +1,6 @@
 //! A rigid circular footing in a stratum over rock or over another stratum.
 
+use super::super::parts::foundation_springs::FoundationSprings;
 use super::common::{
     COUPLED, EMBEDMENT, RADIUS, SOIL_POISSONS_RATIO, SOIL_SHEAR_MODULUS, against_tower, coupling_n,
     error, footing, outside,
@@ -8,7 +9,6 @@ use super::form::{Buried, ClosedForm, FormKind, SoilBelow};
 use crate::inputs::{Input, Inputs, Limit, Quantity};
 use crate::space::SpatialMatrix;
 use crate::tower::error::{Problem, TowerError};
-use crate::tower::foundation_springs::FoundationSprings;
 use crate::tower::warning::Warning;
 
 /// A rigid circular footing in a stratum of elastic soil over rock, or on a stratum over a

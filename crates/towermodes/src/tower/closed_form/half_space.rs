@@ -1,5 +1,6 @@
 //! A rigid circular footing in an elastic half-space.
 
+use super::super::parts::foundation_springs::FoundationSprings;
 use super::common::{
     EMBEDMENT, RADIUS, SOIL_POISSONS_RATIO, SOIL_SHEAR_MODULUS, against_tower, footing, unusual,
 };
@@ -7,7 +8,6 @@ use super::form::{Buried, ClosedForm, FormKind, SoilBelow};
 use crate::inputs::{Inputs, Quantity};
 use crate::space::SpatialMatrix;
 use crate::tower::error::TowerError;
-use crate::tower::foundation_springs::FoundationSprings;
 use crate::tower::warning::Warning;
 
 /// A rigid circular footing in an elastic half-space.

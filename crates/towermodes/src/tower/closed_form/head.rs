@@ -1,6 +1,6 @@
 //! The stiffness of the head of a pile or a caisson.
 
-use crate::tower::foundation_springs::FoundationSprings;
+use super::super::parts::foundation_springs::FoundationSprings;
 
 /// The stiffness of a foundation in one plane at its head, coupled: force and moment for the
 /// displacement x and the rotation about y.

@@ -1,5 +1,6 @@
 //! A monopile in an elastic continuum.
 
+use super::super::parts::foundation_springs::FoundationSprings;
 use super::carter_kulhawy::carter_kulhawy;
 use super::common::{
     SOIL_POISSONS_RATIO, SOIL_PROFILE, SOIL_YOUNGS_MODULUS, SoilProfile, TORSION, VERTICAL, at,
@@ -13,7 +14,6 @@ use super::shadlou;
 use crate::inputs::{Input, Inputs, names};
 use crate::space::SpatialMatrix;
 use crate::tower::error::{Problem, TowerError};
-use crate::tower::foundation_springs::FoundationSprings;
 use crate::tower::warning::Warning;
 
 /// A monopile below the base of the tower, which stands at the surface of the soil. Its head

@@ -1,5 +1,6 @@
 //! A rigid suction caisson.
 
+use super::super::parts::foundation_springs::FoundationSprings;
 use super::common::{
     SOIL_POISSONS_RATIO, SOIL_PROFILE, SOIL_YOUNGS_MODULUS, SoilProfile, TORSION, VERTICAL,
     against_diameter, deep, outside,
@@ -9,7 +10,6 @@ use super::head::HeadStiffness;
 use crate::inputs::{Input, Inputs};
 use crate::space::SpatialMatrix;
 use crate::tower::error::TowerError;
-use crate::tower::foundation_springs::FoundationSprings;
 use crate::tower::warning::Warning;
 
 /// A rigid suction caisson below the base of the tower: a circular lid at the surface of the soil

@@ -1,5 +1,6 @@
 //! A pile on springs k(z) that grow with a power of the depth, exactly.
 
+use super::super::parts::foundation_springs::FoundationSprings;
 use super::common::{TORSION, VERTICAL, at, deep, error};
 use super::form::{Buried, ClosedForm, FormKind};
 use super::head::HeadStiffness;
@@ -9,7 +10,6 @@ use super::soil_spring::SoilSpring;
 use crate::inputs::{Input, Inputs, Limit, names};
 use crate::space::SpatialMatrix;
 use crate::tower::error::{Problem, TowerError};
-use crate::tower::foundation_springs::FoundationSprings;
 use crate::tower::warning::Warning;
 
 /// Over a depth of this reduced length ∫ (k/EI)^(1/4) dz the motion dies out to below the rounding

@@ -5,9 +5,9 @@
 //! follow from the four moments ∫ k zⁿ dz, n = 0 … 3, so the work is exact for every cubic v², and
 //! its error falls with the sixth power of the length of the part.
 
+use super::super::parts::surroundings::{SoilRow, SoilStiffness};
+use super::super::pieces::integrals::GAUSS_5;
 use super::reaction::Reactions;
-use crate::tower::integrals::GAUSS_5;
-use crate::tower::surroundings::{SoilRow, SoilStiffness};
 
 const SPRINGS: usize = SoilStiffness::SPRINGS;
 

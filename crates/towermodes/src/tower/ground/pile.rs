@@ -1,9 +1,9 @@
 //! The part of a tower that is in the ground.
 
+use super::super::pieces::section::Tube;
 use super::description::Ground;
 use super::layer::{GroundLayer, LayerSoil};
 use crate::tower::description::TowerDescription;
-use crate::tower::section::Tube;
 
 /// The effective stress is the unreduced one from this many diameters below the surface around a
 /// hole of local scour.

@@ -1,12 +1,12 @@
 //! Where the springs of the ground are cut into rows: the same for a tower and for those near it.
 
+use super::super::parts::surroundings::SoilStiffness;
 use super::description::Ground;
 use super::kink::Kink;
 use super::lines::Part;
 use super::pile::Pile;
 use super::reaction::Reactions;
 use crate::tower::description::TowerDescription;
-use crate::tower::surroundings::SoilStiffness;
 
 /// Every pile has at least this many parts where its springs are not linear in height, so that the
 /// derivatives with respect to its numbers are right too.

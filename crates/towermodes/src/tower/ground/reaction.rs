@@ -1,5 +1,6 @@
 //! A pile with the springs of the layers around it.
 
+use super::super::parts::surroundings::SoilStiffness;
 use super::axial::axial_springs_of;
 use super::description::Ground;
 use super::layer::GroundLayer;
@@ -9,7 +10,6 @@ use super::pile::Pile;
 use super::spot::Spot;
 use super::values::{NoSprings, Values};
 use crate::tower::description::TowerDescription;
-use crate::tower::surroundings::SoilStiffness;
 
 /// The springs of one layer by its models.
 #[derive(Debug)]

@@ -1,12 +1,12 @@
 //! The ground as rows of springs along the tower and a foundation under its tip.
 
+use super::super::parts::surroundings::SoilRow;
+use super::super::support::base::Base;
 use super::plan::{Lines, Plan};
 use super::reaction::Reactions;
 use crate::space::SpatialMatrix;
-use crate::tower::base::Base;
 use crate::tower::description::TowerDescription;
 use crate::tower::foundation::{Foundation, StiffnessFoundation};
-use crate::tower::surroundings::SoilRow;
 
 impl TowerDescription {
     /// Whether soil surrounds the tower, as rows or in layers.

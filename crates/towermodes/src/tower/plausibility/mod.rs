@@ -22,10 +22,11 @@ mod wires;
 
 pub(crate) use bodies::inertia as inertia_plausibility;
 
+use super::Place;
 use super::foundation::Foundation;
 use super::ground::Ground;
+use super::parts::material::Material;
 use super::{AddedMassRow, SoilRow, Tower, TowerDescription, Water, Wires};
-use super::{Place, material::Material};
 use crate::tower::Rotor;
 use crate::tower::Warning;
 use crate::tower::{Quantity, Site};

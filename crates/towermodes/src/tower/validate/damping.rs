@@ -1,7 +1,7 @@
 //! The checks of damping.
 
+use super::super::parts::damping::{Damping, LossFactors, RotorAerodynamics};
 use super::scale::{error, positive};
-use crate::tower::damping::{Damping, LossFactors, RotorAerodynamics};
 use crate::tower::error::{Place, Problem, TowerError};
 
 impl Damping {

@@ -1,7 +1,7 @@
 //! The checks of the drivetrain.
 
+use super::super::parts::drivetrain::Drivetrain;
 use super::scale::{error, finite, not_negative, positive};
-use crate::tower::drivetrain::Drivetrain;
 use crate::tower::error::{Place, Problem, TowerError};
 
 /// Everything that a drivetrain must satisfy in an assembly with this inertia about x, kg m².

@@ -1,16 +1,16 @@
 //! The checks of the foundation.
 
+use super::super::parts::foundation_springs::FoundationSprings;
+use super::super::support::base::Base;
 use super::inertia::check_inertia;
 use super::inputs::check_inputs;
 use super::scale::{coordinate, error, finite, positive, stiffness};
 use crate::space::SpatialMatrix;
 use crate::symmetric::eigenpairs;
-use crate::tower::base::Base;
 use crate::tower::closed_form::ClosedForm;
 use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
 use crate::tower::foundation::{FloatingPlatform, Foundation, StiffnessFoundation, Support};
-use crate::tower::foundation_springs::FoundationSprings;
 
 /// Entries of a stiffness that should be equal may differ by this fraction of their diagonal
 /// entries: they are often printed rounded.

@@ -1,8 +1,8 @@
 //! The check of an inertia tensor.
 
+use super::super::parts::inertia::Inertia;
 use super::scale::{error, finite};
 use crate::tower::error::{Place, Problem, TowerError};
-use crate::tower::inertia::Inertia;
 
 /// A principal moment of inertia may be negative by this fraction of the largest: tensors are
 /// rounded.

@@ -24,10 +24,10 @@ use surroundings::check_surroundings;
 
 use super::description::{PointMass, PropertyStation, Rna, Station, TowerDescription};
 use super::error::{Place, Problem, TowerError};
-use super::inertia::Inertia;
-use super::material::Material;
-use super::properties::Properties;
-use super::shear::Shear;
+use super::parts::inertia::Inertia;
+use super::parts::material::Material;
+use super::parts::properties::Properties;
+use super::pieces::shear::Shear;
 
 /// Everything a description must satisfy to be a tower.
 pub(super) fn validate(description: &TowerDescription) -> Result<(), TowerError> {

@@ -1,8 +1,8 @@
 //! The checks of a rotor.
 
+use super::super::parts::rotor::{FASTEST_RPM, MOST_BLADES, Rotor};
 use super::scale::{error, not_negative, positive};
 use crate::tower::error::{Place, Problem, TowerError};
-use crate::tower::rotor::{FASTEST_RPM, MOST_BLADES, Rotor};
 
 impl Rotor {
     /// Checks the rotor as [`Tower::new`](crate::Tower::new) checks it.

@@ -1,11 +1,11 @@
 //! The checks of soil, added mass, water, wires and gravity.
 
+use super::super::parts::surroundings::{AddedMassRow, SoilRow, Water, Wires};
+use super::super::pieces::immersion;
 use super::inputs::check_inputs;
 use super::scale::{coordinate, error, finite, not_negative, stiffness};
 use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
-use crate::tower::immersion;
-use crate::tower::surroundings::{AddedMassRow, SoilRow, Water, Wires};
 
 pub(super) fn check_surroundings(
     description: &TowerDescription,

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
+use super::super::pieces::planes::Plane;
 use crate::number::Plain;
 use crate::tower::error::Place;
-use crate::tower::planes::Plane;
 
 /// The site of the value that a warning is about: in the description, and on the tower.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -1,0 +1,11 @@
+//! Values of a TOML text with their places and mistakes.
+
+pub(super) mod choice;
+pub(super) mod entry;
+pub(super) mod kind;
+pub(super) mod numbers;
+pub(super) mod reading;
+pub(super) mod rewrite;
+pub(super) mod syntax;
+pub(super) mod table;
+pub(super) mod values;

@@ -1,0 +1,77 @@
+//! Mistakes, notes and the place of each value, collected while a file is read.
+
+use std::ops::Range;
+
+use towermodes::Place;
+use towermodes::turbine::TurbineDescription;
+
+use crate::diagnostic::Diagnostic;
+use crate::places::Places;
+use crate::source::{FileError, Source};
+
+/// Mistakes beyond this number are not collected: each may list many names.
+const MAX_MISTAKES: usize = 100;
+
+/// The place of the file with the stations among a tower's files.
+pub(crate) const STATION_FILE: usize = 1;
+
+/// A file with a profile of soil.
+#[derive(Debug)]
+pub(crate) struct ProfileFile {
+    /// As the tower file names it.
+    pub(crate) path: String,
+    /// Its place among a tower's files: after that of the stations, if there is one.
+    pub(crate) index: usize,
+    pub(crate) source: Result<Source, FileError>,
+}
+
+/// Mistakes, notes and places that were found so far.
+#[derive(Debug, Default)]
+pub(crate) struct Reading {
+    pub(crate) mistakes: Vec<Diagnostic>,
+    pub(crate) places: Places,
+    /// The file with the stations that the tower file names, until its rows are read.
+    pub(crate) station_file: Option<Result<Source, FileError>>,
+    /// The blade file that the turbine names, until its rows are read.
+    pub(crate) blade_file: Option<Result<Source, FileError>>,
+    /// The profiles of soil that layers of the ground name.
+    pub(crate) profiles: Vec<ProfileFile>,
+    /// One of these files that has mistakes, and these.
+    pub(crate) in_other_file: Option<(Source, Vec<Diagnostic>)>,
+    /// The files beside the tower file that were read, that of the stations first.
+    pub(crate) others: Vec<Source>,
+    /// The blade file that was read.
+    pub(crate) blade_source: Option<Source>,
+    /// The turbine.
+    pub(crate) turbine: Option<TurbineDescription>,
+    /// Notes with their bytes in the file.
+    pub(crate) notes: Vec<(usize, &'static str)>,
+}
+
+impl Reading {
+    pub(crate) fn mistake(&mut self, diagnostic: Diagnostic) {
+        if !self.is_full() {
+            self.mistakes.push(diagnostic);
+        }
+    }
+
+    /// Keeps a mistake, and gives nothing in place of the value.
+    pub(crate) fn refuse<T>(&mut self, mistake: Diagnostic) -> Option<T> {
+        self.mistake(mistake);
+        None
+    }
+
+    /// Whether the list of mistakes is full.
+    pub(crate) fn is_full(&self) -> bool {
+        self.mistakes.len() >= MAX_MISTAKES
+    }
+
+    pub(crate) fn note(&mut self, at: usize, message: &'static str) {
+        self.notes.push((at, message));
+    }
+
+    /// Remembers the place of a value for the checks of the whole tower.
+    pub(crate) fn remember(&mut self, place: Place, span: Range<usize>) {
+        self.places.remember(place, 0, span);
+    }
+}

@@ -1,0 +1,7 @@
+//! Towers near a tower: changed a little for derivatives, in softer soil, without some of its
+//! springs.
+
+pub(super) mod neighbour;
+pub(super) mod numbers;
+pub(super) mod soil_factor;
+pub(super) mod stripped;

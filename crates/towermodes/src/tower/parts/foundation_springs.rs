@@ -1,0 +1,69 @@
+//! Springs under the base of a tower.
+
+use crate::space::SpatialMatrix;
+
+/// Springs under the base, the same in both planes; infinity is a rigid one, zero none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FoundationSprings {
+    /// Against translation x and y, N/m.
+    pub lateral_n_per_m: f64,
+    /// Against rotation about x and y, N m.
+    pub rocking_n_m: f64,
+    /// Between x and rotation about y, and with the opposite sign between y and rotation about x,
+    /// N.
+    pub coupling_n: f64,
+    /// Against translation z, N/m.
+    pub vertical_n_per_m: f64,
+    /// Against rotation about z, N m.
+    pub torsion_n_m: f64,
+}
+
+impl FoundationSprings {
+    /// Rigid in every direction.
+    pub const RIGID: Self = Self {
+        lateral_n_per_m: f64::INFINITY,
+        rocking_n_m: f64::INFINITY,
+        coupling_n: 0.0,
+        vertical_n_per_m: f64::INFINITY,
+        torsion_n_m: f64::INFINITY,
+    };
+
+    /// The stiffness for the motion (x, y, z, rotation about x, y, z) of the base; a rigid spring
+    /// is infinite on its diagonal.
+    pub(crate) fn matrix(&self) -> SpatialMatrix {
+        let mut matrix = SpatialMatrix::default();
+        for (i, value) in self.diagonal().into_iter().enumerate() {
+            matrix[i][i] = value;
+        }
+        for (translation, rotation, sign) in [(0, 4, 1.0), (1, 3, -1.0)] {
+            matrix[translation][rotation] = sign * self.coupling_n;
+            matrix[rotation][translation] = sign * self.coupling_n;
+        }
+        matrix
+    }
+
+    /// Those of a stiffness that is the same in both planes; none for any other.
+    pub fn of_matrix(matrix: &SpatialMatrix) -> Option<Self> {
+        let springs = Self {
+            lateral_n_per_m: matrix[0][0],
+            rocking_n_m: matrix[4][4],
+            coupling_n: matrix[0][4],
+            vertical_n_per_m: matrix[2][2],
+            torsion_n_m: matrix[5][5],
+        };
+        (springs.matrix() == *matrix).then_some(springs)
+    }
+
+    /// Along the diagonal of the stiffness: x, y, z, rotation about x, y, z.
+    pub(crate) fn diagonal(&self) -> [f64; 6] {
+        let (lateral, rocking) = (self.lateral_n_per_m, self.rocking_n_m);
+        [
+            lateral,
+            lateral,
+            self.vertical_n_per_m,
+            rocking,
+            rocking,
+            self.torsion_n_m,
+        ]
+    }
+}

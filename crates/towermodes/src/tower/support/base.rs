@@ -1,0 +1,95 @@
+//! The lowest section of a tower: its free motions, its support, the inertia that moves with it.
+
+use super::super::attachment::spatial_inertia;
+use super::super::foundation::{
+    FloatingPlatform, Foundation, ReferredMatrix, StiffnessFoundation, Support,
+};
+use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
+
+/// The base of a tower, for its motion (x, y, z, rotation about x, y, z).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Base {
+    /// Which motions are possible; the others are rigidly held.
+    pub moves: [bool; 6],
+    /// The motion that is 1 for each coordinate of the base, m or rad; 0 where it is rigidly held.
+    pub units: [f64; 6],
+    /// Stiffness to the ground: N/m, N, N m; zero for motions that are rigidly held.
+    pub stiffness: SpatialMatrix,
+    /// Inertia that moves with it: kg, kg m, kg m².
+    pub inertia: SpatialMatrix,
+    /// Moment of the platform's and the tower's mass about the point that the hydrostatic stiffness
+    /// is about, kg m: times g the negative geometric stiffness against rotation about x and y;
+    /// zero for a fixed base.
+    pub overturning_kg_m: f64,
+    /// Whether it floats: rigid-body modes are modes of their own.
+    pub floats: bool,
+}
+
+impl Base {
+    /// Of a foundation under a tower with its base at `base_m` that carries `mass_kg`, with all
+    /// that is on it.
+    pub(crate) fn new(foundation: &Foundation, base_m: f64, mass_kg: f64) -> Self {
+        match foundation.support() {
+            Support::Clamped => Self::default(),
+            Support::Stiffness(foundation) => Self::on(foundation),
+            Support::Springs(springs) => Self::on(&on_springs(springs.matrix())),
+            Support::Form(form) => Self::on(&on_springs(form.stiffness())),
+            Support::Floating(platform) => Self::afloat(platform, base_m, mass_kg),
+        }
+    }
+
+    /// Whether it does not move at all.
+    pub fn is_clamped(&self) -> bool {
+        self.moves == [false; 6]
+    }
+
+    fn on(foundation: &StiffnessFoundation) -> Self {
+        let (moves, stiffness) = foundation.moving();
+        Self {
+            moves,
+            stiffness: symmetrized(&stiffness),
+            inertia: symmetrized(&foundation.inertia),
+            ..Self::default()
+        }
+    }
+
+    /// The weights turn over about the point that the hydrostatic stiffness is about: only about
+    /// that point, where buoyancy and weights are in balance, do its entries and theirs add up.
+    fn afloat(platform: &FloatingPlatform, base_m: f64, mass_kg: f64) -> Self {
+        let [x, y, z] = platform.center_m;
+        let centre = [x, y, z - base_m];
+        let mut base = Self {
+            moves: [true; 6],
+            inertia: spatial_inertia(platform.mass_kg, centre, &platform.inertia_kg_m2),
+            floats: true,
+            ..Self::default()
+        };
+        let add = |sum: &mut SpatialMatrix, referred: &ReferredMatrix| {
+            let mut matrix = symmetrized(&referred.matrix);
+            transform_matrix(&mut matrix, referred.height_m - base_m);
+            add_scaled(sum, 1.0, &matrix);
+        };
+        add(&mut base.inertia, &platform.added_mass);
+        add(&mut base.stiffness, &platform.hydrostatic);
+        add(&mut base.stiffness, &platform.mooring);
+        let pivot_m = platform.hydrostatic.height_m;
+        base.overturning_kg_m = platform.mass_kg * (z - pivot_m) + mass_kg * (base_m - pivot_m);
+        base
+    }
+}
+
+/// A stiffness that is rigid wherever it is not finite, as a rigid spring is after a step towards
+/// its neighbour.
+fn on_springs(mut stiffness: SpatialMatrix) -> StiffnessFoundation {
+    for (motion, row) in stiffness.iter_mut().enumerate() {
+        if !row[motion].is_finite() {
+            row[motion] = f64::INFINITY;
+        }
+    }
+    stiffness.into()
+}
+
+/// (A + Aᵀ)/2.
+fn symmetrized(matrix: &SpatialMatrix) -> SpatialMatrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (matrix[i][j] + matrix[j][i])))
+}

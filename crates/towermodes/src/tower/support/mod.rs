@@ -1,0 +1,7 @@
+//! What holds a tower, and the motions that are left to it.
+
+pub(super) mod base;
+pub(super) mod independent;
+pub(super) mod pile_head;
+pub(super) mod rigid;
+pub(super) mod rigid_body_modes;

@@ -1,0 +1,119 @@
+//! The stiffness of the pile of a tower at the surface of its ground.
+
+use super::super::closed_form::HeadStiffness;
+use super::super::model::Tower;
+use super::super::parts::surroundings::SoilStiffness;
+use super::super::pieces::piece::Piece;
+use super::super::pieces::planes::Plane;
+
+/// Steps of the integration over the embedded length, at least.
+const STEPS: f64 = 1000.0;
+
+/// Springs of the soil at a height of a tower.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct SpringsAt {
+    /// The height, m.
+    pub height_m: f64,
+    /// Against translation x and y, N/m².
+    pub lateral_n_per_m2: f64,
+    /// Against translation z, N/m².
+    pub vertical_n_per_m2: f64,
+    /// Against rotation of the section about x and y, N m per radian and metre.
+    pub rotation_n: f64,
+    /// Against rotation about the axis, N m per radian and metre.
+    pub torsion_n: f64,
+}
+
+impl Tower {
+    /// The static stiffness of the embedded pile at [`ground_surface_m`](Self::ground_surface_m),
+    /// the surface of the [ground](crate::TowerDescription::ground) in the fore-aft plane; none
+    /// without ground, and where the tip is held by more than springs.
+    ///
+    /// The stiffness K at the upper end of a part of the pile grows by the springs of the soil,
+    /// loses the flexibility of the pile and moves with its point of reference:
+    ///
+    /// - dK_L/dz = k − K_L²/κGA − K_LR²/EI,
+    /// - dK_LR/dz = −K_L K_LR/κGA − K_LR K_R/EI − K_L,
+    /// - dK_R/dz = k_θ − K_LR²/κGA − K_R²/EI − 2 K_LR.
+    ///
+    /// It is integrated from the tip up.
+    pub fn pile_head(&self) -> Option<HeadStiffness> {
+        let (surface_m, base) = (self.ground_surface_m()?, self.base());
+        if !(base.moves[0] && base.moves[4]) {
+            return None;
+        }
+        let k = &base.stiffness;
+        let mut stiffness = [k[0][0], k[0][4], k[4][4]];
+        let step_m = (surface_m - self.base_m()) / STEPS;
+        for piece in self.pieces() {
+            let length_m = piece.top_m.min(surface_m) - piece.base_m;
+            if length_m <= 0.0 {
+                break;
+            }
+            let steps = (length_m / step_m).ceil().max(4.0);
+            let own_m = length_m / steps;
+            for step in 0..steps as usize {
+                let slope = |share: f64, k: [f64; 3]| {
+                    let height_m = piece.base_m + (step as f64 + share) * own_m;
+                    slope(piece, height_m, k)
+                };
+                stiffness = runge_kutta(stiffness, own_m, slope);
+            }
+        }
+        let [lateral_n_per_m, coupling_n, rocking_n_m] = stiffness;
+        Some(HeadStiffness {
+            lateral_n_per_m,
+            coupling_n,
+            rocking_n_m,
+        })
+    }
+
+    /// The springs of the soil along a tower in [ground](crate::TowerDescription::ground) by rising
+    /// height: at both ends of each piece of the tower that is in soil, so twice at a step, with
+    /// rows of [`soil`](crate::TowerDescription::soil) there. Empty without ground.
+    pub fn springs_of_soil(&self) -> Vec<SpringsAt> {
+        let at = |height_m: f64, soil: &SoilStiffness| SpringsAt {
+            height_m,
+            lateral_n_per_m2: soil.x_n_per_m2,
+            vertical_n_per_m2: soil.z_n_per_m2,
+            rotation_n: soil.rotation_y_n,
+            torsion_n: soil.torsion_n,
+        };
+        let mut springs: Vec<SpringsAt> = Vec::new();
+        if self.ground.is_none() {
+            return springs;
+        }
+        for piece in self.pieces() {
+            if let Some([low, high]) = &piece.environment.soil {
+                springs.push(at(piece.base_m, low));
+                springs.push(at(piece.top_m, high));
+            }
+        }
+        springs.dedup();
+        springs
+    }
+}
+
+fn slope(piece: &Piece, height_m: f64, [l, c, r]: [f64; 3]) -> [f64; 3] {
+    let section = piece.section_at(height_m);
+    let plane = Plane::ForeAft;
+    let bending = 1.0 / section.bending_n_m2.of(plane);
+    let shear = section.shear_flexibility_per_n.of(plane);
+    [
+        section.soil.transverse().of(plane) - shear * l * l - bending * c * c,
+        -shear * l * c - bending * c * r - l,
+        section.soil.rotation().of(plane) - shear * c * c - bending * r * r - 2.0 * c,
+    ]
+}
+
+/// One step of the classical method of Runge and Kutta.
+fn runge_kutta(k: [f64; 3], step: f64, slope: impl Fn(f64, [f64; 3]) -> [f64; 3]) -> [f64; 3] {
+    let ahead = |slope: [f64; 3], by: f64| [0, 1, 2].map(|i| k[i] + by * slope[i]);
+    let a = slope(0.0, k);
+    let b = slope(0.5, ahead(a, 0.5 * step));
+    let c = slope(0.5, ahead(b, 0.5 * step));
+    let d = slope(1.0, ahead(c, step));
+    [0, 1, 2].map(|i| k[i] + step * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]) / 6.0)
+}
