@@ -27,11 +27,17 @@ CHANGES = re.compile(r"<Figure size .*>|0x[0-9a-f]+")
 
 
 def texts(cell: Any) -> list[str]:
-    """What a cell shows as text."""
-    shown = []
+    """What a cell shows as text. On a busy machine one stream arrives in several pieces."""
+    shown: list[str] = []
+    stream = None
     for output in cell.get("outputs", []):
-        text = output.get("text") or output.get("data", {}).get("text/plain", "")
-        shown.append(CHANGES.sub("", text))
+        text = CHANGES.sub("", output.get("text") or output.get("data", {}).get("text/plain", ""))
+        name = output.get("name")
+        if name is not None and name == stream:
+            shown[-1] += text
+        else:
+            shown.append(text)
+        stream = name
     return shown
 
 
