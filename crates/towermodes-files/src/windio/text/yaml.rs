@@ -1,6 +1,6 @@
 //! YAML as a tree of values with their places.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 use granit_parser::{Event, Options, Parser, ScalarStyle, Span, Tag};
@@ -60,13 +60,21 @@ pub(crate) fn parse(text: &str) -> Result<Node, Diagnostic> {
 #[derive(Default)]
 struct Tree {
     root: Option<Node>,
-    /// The lists and maps that are not closed, and their anchors.
-    open: Vec<(Node, usize)>,
-    /// The keys of the maps that are not closed and wait for their values.
-    keys: Vec<Option<String>>,
+    /// The lists and maps that are not closed.
+    open: Vec<Open>,
     /// The nodes with an anchor, and how many nodes each has.
     anchors: HashMap<usize, (Node, usize)>,
     nodes: usize,
+}
+
+/// A list or a map that is not closed.
+struct Open {
+    node: Node,
+    anchor: usize,
+    /// The keys of a map.
+    keys: HashSet<String>,
+    /// The key that waits for its value.
+    waiting: Option<String>,
 }
 
 impl Tree {
@@ -82,17 +90,16 @@ impl Tree {
                 return self.begin(Value::Map(Vec::new()), span, anchor);
             }
             Event::SequenceEnd | Event::MappingEnd => {
-                let Some((node, anchor)) = self.open.pop() else {
+                let Some(open) = self.open.pop() else {
                     return Ok(());
                 };
-                self.keys.pop();
-                return self.place(merged(node)?, anchor, text);
+                return self.place(merged(open.node, open.keys)?, open.anchor, text);
             }
             Event::Alias(anchor) => {
                 let defined = self.anchors.get(&anchor);
                 let (node, nodes) = defined.ok_or("an alias is used inside its own definition")?;
-                let node = node.clone();
                 self.nodes += nodes;
+                let node = node.clone();
                 return self.place(node, 0, text);
             }
             Event::DocumentStart(..) if self.root.is_some() => {
@@ -107,34 +114,41 @@ impl Tree {
         if self.open.len() == MOST_DEPTH {
             return Err(TOO_LARGE.to_owned());
         }
-        self.open.push((Node { value, span }, anchor));
-        self.keys.push(None);
+        self.open.push(Open {
+            node: Node { value, span },
+            anchor,
+            keys: HashSet::new(),
+            waiting: None,
+        });
         Ok(())
     }
 
-    /// Puts a complete node where it belongs.
+    /// Puts a complete node where it belongs. The copy of a node with an anchor counts too.
     fn place(&mut self, node: Node, anchor: usize, text: &str) -> Result<(), String> {
         self.nodes += 1;
+        if anchor != 0 {
+            let nodes = node.count();
+            self.nodes += nodes;
+            self.anchors.insert(anchor, (node.clone(), nodes));
+        }
         if self.nodes > MOST_NODES {
             return Err(TOO_LARGE.to_owned());
         }
-        if anchor != 0 {
-            self.anchors.insert(anchor, (node.clone(), node.count()));
-        }
-        let parent = self.open.last_mut().map(|(parent, _)| &mut parent.value);
-        match (parent, self.keys.last_mut()) {
-            (Some(Value::List(list)), _) => list.push(node),
-            (Some(Value::Map(entries)), Some(waiting)) => match waiting.take() {
-                Some(key) => entries.push((key, node)),
-                None => {
-                    let key = node.key(text)?;
-                    if key != MERGE && entries.iter().any(|(other, _)| *other == key) {
-                        return Err(format!("the key `{key}` stands twice in the same map"));
-                    }
-                    *waiting = Some(key);
+        let Some(open) = self.open.last_mut() else {
+            self.root = Some(node);
+            return Ok(());
+        };
+        match (&mut open.node.value, open.waiting.take()) {
+            (Value::Map(entries), Some(key)) => entries.push((key, node)),
+            (Value::Map(_), None) => {
+                let key = node.key(text)?;
+                if !open.keys.insert(key.clone()) && key != MERGE {
+                    return Err(format!("the key `{key}` stands twice in the same map"));
                 }
-            },
-            _ => self.root = Some(node),
+                open.waiting = Some(key);
+            }
+            (Value::List(list), _) => list.push(node),
+            _ => {}
         }
         Ok(())
     }
@@ -162,28 +176,32 @@ impl Node {
     }
 }
 
-/// A map with the entries of the maps under `<<` that it does not have itself.
-fn merged(mut node: Node) -> Result<Node, String> {
+/// A map with the entries of the maps under `<<` whose keys it does not have itself.
+fn merged(mut node: Node, mut keys: HashSet<String>) -> Result<Node, String> {
     let Value::Map(entries) = &mut node.value else {
         return Ok(node);
     };
-    while let Some(index) = entries.iter().position(|(key, _)| key == MERGE) {
-        let of_merge = match entries.remove(index).1 {
-            Node {
-                value: Value::List(list),
-                ..
-            } => list,
-            map => vec![map],
+    if !keys.remove(MERGE) {
+        return Ok(node);
+    }
+    for (key, node) in std::mem::take(entries) {
+        if key != MERGE {
+            entries.push((key, node));
+            continue;
+        }
+        let maps = match node.value {
+            Value::List(list) => list,
+            _ => vec![node],
         };
-        for map in of_merge {
+        for map in maps {
             let Value::Map(others) = map.value else {
                 return Err("the value of the key `<<` is not a map".to_owned());
             };
-            for (key, node) in others {
-                if entries.iter().all(|(own, _)| *own != key) {
-                    entries.push((key, node));
-                }
-            }
+            entries.extend(
+                others
+                    .into_iter()
+                    .filter(|(key, _)| keys.insert(key.clone())),
+            );
         }
     }
     Ok(node)
@@ -311,6 +329,9 @@ mod tests {
             let again = vec![format!("*l{}", n - 1); 10].join(", ");
             laughs += &format!("l{n}: &l{n} [{again}]\n");
         }
+        let anchored = (0..60).map(|n| format!("&n{n} [")).collect::<String>()
+            + &"x, ".repeat(50_000)
+            + &"]".repeat(60);
         let rows = [
             ("a: 1\nb: 2\na: 3\n", 10, "the key `a` stands twice"),
             ("a: 1\n---\nb: 2\n", 5, "several documents"),
@@ -320,6 +341,7 @@ mod tests {
             ("x: !!int y", 9, "`y` is not a number"),
             (&nested, 64, "more deeply nested"),
             (&laughs, 0, "it is larger"),
+            (&anchored, 0, "it is larger"),
         ];
         for (text, place, words) in rows {
             let mistake = parse(text).expect_err(text);
@@ -330,6 +352,22 @@ mod tests {
                 mistake.span
             );
         }
+    }
+
+    #[test]
+    fn many_keys_cost_no_more_than_their_number() {
+        let keys: String = (0..200_000).map(|n| format!("k{n}: 1\n")).collect();
+        let text = format!("all: &all\n  x: 1\nagain:\n  <<: *all\n{keys}");
+        assert!(matches!(value(&text), Value::Map(entries) if entries.len() == 200_002));
+    }
+
+    #[test]
+    fn a_byte_order_mark_is_no_part_of_a_key() {
+        let file = parse("\u{feff}a: 1").expect("a map");
+        assert_eq!(
+            file.find(&["a"]).map(|node| &node.value),
+            Some(&Value::Number(1.0))
+        );
     }
 
     #[test]
