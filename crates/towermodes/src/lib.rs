@@ -109,6 +109,7 @@ pub mod blade;
 mod chain;
 mod eigen;
 mod elements;
+pub mod frame;
 pub mod inputs;
 mod method;
 pub mod modes;

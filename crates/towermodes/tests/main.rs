@@ -15,6 +15,7 @@ mod eigensolver;
 mod energy_parts;
 mod estimates;
 mod footings;
+mod frame;
 mod frequencies;
 mod ground;
 mod independence;

@@ -6,6 +6,7 @@ mod closed_form;
 mod description;
 mod error;
 mod foundation;
+pub(crate) mod frame;
 mod ground;
 mod make;
 mod model;

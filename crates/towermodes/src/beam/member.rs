@@ -1,0 +1,117 @@
+//! One element of a straight member by itself: its matrices for the motion of its near end and its
+//! own coordinates, in the axes of the member.
+
+use super::element::{Slice, Stencil};
+use super::model::{Beam, rigid_motion};
+use super::strain::{Strain, deformations};
+use crate::space::SpatialMatrix;
+use crate::tower::{Component, Motion, Motions, Section};
+
+/// All components, none backwards.
+const ALL: [Component; 6] = [(0, 1.0), (1, 1.0), (2, 1.0), (3, 1.0), (4, 1.0), (5, 1.0)];
+/// More points than a polynomial needs: shear flexibility is rational.
+const EXTRA_POINTS: usize = 7;
+
+/// Makes elements one by one, with memory that is reused.
+#[derive(Debug, Default)]
+pub(crate) struct MemberElement {
+    beam: Beam<6>,
+    stencil: Stencil,
+    sections: Vec<Section>,
+    compressions_n: Vec<f64>,
+}
+
+/// The strains of an element: how many polynomials each has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct MemberStrains {
+    pub(crate) curvature: usize,
+    pub(crate) shear: usize,
+    pub(crate) torsion: usize,
+    pub(crate) axial: usize,
+}
+
+impl MemberStrains {
+    /// Spectral elements of a degree; see [`BeamRecipe`](super::BeamRecipe).
+    pub(crate) fn of_degree(degree: usize, shears: bool) -> Self {
+        Self {
+            curvature: degree - 1,
+            shear: if shears { degree } else { 0 },
+            torsion: degree,
+            axial: degree,
+        }
+    }
+
+    fn most(&self) -> usize {
+        let Self {
+            curvature,
+            shear,
+            torsion,
+            axial,
+        } = *self;
+        curvature.max(shear).max(torsion).max(axial)
+    }
+}
+
+impl MemberElement {
+    /// Makes an element of a length (m) with the section and the compression (N) at each distance
+    /// from its near end.
+    pub(crate) fn make(
+        &mut self,
+        strains: MemberStrains,
+        length_m: f64,
+        section_at: impl Fn(f64) -> Section,
+        compression_n: Option<&dyn Fn(f64) -> f64>,
+    ) {
+        let motions = Motion::ALL.into_iter().map(Motions::only);
+        let motions = motions.fold(Motions::default(), Motions::and);
+        let count = |strain| match strain {
+            Strain::Curvature(_) => strains.curvature,
+            Strain::Shear(_) => strains.shear,
+            Strain::Twist => strains.torsion,
+            Strain::Stretch => strains.axial,
+        };
+        self.beam.clear();
+        self.beam
+            .set_deformations(deformations(motions, &ALL, count));
+        let most = strains.most();
+        self.stencil.prepare(most + EXTRA_POINTS, most.max(2));
+        let at = |height_m: f64| section_at(height_m);
+        self.sections.clear();
+        self.sections
+            .extend(self.stencil.heights_m(0.0, length_m).map(at));
+        self.compressions_n.clear();
+        if let Some(compression_n) = compression_n {
+            let heights_m = self.stencil.heights_m(0.0, length_m);
+            self.compressions_n.extend(heights_m.map(compression_n));
+        }
+        let slice = Slice {
+            base_m: 0.0,
+            length_m,
+            sections: &self.sections,
+            compressions_n: &self.compressions_n,
+            rotary_inertia: true,
+        };
+        self.stencil.add_element(&mut self.beam, &ALL, &slice);
+    }
+
+    /// Number of its own coordinates; its stiffness for them is the identity.
+    pub(crate) fn coordinates(&self) -> usize {
+        self.beam.coordinates()
+    }
+
+    /// The motion of its far end for its own coordinates: 6 rows.
+    pub(crate) fn tip(&self) -> impl Iterator<Item = &[f64]> {
+        self.beam.tip_rows(0)
+    }
+
+    /// Inertia, stiffness to the ground and geometric stiffness for the motion of its near end and
+    /// its own coordinates, row by row; empty where it has none.
+    pub(crate) fn matrices(&self) -> &[Vec<f64>; 3] {
+        &self.beam.matrices
+    }
+
+    /// The motion of its far end for that of its near end, if it does not deform.
+    pub(crate) fn rigid(length_m: f64) -> SpatialMatrix {
+        rigid_motion(length_m)
+    }
+}

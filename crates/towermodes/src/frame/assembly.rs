@@ -1,0 +1,559 @@
+//! The equations of a frame from its description.
+
+use super::element::Element;
+use super::equations::{Chord, ELASTIC, Equations, GROUND, INERTIA, KINDS, Link};
+use super::error::FrameSolveError;
+use super::graph::{Branch, EdgeKind, Graph, Node};
+use super::hinge::{Hinge, UNIT, spring};
+use super::recipe::FrameRecipe;
+use super::rigid::{
+    self, Motion, NONE, Vector, identity, product, rigid_transfer, transposed_product,
+};
+use crate::beam::MemberElement;
+use crate::space::{SpatialMatrix, add_scaled};
+use crate::tower::frame::{Frame, FrameMember, JointKind, MemberKind};
+use crate::tower::{RigidBody, spatial_inertia};
+
+/// The weight of what does not deform, and of hinges: less than that of any element.
+const RIGID: f64 = -2.0;
+const HINGED: f64 = -1.0;
+
+/// A frame as equations, and where its parts are in them.
+pub(super) struct Assembled {
+    pub(super) equations: Equations,
+    /// The node of each joint; the ground is none.
+    pub(super) joints: Vec<Node>,
+    /// The node of the transition piece.
+    pub(super) transition: Node,
+}
+
+/// Makes the equations of a frame.
+///
+/// # Errors
+/// [`FrameSolveError`]: an impossible recipe, or rigid links in a loop that holds nothing.
+pub(super) fn assemble(frame: &Frame, recipe: FrameRecipe) -> Result<Assembled, FrameSolveError> {
+    recipe.check()?;
+    let mut assembly = Assembly::new(frame, recipe);
+    assembly.place_joints();
+    assembly.place_members();
+    let joints = assembly.joints.clone();
+    let transition = assembly.transition;
+    Ok(Assembled {
+        equations: assembly.equations()?,
+        joints,
+        transition,
+    })
+}
+
+struct Assembly<'a> {
+    frame: &'a Frame,
+    recipe: FrameRecipe,
+    graph: Graph,
+    joints: Vec<Node>,
+    transition: Node,
+    /// The node of each end of each member.
+    ends: Vec<[Node; 2]>,
+    memory: MemberElement,
+    /// Chords that are no elements, without bubbles.
+    matrices: Vec<Chord>,
+}
+
+impl<'a> Assembly<'a> {
+    fn new(frame: &'a Frame, recipe: FrameRecipe) -> Self {
+        Self {
+            frame,
+            recipe,
+            graph: Graph::default(),
+            joints: Vec::new(),
+            transition: None,
+            ends: Vec::new(),
+            memory: MemberElement::default(),
+            matrices: Vec::new(),
+        }
+    }
+
+    /// Nodes of joints, supports and the transition piece.
+    fn place_joints(&mut self) {
+        let description = self.frame.description();
+        let held = description.transition.as_ref().filter(|t| t.is_held);
+        let is_ground = |joint: usize| {
+            let mut supports = description.supports.iter();
+            supports.any(|s| s.joint == joint && s.is_clamped())
+                || held.is_some_and(|t| t.joints.contains(&joint))
+        };
+        for (index, joint) in description.joints.iter().enumerate() {
+            let node = match is_ground(index) {
+                true => None,
+                false => Some(self.graph.add_node(joint.position_m, index)),
+            };
+            self.joints.push(node);
+        }
+        for support in description.supports.iter().filter(|s| !s.is_clamped()) {
+            let free = support.fixed.map(|fixed| !fixed);
+            let ends = [None, self.joints[support.joint]];
+            self.graph.connect(ends, EdgeKind::Free(free), HINGED);
+        }
+        let Some(transition) = description.transition.as_ref().filter(|t| !t.is_held) else {
+            return;
+        };
+        let node = self
+            .graph
+            .add_node(transition.position_m, transition.joints[0]);
+        self.transition = Some(node);
+        for joint in &transition.joints {
+            let ends = [Some(node), self.joints[*joint]];
+            self.graph.connect(ends, EdgeKind::Rigid, RIGID);
+        }
+    }
+
+    /// Nodes and edges of members; where members are not welded, each end has its own node.
+    fn place_members(&mut self) {
+        let description = self.frame.description();
+        self.ends = description
+            .members
+            .iter()
+            .map(|m| m.joints.map(|j| self.joints[j]))
+            .collect();
+        for joint in 0..description.joints.len() {
+            self.place_hinges(joint);
+        }
+        for (index, member) in description.members.iter().enumerate() {
+            self.place_member(index, member);
+        }
+    }
+
+    /// The hinges of a joint: the first member that ends there has the joint's node, each other one
+    /// its own.
+    fn place_hinges(&mut self, joint: usize) {
+        let description = self.frame.description();
+        let (kind, position_m) = {
+            let joint = &description.joints[joint];
+            (joint.kind, joint.position_m)
+        };
+        if kind == JointKind::Cantilever {
+            return;
+        }
+        let of_member = |(index, member): (usize, &FrameMember)| {
+            let mut sides = (0..2).filter(|side| member.joints[*side] == joint);
+            sides.next().map(|side| (index, side))
+        };
+        let members = description.members.iter().enumerate();
+        let here: Vec<(usize, usize)> = members.filter_map(of_member).collect();
+        let axes = |member: usize| self.frame.axes(&description.members[member]);
+        let mut placed: Vec<(Node, [Vector; 3])> = Vec::new();
+        for (member, side) in here {
+            let own = axes(member);
+            let node = match placed.first() {
+                None => self.joints[joint],
+                Some((first, first_axes)) => {
+                    let node = Some(self.graph.add_node(position_m, joint));
+                    if let Some(hinge) = Hinge::new(&kind, [first_axes, &own]) {
+                        self.graph.connect(
+                            [*first, node],
+                            EdgeKind::Hinge(Box::new(hinge)),
+                            HINGED,
+                        );
+                    }
+                    node
+                }
+            };
+            self.ends[member][side] = node;
+            for (other, other_axes) in &placed {
+                if let Some([near, across, far]) = spring(&kind, [other_axes, &own]) {
+                    self.add_nodal(ELASTIC, [*other, node], [near, across, far]);
+                }
+            }
+            placed.push((node, own));
+        }
+    }
+
+    /// Adds a matrix for the motions of two nodes: its blocks near-near, near-far, far-far.
+    fn add_nodal(&mut self, kind: usize, ends: [Node; 2], blocks: [SpatialMatrix; 3]) {
+        let [near, across, far] = blocks;
+        let mut matrices = [const { Vec::new() }; KINDS];
+        matrices[kind] = joined(&near, &across, &far);
+        self.matrices.push(Chord {
+            ends,
+            first: 0,
+            bubbles: 0,
+            matrices,
+        });
+    }
+
+    fn place_member(&mut self, index: usize, member: &FrameMember) {
+        let ends = self.ends[index];
+        let length_m = self.frame.length_m(member);
+        let axes = self.frame.axes(member);
+        match &member.kind {
+            MemberKind::Beam { .. } => self.place_beam(index, member, length_m),
+            MemberKind::Cable {
+                axial_n,
+                mass_kg_per_m,
+                pretension_n,
+            } => {
+                let unstretched_m = length_m / (1.0 + pretension_n / axial_n);
+                let along = axial_n / unstretched_m;
+                let across = pretension_n / length_m;
+                let spring = diagonal([across, across, along, 0.0, 0.0, 0.0]);
+                self.add_relative(ends, &rigid::matrix_out_of_axes(&axes, &spring));
+                self.add_cable_inertia(ends, &axes, mass_kg_per_m * unstretched_m);
+            }
+            MemberKind::Rigid { mass_kg_per_m } => {
+                self.graph.connect(ends, EdgeKind::Rigid, RIGID);
+                if *mass_kg_per_m > 0.0 && length_m > 0.0 {
+                    self.add_cable_inertia(ends, &axes, mass_kg_per_m * length_m);
+                }
+            }
+            MemberKind::Spring(spring) => {
+                let axes = spring.axes.unwrap_or(axes);
+                self.add_relative(ends, &rigid::matrix_out_of_axes(&axes, &spring.stiffness));
+            }
+        }
+    }
+
+    /// Adds a stiffness for the difference of two motions, with no lever arm between them.
+    fn add_relative(&mut self, ends: [Node; 2], stiffness: &SpatialMatrix) {
+        let across = stiffness.map(|row| row.map(|entry| -entry));
+        self.add_nodal(ELASTIC, ends, [*stiffness, across, *stiffness]);
+    }
+
+    /// The consistent inertia of a cable: cubic shapes across, linear along.
+    fn add_cable_inertia(&mut self, ends: [Node; 2], axes: &[Vector; 3], mass_kg: f64) {
+        let of = |across: f64, along: f64| {
+            let own = [across, across, along, 0.0, 0.0, 0.0].map(|share| share * mass_kg);
+            rigid::matrix_out_of_axes(axes, &diagonal(own))
+        };
+        let (own, other) = (of(13.0 / 35.0, 1.0 / 3.0), of(9.0 / 70.0, 1.0 / 6.0));
+        self.add_nodal(INERTIA, ends, [own, other, own]);
+    }
+
+    fn place_beam(&mut self, index: usize, member: &FrameMember, length_m: f64) {
+        let [from, to] = member
+            .joints
+            .map(|j| self.frame.description().joints[j].position_m);
+        let borders = self.recipe.borders();
+        let parts = borders.len() - 1;
+        let mut near = self.ends[index][0];
+        for (k, fractions) in borders.windows(2).enumerate() {
+            let far = if k + 1 == parts {
+                self.ends[index][1]
+            } else {
+                let s = fractions[1];
+                let position_m = std::array::from_fn(|i| from[i] + s * (to[i] - from[i]));
+                Some(self.graph.add_node(position_m, member.joints[0]))
+            };
+            // The flexibility of a cantilever in bending is as its length cubed over EI.
+            let part_m = length_m * (fractions[1] - fractions[0]);
+            let bending = self.bending_n_m2(member, fractions);
+            let kind = EdgeKind::Element {
+                member: index,
+                from: fractions[0],
+                to: fractions[1],
+            };
+            self.graph
+                .connect([near, far], kind, part_m.powi(3) / bending);
+            near = far;
+        }
+    }
+
+    fn bending_n_m2(&self, member: &FrameMember, fractions: &[f64]) -> f64 {
+        match &member.kind {
+            MemberKind::Beam { ends, material } => {
+                let middle = 0.5 * (fractions[0] + fractions[1]);
+                let bending = ends.at(middle, material).bending_n_m2;
+                bending.fore_aft.min(bending.side_side)
+            }
+            MemberKind::Cable { .. } | MemberKind::Rigid { .. } | MemberKind::Spring(_) => {
+                f64::INFINITY
+            }
+        }
+    }
+
+    /// The equations: what carries the nodes first, then what is left of the edges.
+    fn equations(mut self) -> Result<Equations, FrameSolveError> {
+        let mut nodes = vec![[NONE; KINDS]; self.graph.positions_m.len()];
+        let description = self.frame.description();
+        for support in &description.supports {
+            if let Some(node) = self.joints[support.joint] {
+                add_scaled(&mut nodes[node][GROUND], 1.0, &support.stiffness);
+                add_scaled(&mut nodes[node][INERTIA], 1.0, &support.inertia);
+            }
+        }
+        for (joint, body) in &description.masses {
+            if let Some(node) = self.joints[*joint] {
+                add_scaled(&mut nodes[node][INERTIA], 1.0, &body_inertia(body));
+            }
+        }
+        let rotates = self.rotating();
+        let branches = self.graph.trees(self.transition, |node| {
+            [
+                true,
+                true,
+                true,
+                rotates[node],
+                rotates[node],
+                rotates[node],
+            ]
+        });
+        let mut equations = Equations {
+            nodes,
+            ..Equations::default()
+        };
+        let mut is_branch = vec![false; self.graph.edges.len()];
+        for branch in &branches {
+            is_branch[branch.edge] = true;
+            let link = self.link(*branch, equations.unknowns);
+            equations.unknowns += link.coordinates;
+            equations.links.push(link);
+        }
+        let others = (0..self.graph.edges.len()).filter(|edge| !is_branch[*edge]);
+        for edge in others.collect::<Vec<_>>() {
+            self.check_unused(edge)?;
+            if let Some(chord) = self.chord(edge, equations.unknowns) {
+                equations.unknowns += chord.bubbles;
+                equations.chords.push(chord);
+            }
+        }
+        equations.chords.append(&mut self.matrices);
+        Ok(equations)
+    }
+
+    /// An edge that carries no node must be an element, or hold nothing that is not held already.
+    fn check_unused(&self, edge: usize) -> Result<(), FrameSolveError> {
+        let edge = &self.graph.edges[edge];
+        let node = edge.ends[1].or(edge.ends[0]).unwrap_or_default();
+        let joint = || {
+            let joint = self.graph.joints[node];
+            self.frame.description().joints[joint].name.clone()
+        };
+        match edge.kind {
+            EdgeKind::Hinge(_) => Err(FrameSolveError::RigidLoop { joint: joint() }),
+            EdgeKind::Free(free) if free != [true; 6] => {
+                Err(FrameSolveError::RigidBetweenSupports { joint: joint() })
+            }
+            EdgeKind::Free(_) | EdgeKind::Rigid | EdgeKind::Element { .. } => Ok(()),
+        }
+    }
+
+    /// Whether something resists the rotation of each node: cables do not.
+    fn rotating(&self) -> Vec<bool> {
+        let mut rotates = vec![false; self.graph.positions_m.len()];
+        for edge in &self.graph.edges {
+            edge.ends
+                .iter()
+                .flatten()
+                .for_each(|node| rotates[*node] = true);
+        }
+        for (member, ends) in self.frame.description().members.iter().zip(&self.ends) {
+            if matches!(member.kind, MemberKind::Spring(_)) {
+                ends.iter().flatten().for_each(|node| rotates[*node] = true);
+            }
+        }
+        rotates
+    }
+
+    fn element(&mut self, member: usize, from: f64, to: f64) -> Option<Element> {
+        let member = &self.frame.description().members[member];
+        let MemberKind::Beam { ends, material } = &member.kind else {
+            return None;
+        };
+        let length_m = self.frame.length_m(member) * (to - from).abs();
+        let [x, y, z] = self.frame.axes(member);
+        // From the second joint to the first the axes are turned about x.
+        let back = |axis: Vector| axis.map(|a| -a);
+        let axes = if to > from {
+            [x, y, z]
+        } else {
+            [x, back(y), back(z)]
+        };
+        let element = self.recipe.element(
+            member,
+            (ends, material),
+            (from, to, length_m),
+            &mut self.memory,
+        );
+        Some(element.out_of_axes(&axes))
+    }
+
+    /// The link of a branch, whose coordinates begin at `first`.
+    fn link(&mut self, branch: Branch, first: usize) -> Link {
+        let edge = self.graph.edges[branch.edge].clone();
+        let [parent, child] = match branch.reversed {
+            false => edge.ends,
+            true => [edge.ends[1], edge.ends[0]],
+        };
+        let child = child.unwrap_or_default();
+        let link = |transfer, tip: Vec<Motion>, own| Link {
+            parent,
+            child,
+            transfer,
+            first,
+            coordinates: tip.len(),
+            tip,
+            own,
+            matrices: [const { Vec::new() }; KINDS],
+        };
+        match edge.kind {
+            EdgeKind::Rigid => {
+                let at = |node: Node| node.map(|node| self.graph.positions_m[node]);
+                let lever = match (at(parent), at(Some(child))) {
+                    (Some(from), Some(to)) => std::array::from_fn(|i| to[i] - from[i]),
+                    _ => [0.0; 3],
+                };
+                link(rigid_transfer(lever), Vec::new(), 0.0)
+            }
+            EdgeKind::Hinge(hinge) => {
+                let (transfer, rotations) = hinge.link(branch.reversed);
+                link(transfer, rotations, 0.0)
+            }
+            EdgeKind::Free(free) => {
+                let column = |k: usize| std::array::from_fn(|i| if i == k { UNIT } else { 0.0 });
+                let columns = (0..6).filter(|k| free[*k]).map(column);
+                link(identity(), columns.collect(), 0.0)
+            }
+            EdgeKind::Element { member, from, to } => {
+                let (from, to) = if branch.reversed {
+                    (to, from)
+                } else {
+                    (from, to)
+                };
+                let Some(element) = self.element(member, from, to) else {
+                    return link(identity(), Vec::new(), 0.0);
+                };
+                let [inertia, ground, geometric] = element.matrices;
+                Link {
+                    coordinates: element.coordinates,
+                    matrices: [inertia, ground, geometric, Vec::new()],
+                    ..link(element.transfer, element.tip, 1.0)
+                }
+            }
+        }
+    }
+
+    /// The chord of an edge that carries no node; none for a rigid one, which other rigid ones
+    /// replace.
+    fn chord(&mut self, edge: usize, first: usize) -> Option<Chord> {
+        let edge = self.graph.edges[edge].clone();
+        let EdgeKind::Element { member, from, to } = edge.kind else {
+            return None;
+        };
+        let element = self.element(member, from, to)?;
+        Some(chord_of(&element, edge.ends, first))
+    }
+}
+
+fn body_inertia(body: &RigidBody) -> SpatialMatrix {
+    spatial_inertia(body.mass_kg, body.center_m, &body.inertia_kg_m2)
+}
+
+fn diagonal(values: Motion) -> SpatialMatrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| if i == j { values[i] } else { 0.0 }))
+}
+
+/// The 12 rows of a symmetric matrix by its blocks.
+fn joined(near: &SpatialMatrix, across: &SpatialMatrix, far: &SpatialMatrix) -> Vec<f64> {
+    let mut all = vec![0.0; 144];
+    for i in 0..6 {
+        for j in 0..6 {
+            all[i * 12 + j] = near[i][j];
+            all[i * 12 + 6 + j] = across[i][j];
+            all[(6 + j) * 12 + i] = across[i][j];
+            all[(6 + i) * 12 + 6 + j] = far[i][j];
+        }
+    }
+    all
+}
+
+/// An element as a chord: its coordinates s that move the far end are L⁻¹ (q_far − X q_near), and
+/// its elastic energy is sᵀ s.
+fn chord_of(element: &Element, ends: [Node; 2], first: usize) -> Chord {
+    let inverse = inverse_of_columns(&element.tip);
+    let to_near = product(&inverse, &element.transfer).map(|row| row.map(|entry| -entry));
+    let bubbles = element.coordinates - element.tip.len();
+    let rows = 12 + bubbles;
+    // v and y for (q_near, q_far, bubbles).
+    let old = 6 + element.coordinates;
+    let mut change = vec![0.0; old * rows];
+    for i in 0..6 {
+        change[i * rows + i] = 1.0;
+        let row = &mut change[(6 + i) * rows..][..12];
+        row[..6].copy_from_slice(&to_near[i]);
+        row[6..].copy_from_slice(&inverse[i]);
+    }
+    for bubble in 0..bubbles {
+        change[(12 + bubble) * rows + 12 + bubble] = 1.0;
+    }
+    let [inertia, ground, geometric] = &element.matrices;
+    let congruent = |matrix: &Vec<f64>| congruence(matrix, &change, old, rows);
+    let near = transposed_product(&to_near, &to_near);
+    let across = transposed_product(&to_near, &inverse);
+    let far = transposed_product(&inverse, &inverse);
+    let joined = joined(&near, &across, &far);
+    let mut elastic = vec![0.0; rows * rows];
+    for (row, own) in elastic.chunks_exact_mut(rows).zip(joined.chunks_exact(12)) {
+        row[..12].copy_from_slice(own);
+    }
+    Chord {
+        ends,
+        first,
+        bubbles,
+        matrices: [
+            congruent(inertia),
+            congruent(ground),
+            congruent(geometric),
+            elastic,
+        ],
+    }
+}
+
+/// The inverse of the matrix with these columns, by Gauss-Jordan elimination with pivots.
+fn inverse_of_columns(columns: &[Motion]) -> SpatialMatrix {
+    let mut a: [[f64; 12]; 6] = std::array::from_fn(|i| {
+        std::array::from_fn(|j| match j < 6 {
+            true => columns.get(j).map_or(0.0, |column| column[i]),
+            false => f64::from(u8::from(i == j - 6)),
+        })
+    });
+    for k in 0..6 {
+        let pivot = (k..6)
+            .max_by(|i, j| a[*i][k].abs().total_cmp(&a[*j][k].abs()))
+            .unwrap_or(k);
+        a.swap(k, pivot);
+        let row = a[k].map(|entry| entry / a[k][k]);
+        for (i, other) in a.iter_mut().enumerate() {
+            let factor = other[k];
+            if i != k {
+                other
+                    .iter_mut()
+                    .zip(row)
+                    .for_each(|(x, r)| *x -= factor * r);
+            }
+        }
+        a[k] = row;
+    }
+    a.map(|row| std::array::from_fn(|j| row[6 + j]))
+}
+
+/// Cᵀ M C for a matrix M of `old` rows and C of `old` rows and `rows` columns; empty if M is.
+fn congruence(matrix: &[f64], change: &[f64], old: usize, rows: usize) -> Vec<f64> {
+    if matrix.is_empty() {
+        return Vec::new();
+    }
+    let mut half = vec![0.0; old * rows];
+    for (out, row) in half.chunks_exact_mut(rows).zip(matrix.chunks_exact(old)) {
+        for (factor, change) in row.iter().zip(change.chunks_exact(rows)) {
+            out.iter_mut()
+                .zip(change)
+                .for_each(|(o, c)| *o += factor * c);
+        }
+    }
+    let mut sum = vec![0.0; rows * rows];
+    for (half, change) in half.chunks_exact(rows).zip(change.chunks_exact(rows)) {
+        for (out, factor) in sum.chunks_exact_mut(rows).zip(change) {
+            if *factor != 0.0 {
+                out.iter_mut().zip(half).for_each(|(o, h)| *o += factor * h);
+            }
+        }
+    }
+    sum
+}

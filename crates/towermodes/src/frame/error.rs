@@ -1,0 +1,69 @@
+//! Why a frame was not solved.
+
+use thiserror::Error;
+
+use crate::eigen::EigenError;
+
+/// Why a frame was not solved.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum FrameSolveError {
+    /// A frame that moves without resistance.
+    #[error(
+        "the frame is a mechanism: {modes} {} no stiffness; joint {joint} moves most. Add a support, a member or a stiffness there",
+        if *.modes == 1 { "motion has" } else { "motions have" }
+    )]
+    Mechanism {
+        /// How many motions have no stiffness.
+        modes: usize,
+        /// The joint that moves most in the first.
+        joint: String,
+    },
+    /// A stiffness with negative eigenvalues.
+    #[error(
+        "the frame is unstable: its stiffness has {negative} negative eigenvalues; check the stiffness matrices of supports and springs"
+    )]
+    Unstable {
+        /// Number of negative eigenvalues.
+        negative: usize,
+    },
+    /// Hinges and rigid links in a loop without a member that deforms.
+    #[error(
+        "joint {joint} is in a loop of rigid links and hinges without a member that deforms; replace a rigid link by a beam"
+    )]
+    RigidLoop {
+        /// A joint of the loop.
+        joint: String,
+    },
+    /// Supports that rigid links connect.
+    #[error(
+        "rigid links connect joint {joint} with another supported joint, so its support holds nothing of its own; put both supports on one joint"
+    )]
+    RigidBetweenSupports {
+        /// The joint.
+        joint: String,
+    },
+    /// No modes requested, or more than there are.
+    #[error("{modes} modes are requested; the frame has from 1 to {available}")]
+    Modes {
+        /// The number requested.
+        modes: usize,
+        /// Degrees of freedom.
+        available: usize,
+    },
+    /// An impossible degree or number of divisions.
+    #[error("elements of degree {degree} cannot be made; the degree must be from 2 to 40")]
+    Degree {
+        /// The degree requested.
+        degree: usize,
+    },
+    /// Zero or too many divisions.
+    #[error("{divisions} parts of each member cannot be made; the number must be from 1 to 1000")]
+    Divisions {
+        /// The number requested.
+        divisions: usize,
+    },
+    /// The eigenvalues were not found.
+    #[error(transparent)]
+    Eigen(#[from] EigenError),
+}

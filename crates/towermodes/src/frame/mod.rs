@@ -1,0 +1,25 @@
+//! Space frames as eigenvalue problems: members between joints in space, factored joint by joint.
+
+mod assembly;
+mod element;
+mod elimination;
+mod equations;
+mod error;
+mod graph;
+mod hinge;
+mod order;
+mod pencil;
+mod product;
+mod recipe;
+mod rigid;
+mod solve;
+
+pub use error::FrameSolveError;
+pub use recipe::FrameRecipe;
+pub use solve::{FrameMode, FrameOptions, FrameSolution, count_frame_modes, solve_frame};
+
+pub use crate::tower::frame::{
+    Frame, FrameDescription, FrameError, FrameJoint, FrameMember, FramePlace, FrameProblem,
+    FrameSpring, FrameSupport, GivenSection, JointKind, MemberKind, Rectangle, SectionEnds,
+    Transition,
+};

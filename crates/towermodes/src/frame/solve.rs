@@ -1,0 +1,219 @@
+//! The modes of a frame.
+
+use std::f64::consts::TAU;
+
+use super::assembly::{Assembled, assemble};
+use super::error::FrameSolveError;
+use super::pencil::FramePencil;
+use super::recipe::FrameRecipe;
+use super::rigid::Motion;
+use crate::eigen::{EigenWorkspace, lowest};
+use crate::tower::frame::Frame;
+
+/// A mode below this frequency, Hz, has no stiffness: a hundredth of the slowest floater's.
+const NO_STIFFNESS_HZ: f64 = 2e-5;
+/// Degrees of spectral elements: the first, and by how much it rises.
+const FIRST_DEGREE: usize = 4;
+const STEP: usize = 2;
+const LAST_DEGREE: usize = 16;
+/// Relative change of all frequencies at which they have converged.
+const CONVERGED: f64 = 1e-10;
+
+/// How a frame is solved.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FrameOptions {
+    /// Number of modes.
+    pub modes: usize,
+    /// How members are made into elements; none: spectral elements whose degree rises until the
+    /// frequencies have converged.
+    pub recipe: Option<FrameRecipe>,
+}
+
+impl Default for FrameOptions {
+    fn default() -> Self {
+        Self {
+            modes: 8,
+            recipe: None,
+        }
+    }
+}
+
+/// A mode of a frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrameMode {
+    /// Frequency, Hz.
+    pub frequency_hz: f64,
+    /// Bound on the algebraic error of the frequency, Hz.
+    pub error_hz: f64,
+    /// Estimate of the discretization error, Hz: the change from the degree before; 0 where the
+    /// recipe is given.
+    pub discretization_error_hz: f64,
+    /// Motion (x, y, z, rotation about x, y, z; m and rad) of each joint, so that the modal mass is
+    /// 1 kg.
+    pub joints: Vec<[f64; 6]>,
+    /// The same of the reference point of the transition piece.
+    pub transition: Option<[f64; 6]>,
+}
+
+/// The modes of a frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrameSolution {
+    /// The lowest modes, rising.
+    pub modes: Vec<FrameMode>,
+    /// Up to this frequency, Hz, no mode is missing: a count proved it.
+    pub complete_below_hz: f64,
+    /// Number of unknowns.
+    pub degrees_of_freedom: usize,
+    /// Degree of spectral elements.
+    pub degree: Option<usize>,
+}
+
+/// Solves a frame for its lowest modes, and proves that none is missing.
+///
+/// # Errors
+/// [`FrameSolveError`].
+pub fn solve_frame(
+    frame: &Frame,
+    options: &FrameOptions,
+) -> Result<FrameSolution, FrameSolveError> {
+    if let Some(recipe) = options.recipe {
+        return solve_once(frame, options.modes, recipe);
+    }
+    let at = |degree| solve_once(frame, options.modes, FrameRecipe::Spectral { degree });
+    let mut degree = FIRST_DEGREE;
+    let mut coarse = at(degree)?;
+    loop {
+        degree += STEP;
+        let mut fine = at(degree)?;
+        for (mode, before) in fine.modes.iter_mut().zip(&coarse.modes) {
+            mode.discretization_error_hz = (mode.frequency_hz - before.frequency_hz).abs();
+        }
+        let has_converged = |mode: &FrameMode| {
+            mode.discretization_error_hz <= CONVERGED * mode.frequency_hz + 2.0 * mode.error_hz
+        };
+        if degree >= LAST_DEGREE || fine.modes.iter().all(has_converged) {
+            return Ok(fine);
+        }
+        coarse = fine;
+    }
+}
+
+/// The number of modes of a frame below a frequency, Hz, by an inertia count.
+///
+/// # Errors
+/// [`FrameSolveError`]: an impossible recipe or loops that cannot be solved.
+pub fn count_frame_modes(
+    frame: &Frame,
+    recipe: FrameRecipe,
+    below_hz: f64,
+) -> Result<usize, FrameSolveError> {
+    let assembled = assemble(frame, recipe)?;
+    let omega = TAU * below_hz;
+    Ok(FramePencil::new(assembled.equations).count_below_lambda(omega * omega))
+}
+
+fn solve_once(
+    frame: &Frame,
+    wanted: usize,
+    recipe: FrameRecipe,
+) -> Result<FrameSolution, FrameSolveError> {
+    let Assembled {
+        equations,
+        joints,
+        transition,
+    } = assemble(frame, recipe)?;
+    let available = equations.unknowns;
+    if wanted == 0 || wanted > available {
+        return Err(FrameSolveError::Modes {
+            modes: wanted,
+            available,
+        });
+    }
+    let mut pencil = FramePencil::new(equations);
+    let mut workspace = EigenWorkspace::default();
+    check_stiffness(frame, &joints, &mut pencil, &mut workspace)?;
+    lowest(&mut pencil, wanted, &mut workspace)?;
+    let mut motions = Vec::new();
+    let modes = workspace.eigenvalues()[..wanted]
+        .iter()
+        .enumerate()
+        .map(|(index, eigenvalue)| {
+            let own = eigenvalue.shifted(pencil.origin);
+            // uᵀ(K − σM)u = 1, so the modal mass is 1/(λ − σ).
+            let scale = eigenvalue.lambda.sqrt();
+            pencil
+                .equations
+                .set_motions(workspace.vector(index), &mut motions);
+            let motion = |node: &Option<usize>| match node {
+                Some(node) => motions[*node].map(|x| scale * x),
+                None => [0.0; 6],
+            };
+            FrameMode {
+                frequency_hz: own.frequency_hz(),
+                error_hz: own.frequency_error_hz(),
+                discretization_error_hz: 0.0,
+                joints: joints.iter().map(motion).collect(),
+                transition: transition.map(|node| motion(&Some(node))),
+            }
+        });
+    let modes: Vec<FrameMode> = modes.collect();
+    let last = workspace
+        .eigenvalues()
+        .last()
+        .map_or(0.0, |e| e.shifted(pencil.origin).lambda);
+    Ok(FrameSolution {
+        modes,
+        complete_below_hz: last.max(0.0).sqrt() / TAU,
+        degrees_of_freedom: available,
+        degree: match recipe {
+            FrameRecipe::Spectral { degree } => Some(degree),
+            FrameRecipe::Subdyn { .. } => None,
+        },
+    })
+}
+
+/// Refuses an unstable frame and a mechanism. A frame that nothing holds has six motions without
+/// stiffness: its spectrum begins below zero.
+fn check_stiffness(
+    frame: &Frame,
+    joints: &[Option<usize>],
+    pencil: &mut FramePencil,
+    workspace: &mut EigenWorkspace,
+) -> Result<(), FrameSolveError> {
+    let least = (TAU * NO_STIFFNESS_HZ) * (TAU * NO_STIFFNESS_HZ);
+    match pencil.count_below_lambda(-least) {
+        0 => {}
+        negative => return Err(FrameSolveError::Unstable { negative }),
+    }
+    let still = pencil.count_below_lambda(least);
+    if still == 0 {
+        return Ok(());
+    }
+    // Far enough below zero for its digits, near enough for those of the slow modes.
+    let mut softest = least;
+    while pencil.count_below_lambda(softest) <= still && softest < 1e12 {
+        softest *= 2.0;
+    }
+    pencil.origin = -0.1 * softest;
+    let is_free = frame.description().supports.is_empty() && !joints.contains(&None);
+    if is_free && still <= 6 {
+        return Ok(());
+    }
+    lowest(pencil, 1, workspace)?;
+    let mut motions: Vec<Motion> = Vec::new();
+    pencil
+        .equations
+        .set_motions(workspace.vector(0), &mut motions);
+    let size = |node: &Option<usize>| {
+        node.map_or(0.0, |node| motions[node].iter().map(|x| x * x).sum::<f64>())
+    };
+    let (joint, _) = joints
+        .iter()
+        .enumerate()
+        .max_by(|(_, a), (_, b)| size(a).total_cmp(&size(b)))
+        .unwrap_or((0, &None));
+    Err(FrameSolveError::Mechanism {
+        modes: still,
+        joint: frame.description().joints[joint].name.clone(),
+    })
+}

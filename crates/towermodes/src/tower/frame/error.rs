@@ -1,0 +1,160 @@
+//! Why a description is no frame, with the place and the numbers.
+
+use std::fmt;
+
+use thiserror::Error;
+
+use super::super::error::Problem;
+use crate::number::Plain;
+
+/// An invalid description of a frame.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[error("{place}: {problem}")]
+pub struct FrameError {
+    /// The place of the value.
+    pub place: FramePlace,
+    /// The problem, with its numbers.
+    #[source]
+    pub problem: FrameProblem,
+}
+
+/// A part of a frame.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FramePlace {
+    /// The whole frame.
+    Frame,
+    /// A joint, from 0, and its name.
+    Joint(usize, String),
+    /// A member, from 0, and its name.
+    Member(usize, String),
+    /// A support, from 0, and the name of its joint.
+    Support(usize, String),
+    /// A mass, from 0, and the name of its joint.
+    Mass(usize, String),
+    /// The transition piece.
+    Transition,
+}
+
+impl fmt::Display for FramePlace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Frame => write!(f, "frame"),
+            Self::Joint(_, name) => write!(f, "joint {name}"),
+            Self::Member(_, name) => write!(f, "member {name}"),
+            Self::Support(_, name) => write!(f, "support of joint {name}"),
+            Self::Mass(_, name) => write!(f, "mass on joint {name}"),
+            Self::Transition => write!(f, "transition piece"),
+        }
+    }
+}
+
+/// What is wrong.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum FrameProblem {
+    /// An impossible value.
+    #[error(transparent)]
+    Value(#[from] Problem),
+    /// No joint or no member.
+    #[error("a frame needs at least one member between two joints")]
+    Empty,
+    /// A joint number that does not exist.
+    #[error("joint number {joint} does not exist; there are {joints} joints, numbered from 0")]
+    NoJoint {
+        /// The number.
+        joint: usize,
+        /// How many there are.
+        joints: usize,
+    },
+    /// Two joints with the same name.
+    #[error("the name stands twice; each joint needs its own")]
+    NameTwice,
+    /// A member from a joint to itself, or between two joints at one point.
+    #[error(
+        "its joints are {} m apart; only a spring or a rigid link may have no length",
+        Plain(*.length_m)
+    )]
+    NoLength {
+        /// The distance, m.
+        length_m: f64,
+    },
+    /// A wall thicker than the radius.
+    #[error("wall {} m is more than half of the {} m wide section", Plain(*.wall_m), Plain(*.width_m))]
+    WallTooThick {
+        /// Wall thickness, m.
+        wall_m: f64,
+        /// Diameter or shorter side, m.
+        width_m: f64,
+    },
+    /// A cable without tension.
+    #[error(
+        "pretension {} N: without tension a cable has no stiffness; give a positive pretension, or remove the cable",
+        Plain(*.pretension_n)
+    )]
+    SlackCable {
+        /// Pretension, N.
+        pretension_n: f64,
+    },
+    /// A matrix that is not symmetric.
+    #[error("entry ({row}, {column}) of its {matrix} is {}, but entry ({column}, {row}) is {}; the matrix must be symmetric", Plain(*.entry), Plain(*.other))]
+    NotSymmetric {
+        /// Which matrix.
+        matrix: &'static str,
+        /// Row, from 1.
+        row: usize,
+        /// Column, from 1.
+        column: usize,
+        /// The entry.
+        entry: f64,
+        /// The other one.
+        other: f64,
+    },
+    /// A pin whose axis has no direction.
+    #[error("the axis of the pin is zero; give a direction, for example (0, 1, 0)")]
+    NoAxis,
+    /// A universal joint with another number of members.
+    #[error("a universal joint connects two members, but {members} end here")]
+    UniversalMembers {
+        /// How many members end here.
+        members: usize,
+    },
+    /// A joint that must be welded.
+    #[error(
+        "a pin, universal or ball joint cannot carry {what}; put it on a welded joint, connected by a rigid link"
+    )]
+    MustBeWelded {
+        /// What it carries.
+        what: &'static str,
+    },
+    /// Two supports on one joint.
+    #[error("the joint is supported twice; give one support for each joint")]
+    SupportedTwice,
+    /// A support and the transition piece on one joint.
+    #[error(
+        "the joint is supported and belongs to the transition piece; it can be only one of them"
+    )]
+    SupportedAndMoved,
+    /// A joint of the transition piece that is listed twice, or none.
+    #[error("the transition piece needs at least one joint, each listed once")]
+    TransitionJoints,
+    /// Joints that rigid links connect although they are held differently.
+    #[error(
+        "rigid links connect two supported joints, which then cannot move; remove the links or one support"
+    )]
+    RigidBetweenSupports,
+    /// Members that no other part is connected to.
+    #[error("no member connects joint {joint} with joint {other}; a frame must be in one piece")]
+    NotConnected {
+        /// A joint of the first part.
+        joint: String,
+        /// A joint of another part.
+        other: String,
+    },
+    /// A joint without members.
+    #[error("no member ends at this joint; remove it")]
+    NoMember,
+    /// Axes that are not orthonormal.
+    #[error("its axes are not three unit vectors at right angles (a right-handed system)")]
+    Axes,
+}

@@ -1,0 +1,12 @@
+//! Space frames: joints and members of a jacket, tripod or monopile, as a user describes them.
+
+mod axes;
+mod description;
+mod error;
+mod member;
+mod validate;
+
+pub use description::{FrameDescription, FrameJoint, FrameSupport, JointKind, Transition};
+pub use error::{FrameError, FramePlace, FrameProblem};
+pub use member::{FrameMember, FrameSpring, GivenSection, MemberKind, Rectangle, SectionEnds};
+pub use validate::Frame;
