@@ -96,6 +96,7 @@
 //! | beams of flexible elements: BModes, the spectral method, rotating blades | `beam` |
 //! | rotors of equal blades in multiblade coordinates | `rotor` |
 //! | a turning turbine on its tower: frequencies by counts | [`turbine`] |
+//! | mooring lines: force and stiffness on a platform | [`mooring`] |
 //! | uncoupled groups of motions, each as an eigenvalue problem | `subsystem` |
 //! | Lanczos process for the lowest eigenvalues, error bounds, inertia count | `eigen` |
 //! | family, shape, energy, discretization error of a mode | [`modes`] |
@@ -113,6 +114,7 @@ pub mod frame;
 pub mod inputs;
 mod method;
 pub mod modes;
+pub mod mooring;
 pub mod number;
 pub mod parameter;
 mod rotor;

@@ -21,6 +21,7 @@ mod ground;
 mod independence;
 mod invariance;
 mod methods;
+mod moorings;
 mod names;
 mod parameters;
 mod pencils;

@@ -1,0 +1,53 @@
+//! An elastic line in its vertical plane: what it is made of, and how it lies.
+
+/// A line that is not lighter than water.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Cable {
+    /// Weight in water w, N/m; zero or positive.
+    pub(super) weight_n_per_m: f64,
+    /// EA, N.
+    pub(super) axial_stiffness_n: f64,
+    /// L, m.
+    pub(super) length_m: f64,
+    /// C_B.
+    pub(super) seabed_friction: f64,
+}
+
+/// A line between its lower and its upper end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Profile {
+    /// Horizontal tension at the upper end H, N.
+    pub(super) horizontal_n: f64,
+    /// Horizontal tension at the lower end, N; smaller by the friction on the seabed.
+    pub(super) lower_horizontal_n: f64,
+    /// By how much the line pulls the lower end down, N; negative where it pulls upwards.
+    pub(super) lower_n: f64,
+    /// By how much the line pulls the upper end down V, N.
+    pub(super) upper_n: f64,
+    /// Length on the seabed L_B, m.
+    pub(super) on_seabed_m: f64,
+    /// Whether it has no horizontal tension, because it lies loosely on the seabed, or no tension
+    /// at all.
+    pub(super) is_slack: bool,
+    /// H/x, N/m: the stiffness across the plane.
+    pub(super) transverse_n_per_m: f64,
+    /// The derivatives of (H, lower, upper pull) by (span, height of the lower, of the upper end)
+    /// without friction, N/m; symmetric.
+    pub(super) stiffness: [[f64; 3]; 3],
+}
+
+impl Profile {
+    /// A line without weight and without tension.
+    pub(super) fn without_force() -> Self {
+        Self {
+            horizontal_n: 0.0,
+            lower_horizontal_n: 0.0,
+            lower_n: 0.0,
+            upper_n: 0.0,
+            on_seabed_m: 0.0,
+            is_slack: true,
+            transverse_n_per_m: 0.0,
+            stiffness: [[0.0; 3]; 3],
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! Mooring systems at rest: elastic lines with weight, on the seabed or above it, between anchors,
+//! a platform, free points, bodies and rods; their force on the platform and their stiffness.
+//!
+//! The lines are quasi-static: each has the shape that it takes in still water, and its mass is
+//! part of no motion. A description is checked once ([`Mooring::new`]) and evaluated at any pose of
+//! the platform ([`Mooring::at`]).
+
+mod assembly;
+mod cable;
+mod carrier;
+mod catenary;
+mod check;
+mod description;
+mod elimination;
+mod equilibrium;
+mod error;
+mod grounded;
+mod hanging;
+mod line;
+mod pose;
+mod root;
+mod state;
+mod system;
+mod vector;
+
+pub use description::{
+    Attachment, Carrier, LineType, MooringBody, MooringDescription, MooringLine, MooringPoint,
+    MooringRod, RodEnd,
+};
+pub use error::{MooringError, MooringItem};
+pub use pose::Pose;
+pub use state::{BodyState, LineState, MooringLoad, MooringState, MooringWorkspace};
+pub use system::Mooring;
