@@ -99,7 +99,7 @@ fn mistakes_have_their_place() {
         soil_loss_factor | sol_loss_factor | 20:1 | is not a key of [damping] | did you mean `soil_loss_factor`?
         6073 | -6073 | 23:16 | must be positive
         air_density = 1.2 | air_density = 0 | 25:15 | must be positive
-        chord_moment = 6073\n |  | 23:14 | without chord_moment | add chord_moment
+        chord_moment = 6073\n |  | 23:14 | without `chord_moment` | add chord_moment
         "#,
     );
 }

@@ -1,11 +1,13 @@
 //! Tables whose values are described beside their fields: read by these descriptions.
 
 use towermodes::Place;
-use towermodes::inputs::{Given, Input, Inputs, given_inputs};
+use towermodes::inputs::{Given, Input, Inputs, Limit, given_inputs};
 
 use super::text::reading::Reading;
 use super::text::table::{Table, suggestion};
-use super::text::values::{Value, list, number, number_or_infinity, text, truth, wrong_kind};
+use super::text::values::{
+    Value, list, number, number_or_infinity, text, truth, whole, wrong_kind,
+};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// Reads the values of a table into a blank one; none after a mistake. `at` gives the place of a
@@ -131,6 +133,13 @@ fn value(
             number(value, key, reading).map(|number| blank.with_number(number))
         }
         Given::Pair(_) => pair(value, key, reading).map(|pair| Given::Pair(Some(pair))),
+        Given::Count(_) => {
+            let least = match input.limit {
+                Limit::AtLeast(least) => least,
+                _ => 0,
+            };
+            whole(value, key, least, reading).map(|count| Given::Count(count as usize))
+        }
         Given::Flag(_) => truth(value, key, reading).map(Given::Flag),
         Given::Name(_, names) => {
             let name = text(value, input.meaning(), reading)?;

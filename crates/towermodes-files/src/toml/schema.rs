@@ -7,7 +7,10 @@
 use std::sync::LazyLock;
 
 use towermodes::inputs::{Given, Input, Inputs, every_input};
-use towermodes::{Foundation, Ground, GroundLayer, LayerSoil, Water};
+use towermodes::{
+    Damping, Drivetrain, Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, Water,
+    Wires,
+};
 
 /// A table of the tower file.
 #[derive(Debug)]
@@ -124,7 +127,7 @@ impl KeySchema {
         Self {
             name: input.key,
             kind: match given {
-                Given::Number(_) | Given::Optional(_) => ValueKind::Number,
+                Given::Number(_) | Given::Optional(_) | Given::Count(_) => ValueKind::Number,
                 Given::Pair(_) => ValueKind::Any,
                 Given::Flag(_) => ValueKind::Flag,
                 Given::Name(..) => ValueKind::Text,
@@ -240,12 +243,13 @@ macro_rules! tables {
 /// ```
 pub fn tower_file_schema() -> &'static [&'static TableSchema] {
     static ALL: LazyLock<Vec<&TableSchema>> = LazyLock::new(|| {
-        let (water, ground): (&TableSchema, &TableSchema) = (&WATER, &GROUND);
+        let described: [&TableSchema; 6] =
+            [&WATER, &WIRES, &DRIVETRAIN, &DAMPING, &GROUND, &SPRINGS];
         listed()
             .iter()
             .copied()
             .chain(CLOSED_FORMS.iter())
-            .chain([water, ground])
+            .chain(described)
             .chain(SCOUR.iter())
             .chain(LAYERS.iter())
             .collect()
@@ -253,16 +257,24 @@ pub fn tower_file_schema() -> &'static [&'static TableSchema] {
     &ALL
 }
 
+/// The first key of each `[foundation]`.
+const TYPE: &[KeySchema] = keys! {
+    required "type" Text "" "type of the foundation";
+};
+
+/// `[foundation]` of type `springs`.
+pub static SPRINGS: LazyLock<TableSchema> = LazyLock::new(|| {
+    let inputs = every_input(&FoundationSprings::blank());
+    TableSchema::described("[foundation] of type \"springs\"", TYPE, &inputs, &[])
+});
+
 /// `[foundation]` of each type that is a closed form.
 pub static CLOSED_FORMS: LazyLock<Vec<TableSchema>> = LazyLock::new(|| {
-    let kind: &[KeySchema] = keys! {
-        required "type" Text "" "type of the foundation";
-    };
     let blanks = Foundation::blank_forms();
     let forms = blanks.iter().filter_map(Foundation::form);
     let name = |kind: &str| format!("[foundation] of type \"{kind}\"");
     forms
-        .map(|form| TableSchema::described(name(form.kind().name), kind, &every_input(form), &[]))
+        .map(|form| TableSchema::described(name(form.kind().name), TYPE, &every_input(form), &[]))
         .collect()
 });
 
@@ -276,6 +288,30 @@ pub(super) fn closed_form(kind: &str) -> &'static TableSchema {
 /// `[water]`.
 pub static WATER: LazyLock<TableSchema> =
     LazyLock::new(|| TableSchema::described("[water]", &[], &every_input(&Water::blank()), &[]));
+
+/// `[[wires]]`.
+pub static WIRES: LazyLock<TableSchema> = LazyLock::new(|| {
+    let name: &[KeySchema] = keys! {
+        optional "name" Text "" "";
+    };
+    let azimuth: &[KeySchema] = keys! {
+        optional "azimuth_deg" Number "degrees" "of the first wire; it has no effect";
+    };
+    TableSchema::described("[[wires]]", name, &every_input(&Wires::blank()), azimuth)
+});
+
+/// `[drivetrain]`.
+pub static DRIVETRAIN: LazyLock<TableSchema> = LazyLock::new(|| {
+    TableSchema::described("[drivetrain]", &[], &every_input(&Drivetrain::blank()), &[])
+});
+
+/// `[damping]`.
+pub static DAMPING: LazyLock<TableSchema> = LazyLock::new(|| {
+    let materials: &[KeySchema] = keys! {
+        optional "material_loss_factors" Table "" "of materials by their names, in place of tower_loss_factor";
+    };
+    TableSchema::described("[damping]", &[], &every_input(&Damping::blank()), materials)
+});
 
 /// `[ground]`.
 pub static GROUND: LazyLock<TableSchema> = LazyLock::new(|| {
@@ -476,15 +512,6 @@ tables! {
         required "matrix" Matrix "N/m, N, N m" "x, y, z, rotation about x, y, z";
         optional "mass" Matrix "kg, kg m, kg m2" "mass at the base";
 
-    /// `[foundation]` of type `springs`.
-    SPRINGS = "[foundation] of type \"springs\"":
-        required "type" Text "" "type of the foundation";
-        required "lateral" Number "N/m" "inf is rigid";
-        required "rocking" Number "N m" "";
-        required "vertical" Number "N/m" "";
-        required "torsion" Number "N m" "";
-        optional "coupling" Number "N" "between x and rotation about y";
-
     /// `[foundation]` of type `floating`.
     FLOATING = "[foundation] of type \"floating\"":
         required "type" Text "" "type of the foundation";
@@ -508,34 +535,7 @@ tables! {
         optional "name" Text "" "";
         required "rows" Rows "" "height in m, added mass in x and y in kg/m";
 
-    /// `[[wires]]`.
-    WIRES = "[[wires]]":
-        optional "name" Text "" "";
-        required "height" Number "m" "of their upper ends";
-        required "count" Number "" "number of wires, equally spaced";
-        required "stiffness" Number "N/m" "EA/L of each wire";
-        required "angle_deg" Number "degrees" "from the horizontal";
-        optional "azimuth_deg" Number "degrees" "of the first wire; it has no effect";
-
     /// `[gravity]`.
     GRAVITY = "[gravity]":
         optional "acceleration" Number "m/s2" "";
-
-    /// `[drivetrain]`.
-    DRIVETRAIN = "[drivetrain]":
-        required "rotor_inertia" Number "kg m2" "of rotor and hub about the shaft";
-        optional "generator_inertia" Number "kg m2" "about its own shaft";
-        optional "gear_ratio" Number "" "turns of the generator per turn of the rotor; 1 by default";
-
-    /// `[damping]`.
-    DAMPING = "[damping]":
-        optional "tower_loss_factor" Number "" "of the tower's materials: 2 times the damping ratio";
-        optional "material_loss_factors" Table "" "of materials by their names, in place of tower_loss_factor";
-        optional "foundation_loss_factor" Number "" "of the foundation";
-        optional "soil_loss_factor" Number "" "of the soil along the tower";
-        optional "wires_loss_factor" Number "" "of the guy wires";
-        optional "water_loss_factor" Number "" "of the water, of its kinetic energy";
-        optional "chord_moment" Number "m3" "integral of chord times radius over one blade";
-        optional "lift_slope" Number "1/rad" "of the blade sections, 2 pi by default";
-        optional "air_density" Number "kg/m3" "1.225 by default";
 }

@@ -7,7 +7,7 @@ use super::schema::tower_file_schema;
 
 /// Names and the keys that they may mean, the likeliest first, each separated by blanks. Names are
 /// in small letters and without a unit at their end. The types of a foundation are here too.
-const SYNONYMS: [(&str, &str); 48] = [
+const SYNONYMS: [(&str, &str); 41] = [
     (
         "cg cog com cm centre centroid center_of_mass centre_of_mass center_of_gravity centre_of_gravity cg_offset position location offset",
         "center",
@@ -45,28 +45,12 @@ const SYNONYMS: [(&str, &str); 48] = [
     ("ixy i_xy", "xy inertia"),
     ("ixz i_xz izx", "xz inertia"),
     ("iyz i_yz", "yz inertia"),
-    (
-        "k ea_l spring spring_stiffness wire_stiffness ea",
-        "stiffness matrix ea_n",
-    ),
-    ("n number number_of_wires n_wires wires", "count"),
-    ("angle inclination slope", "angle_deg"),
+    ("k spring spring_stiffness ea", "stiffness matrix ea_n"),
     ("azimuth heading direction", "azimuth_deg"),
     ("gravity grav value", "acceleration"),
     ("speed speeds rotor_speed omega rpm_range range", "rpm"),
     ("n_blades number_of_blades blade_count numbl b", "blades"),
     ("water_level sea_level msl swl surface waterline", "water"),
-    (
-        "kx ky kxx kyy k_x k_lateral horizontal translation kh",
-        "lateral",
-    ),
-    (
-        "krx kry k_rocking rotation rotational krot k_theta tilting kr",
-        "rocking",
-    ),
-    ("kz kzz k_z k_vertical axial kv", "vertical"),
-    ("ktors krz kt torsional yaw", "torsion"),
-    ("kxr klr cross cross_coupling k_coupling", "coupling"),
     ("hydro_m hydrodynamic a_inf", "added_mass"),
     ("hydro_k hydro buoyancy hydrostatics", "hydrostatic"),
     ("mooring_k moorings lines", "mooring"),

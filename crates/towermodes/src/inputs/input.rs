@@ -22,6 +22,8 @@ pub struct Input {
     pub otherwise: &'static str,
     /// Which values it can have at all.
     pub limit: Limit,
+    /// What a user is told whose value is outside its limits; may be empty.
+    pub remedy: &'static str,
     /// The number that a file without it has; NaN if it must be given.
     pub default: f64,
     /// Whether the key must be given.
@@ -60,6 +62,7 @@ impl Input {
             synonyms: "",
             otherwise: "",
             limit,
+            remedy: "",
             default: f64::NAN,
             is_required: true,
             is_quiet: false,
@@ -139,6 +142,13 @@ impl Input {
     #[must_use]
     pub const fn hint(mut self, hint: &'static str) -> Self {
         self.hint = hint;
+        self
+    }
+
+    /// What a user is told whose value is outside its limits.
+    #[must_use]
+    pub const fn remedy(mut self, remedy: &'static str) -> Self {
+        self.remedy = remedy;
         self
     }
 

@@ -15,12 +15,16 @@ pub enum Limit {
     Positive,
     /// Positive or zero.
     NotNegative,
+    /// Positive, and of any size: springs are scaled to themselves.
+    Spring,
     /// Positive or zero, and of any size: springs are scaled to themselves.
     Stiffness,
     /// Positive, up to a number.
     UpTo(f64),
     /// From the first number to the second.
     Within([f64; 2]),
+    /// At least so many.
+    AtLeast(u64),
     /// Poisson's ratio of soil: from 0 to 0.5.
     PoissonsRatioOfSoil,
     /// None; the check of its struct limits it.

@@ -37,6 +37,32 @@ pub trait Inputs {
     fn idle(&self, each: &mut dyn FnMut(&'static Input, Given));
 }
 
+/// Values that are there or not, all of them.
+impl<T: Inputs> Inputs for Option<T> {
+    fn blank() -> Self {
+        None
+    }
+
+    fn visit(&self, each: &mut dyn FnMut(&'static Input, Given)) {
+        if let Some(own) = self {
+            own.visit(each);
+        }
+    }
+
+    fn update(&mut self, each: &mut dyn FnMut(&'static Input, Given) -> Given) {
+        if let Some(own) = self {
+            own.update(each);
+        }
+    }
+
+    fn idle(&self, each: &mut dyn FnMut(&'static Input, Given)) {
+        match self {
+            Some(own) => own.idle(each),
+            None => T::blank().visit(each),
+        }
+    }
+}
+
 /// Its values and those that it has not, each with a description: all keys of the table.
 pub fn every_input(inputs: &dyn Inputs) -> Vec<(&'static Input, Given)> {
     let mut all = given_inputs(inputs);

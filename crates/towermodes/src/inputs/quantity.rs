@@ -91,8 +91,6 @@ pub enum Quantity {
     SoilUnitWeight,
     /// Diameter of a steel wire with the stiffness given, m.
     WireDiameter,
-    /// Number of wires in a set.
-    WireCount,
     /// Angle of wires from the horizontal, degrees.
     WireAngle,
     /// Acceleration of gravity, m/s².
@@ -200,8 +198,6 @@ impl Quantity {
                 "typical: 15000 to 21000; the unit is N/m3, not kN/m3"),
             Self::WireDiameter => ("the diameter of a steel wire with this stiffness and length", " m",
                 "typical: 0.01 to 0.1 m; the unit of the stiffness EA/L is N/m, not kN/m"),
-            Self::WireCount => ("the number of guy wires in the set", "",
-                "typical: 3 to 12"),
             Self::WireAngle => ("the angle of the guy wires from the horizontal", " degrees",
                 "typical: 20 to 70 degrees; the unit is degrees (0.785 rad is 45 degrees)"),
             Self::Gravity => ("the acceleration of gravity", " m/s2",

@@ -11,6 +11,8 @@ pub enum Given {
     Optional(Option<f64>),
     /// A number at the top and one at the bottom of a layer; the tower file may give one for both.
     Pair(Option<[f64; 2]>),
+    /// How many there are of something.
+    Count(usize),
     /// Yes or no.
     Flag(bool),
     /// One of several names; none where a name may be absent.
@@ -43,11 +45,12 @@ pub trait Named: Copy + PartialEq + 'static {
 }
 
 impl Given {
-    /// The number, if it is one and given.
+    /// The number, also that of a count, if it is one and given.
     pub fn number(self) -> Option<f64> {
         match self {
             Self::Number(value) => Some(value),
             Self::Optional(value) => value,
+            Self::Count(count) => Some(count as f64),
             Self::Pair(_) | Self::Flag(_) | Self::Name(..) => None,
         }
     }
@@ -56,7 +59,11 @@ impl Given {
     pub fn pair(self) -> Option<[f64; 2]> {
         match self {
             Self::Pair(pair) => pair,
-            Self::Number(_) | Self::Optional(_) | Self::Flag(_) | Self::Name(..) => None,
+            Self::Number(_)
+            | Self::Optional(_)
+            | Self::Count(_)
+            | Self::Flag(_)
+            | Self::Name(..) => None,
         }
     }
 
@@ -81,7 +88,7 @@ impl Given {
             Self::Number(_) => Self::Number(number),
             Self::Optional(_) => Self::Optional(Some(number)),
             Self::Pair(_) => Self::Pair(Some([number; 2])),
-            other @ (Self::Flag(_) | Self::Name(..)) => other,
+            other @ (Self::Count(_) | Self::Flag(_) | Self::Name(..)) => other,
         }
     }
 
@@ -149,6 +156,22 @@ impl Value for Option<[f64; 2]> {
 
     fn set(&mut self, given: Given) {
         *self = given.pair();
+    }
+}
+
+impl Value for usize {
+    fn blank(_: &Input) -> Self {
+        0
+    }
+
+    fn given(&self) -> Given {
+        Given::Count(*self)
+    }
+
+    fn set(&mut self, given: Given) {
+        if let Given::Count(count) = given {
+            *self = count;
+        }
     }
 }
 

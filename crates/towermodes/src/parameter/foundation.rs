@@ -2,7 +2,7 @@
 
 use super::part::{Indices, Key, Part, fields};
 use super::table::Table;
-use crate::inputs::every_input;
+use crate::inputs::{Inputs, every_input};
 use crate::space::SpatialMatrix;
 use crate::tower::{
     FloatingPlatform, FormKind, Foundation, FoundationSprings, Place, StiffnessFoundation,
@@ -52,15 +52,17 @@ macro_rules! foundation {
     };
 }
 
-foundation! {
-    /// `[foundation]` of type `springs`.
-    SPRINGS = "foundation of type \"springs\"", springs springs_mut:
-        "lateral" "N/m" "stiffness against x and y", "lateral" lateral_n_per_m;
-        "rocking" "N m" "stiffness against rotation about x and y", "rocking" rocking_n_m;
-        "coupling" "N" "stiffness between x and rotation about y", "coupling" coupling_n;
-        "vertical" "N/m" "stiffness against z", "vertical" vertical_n_per_m;
-        "torsion" "N m" "stiffness against rotation about z", "torsion" torsion_n_m;
-}
+/// `[foundation]` of type `springs`.
+pub(super) static SPRINGS: Table = Table {
+    name: "foundation",
+    noun: "foundation of type \"springs\"",
+    kind: "",
+    get: |d, i, _| Some(springs(d).filter(|_| i[0] == 0)?),
+    get_mut: |d, _, _| Some(springs_mut(d)?),
+    every: |_| every_input(&FoundationSprings::blank()),
+    place: |_, key| Place::Foundation { key },
+    absent: |_| None,
+};
 
 /// The foundations by closed form, each of which is a table.
 pub(super) fn closed_forms() -> Vec<Table> {

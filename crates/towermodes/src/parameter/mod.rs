@@ -50,7 +50,7 @@ static PARTS: LazyLock<Vec<Holder>> = LazyLock::new(|| {
         Holder::Part(&bodies::POINT_MASSES),
         Holder::Part(&foundation::STIFFNESS_MATRIX),
         Holder::Part(&foundation::STIFFNESS_MASS),
-        Holder::Part(&foundation::SPRINGS),
+        Holder::table(&foundation::SPRINGS),
     ];
     // Made once, for as long as the program runs.
     let forms: &'static [Table] = foundation::closed_forms().leak();
@@ -65,7 +65,7 @@ static PARTS: LazyLock<Vec<Holder>> = LazyLock::new(|| {
         Holder::Part(&ground::ROWS),
         Holder::Part(&surroundings::ADDED_MASS),
         Holder::table(&surroundings::WATER),
-        Holder::Part(&surroundings::WIRES),
+        Holder::table(&surroundings::WIRES),
         Holder::Part(&surroundings::GRAVITY),
     ];
     let forms = forms.iter().map(Holder::table);

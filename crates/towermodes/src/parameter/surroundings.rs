@@ -3,7 +3,7 @@
 use super::part::{Indices, Key, Part, fields, is_there};
 use super::table::Table;
 use crate::inputs::{Inputs, every_input};
-use crate::tower::{Place, Planes, TowerDescription, Water};
+use crate::tower::{Place, Planes, TowerDescription, Water, Wires};
 
 /// `[[soil]]`.
 pub(super) static SOIL: Part = Part {
@@ -60,20 +60,15 @@ pub(super) static WATER: Table = Table {
 };
 
 /// `[[wires]]`.
-pub(super) static WIRES: Part = Part {
+pub(super) static WIRES: Table = Table {
     name: "wires[]",
     noun: "guy wires",
-    count: |d| d.wires.len(),
-    rows: |_, _| 1,
-    is_symmetric: false,
-    keys: fields! {
-        get |d, i| d.wires.get(i[0])?;
-        set |d, i| d.wires.get_mut(i[0])?;
-        place |i, key| Place::Wires { index: i[0], key };
-        "height" "m" "height of the upper ends", "height" height_m;
-        "stiffness" "N/m" "EA/L of each wire", "stiffness" stiffness_n_per_m;
-        "angle_deg" "degrees" "angle from the horizontal", "angle" angle_deg;
-    },
+    kind: "",
+    get: |d, i, _| Some(d.wires.get(i[0])?),
+    get_mut: |d, i, _| Some(d.wires.get_mut(i[0])?),
+    every: |_| every_input(&Wires::blank()),
+    place: |i, key| Place::Wires { index: i[0], key },
+    absent: |_| None,
 };
 
 /// `[gravity]`.

@@ -62,7 +62,7 @@ impl TableNumber {
         let ends: &[Option<usize>] = match given {
             Given::Number(_) | Given::Optional(_) => &[None],
             Given::Pair(_) => &[Some(0), Some(1)],
-            Given::Flag(_) | Given::Name(..) => &[],
+            Given::Count(_) | Given::Flag(_) | Given::Name(..) => &[],
         };
         ends.iter().map(|end| Self::new(input, *end)).collect()
     }

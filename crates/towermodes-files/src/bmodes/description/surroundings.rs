@@ -21,7 +21,7 @@ impl Building {
                 ("height", &set.node.span),
                 ("count", &set.count.span),
                 ("stiffness", &set.stiffness_n_per_m.span),
-                ("angle", &set.angle_deg.span),
+                ("angle_deg", &set.angle_deg.span),
                 (TABLE, &set.node.span),
             ];
             for (key, span) in spans {

@@ -52,7 +52,7 @@ impl TableKind for Kind {
 }
 
 static KINDS: LazyLock<Vec<Kind>> = LazyLock::new(|| {
-    let first = [CLAMPED, stiffness::KIND, springs::KIND];
+    let first = [CLAMPED, stiffness::KIND, springs::kind()];
     first
         .into_iter()
         .chain(closed_forms())

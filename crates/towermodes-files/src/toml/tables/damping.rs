@@ -2,8 +2,10 @@
 
 use std::collections::HashMap;
 
-use towermodes::{Damping, LossFactors, Place, RotorAerodynamics};
+use towermodes::inputs::Inputs;
+use towermodes::{Damping, Place, RotorAerodynamics};
 
+use super::super::inputs::read;
 use super::super::schema;
 use super::super::text::reading::Reading;
 use super::super::text::table::{Table, suggestion};
@@ -23,28 +25,18 @@ pub(crate) fn damping(
     let at = |key| Place::Damping { key };
     reading.remember(at(TABLE), value.span());
     let table = Table::of(value, "[damping]", &schema::DAMPING, reading)?;
-    let mut optional = |key| table.optional_number(key, at(key), reading);
-    let tower = optional("tower_loss_factor");
-    let foundation = optional("foundation_loss_factor");
-    let soil = optional("soil_loss_factor");
-    let wires = optional("wires_loss_factor");
-    let water = optional("water_loss_factor");
+    let blank = Damping {
+        rotor: (table.has("chord_moment")).then(RotorAerodynamics::blank),
+        ..Damping::default()
+    };
+    let damping = read(blank, &table, at, reading);
     let materials = table.get("material_loss_factors").map_or_else(
         || Some(Vec::new()),
         |value| of_materials(value, material_names, reading),
     );
-    let rotor = rotor(&table, reading);
-    Some(Damping {
-        loss_factors: LossFactors {
-            tower: tower?,
-            materials: materials?,
-            foundation: foundation?,
-            soil: soil?,
-            wires: wires?,
-            water: water?,
-        },
-        rotor: rotor?,
-    })
+    let mut damping = damping?;
+    damping.loss_factors.materials = materials?;
+    Some(damping)
 }
 
 /// The loss factors of materials by name, in the order of the materials.
@@ -85,25 +77,4 @@ fn hint(name: &str, names: &[String]) -> String {
         true => "the file names no material; write tower_loss_factor for all of the tower".into(),
         false => suggestion(name, &names, "materials:"),
     }
-}
-
-/// The rotor in the wind: `Some(None)` if there is none, `None` after a mistake.
-fn rotor(table: &Table<'_>, reading: &mut Reading) -> Option<Option<RotorAerodynamics>> {
-    let mut optional = |key| table.optional_number(key, Place::Damping { key }, reading);
-    let chord_moment = optional("chord_moment");
-    let (lift_slope, air_density) = (optional("lift_slope"), optional("air_density"));
-    let (lift_slope, air_density) = (lift_slope?, air_density?);
-    let Some(chord_moment_m3) = chord_moment? else {
-        for key in ["lift_slope", "air_density"] {
-            let hint = "add chord_moment, the integral of chord times radius over one blade, m3";
-            table.refuse_unused(key, "without chord_moment", hint, reading);
-        }
-        return Some(None);
-    };
-    let of_thin_airfoils = RotorAerodynamics::of_chords(chord_moment_m3);
-    Some(Some(RotorAerodynamics {
-        chord_moment_m3,
-        lift_slope: lift_slope.unwrap_or(of_thin_airfoils.lift_slope),
-        air_density_kg_per_m3: air_density.unwrap_or(of_thin_airfoils.air_density_kg_per_m3),
-    }))
 }

@@ -2,6 +2,7 @@
 
 use towermodes::{Drivetrain, Inertia, PointMass, Rna, Rotor};
 
+use super::inputs::values;
 use super::text::number;
 use super::writing::Writing;
 use crate::toml::schema;
@@ -84,11 +85,5 @@ pub(super) fn drivetrain(drivetrain: Option<&Drivetrain>, writing: &mut Writing)
         return;
     };
     writing.section(&schema::DRIVETRAIN);
-    writing.number("rotor_inertia", drivetrain.rotor_inertia_kg_m2);
-    if drivetrain.generator_inertia_kg_m2 != 0.0 {
-        writing.number("generator_inertia", drivetrain.generator_inertia_kg_m2);
-    }
-    if drivetrain.gear_ratio != 1.0 {
-        writing.number("gear_ratio", drivetrain.gear_ratio);
-    }
+    values(drivetrain, writing);
 }

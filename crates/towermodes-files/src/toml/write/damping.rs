@@ -1,7 +1,8 @@
 //! `[damping]`.
 
-use towermodes::{Damping, LossFactors};
+use towermodes::Damping;
 
+use super::inputs::values;
 use super::materials::{MaterialNames, key};
 use super::text::number;
 use super::writing::Writing;
@@ -29,43 +30,18 @@ pub(super) fn damping(damping: &Damping, names: &MaterialNames, writing: &mut Wr
         return;
     }
     writing.section(&schema::DAMPING);
-    let LossFactors {
-        tower,
-        materials,
-        foundation,
-        soil,
-        wires,
-        water,
-    } = &damping.loss_factors;
+    let materials = &damping.loss_factors.materials;
     let given = materials.iter().enumerate();
     let given = given.filter_map(|(index, factor)| Some((index, (*factor)?)));
     let given: Vec<(usize, f64)> = given.collect();
+    let mut described = damping.clone();
     // A file with one material does not name it.
     let is_alone = !names.are_needed();
-    let alone = given
-        .first()
-        .filter(|_| is_alone)
-        .map(|(_, factor)| *factor);
-    if let Some(factor) = alone.or(*tower) {
-        writing.number("tower_loss_factor", factor);
+    if let Some((_, factor)) = given.first().filter(|_| is_alone) {
+        described.loss_factors.tower = Some(*factor);
     }
+    values(&described, writing);
     if !is_alone {
         of_materials(&given, names, writing);
-    }
-    let parts = [
-        ("foundation_loss_factor", foundation),
-        ("soil_loss_factor", soil),
-        ("wires_loss_factor", wires),
-        ("water_loss_factor", water),
-    ];
-    for (key, value) in parts {
-        if let Some(value) = value {
-            writing.number(key, *value);
-        }
-    }
-    if let Some(rotor) = &damping.rotor {
-        writing.number("chord_moment", rotor.chord_moment_m3);
-        writing.number("lift_slope", rotor.lift_slope);
-        writing.number("air_density", rotor.air_density_kg_per_m3);
     }
 }

@@ -1,9 +1,7 @@
 //! `[foundation]`.
 
 use towermodes::space::SpatialMatrix;
-use towermodes::{
-    FloatingPlatform, Foundation, FoundationSprings, ReferredMatrix, StiffnessFoundation, Support,
-};
+use towermodes::{FloatingPlatform, Foundation, ReferredMatrix, StiffnessFoundation, Support};
 
 use super::bodies::{inertia_with, triple};
 use super::inputs::values;
@@ -17,7 +15,10 @@ pub(super) fn foundation(foundation: &Foundation, writing: &mut Writing) {
     match foundation.support() {
         Support::Clamped => {}
         Support::Stiffness(foundation) => stiffness(foundation, writing),
-        Support::Springs(foundation) => springs(foundation, writing),
+        Support::Springs(springs) => {
+            kind("springs", &schema::SPRINGS, writing);
+            values(springs, writing);
+        }
         Support::Floating(platform) => floating(platform, writing),
         Support::Form(form) => {
             let name = form.kind().name;
@@ -43,17 +44,6 @@ fn stiffness(foundation: &StiffnessFoundation, writing: &mut Writing) {
     matrix("matrix", &foundation.stiffness, writing);
     if foundation.inertia != NONE {
         matrix("mass", &foundation.inertia, writing);
-    }
-}
-
-fn springs(springs: &FoundationSprings, writing: &mut Writing) {
-    kind("springs", &schema::SPRINGS, writing);
-    writing.number("lateral", springs.lateral_n_per_m);
-    writing.number("rocking", springs.rocking_n_m);
-    writing.number("vertical", springs.vertical_n_per_m);
-    writing.number("torsion", springs.torsion_n_m);
-    if springs.coupling_n != 0.0 {
-        writing.number("coupling", springs.coupling_n);
     }
 }
 

@@ -10,6 +10,7 @@ use super::writing::Writing;
 pub(super) fn values(inputs: &dyn Inputs, writing: &mut Writing) {
     let all = given_inputs(inputs);
     let is_written = |(input, given): &(&Input, Given)| match *given {
+        Given::Count(_) => true,
         Given::Number(value) => !input.is_quiet || value != input.default,
         Given::Optional(value) => value.is_some(),
         Given::Pair(pair) => pair.is_some(),
@@ -54,6 +55,7 @@ fn text(given: Given) -> Option<String> {
         Given::Number(value) | Given::Optional(Some(value)) => Some(number(value)),
         Given::Pair(Some([top, bottom])) if top == bottom => Some(number(top)),
         Given::Pair(Some([top, bottom])) => Some(format!("[{}, {}]", number(top), number(bottom))),
+        Given::Count(count) => Some(count.to_string()),
         Given::Flag(flag) => Some(flag.to_string()),
         Given::Name(Some(place), names) => Some(format!("\"{}\"", names[place])),
         Given::Optional(None) | Given::Pair(None) | Given::Name(None, _) => None,

@@ -6,9 +6,6 @@ use super::inputs::values;
 use super::writing::Writing;
 use crate::toml::schema;
 
-/// A file with more wires in a set is refused.
-const MOST_WIRES: usize = 1_000_000_000;
-
 pub(super) fn surroundings(description: &TowerDescription, writing: &mut Writing) {
     let names = &description.part_names;
     for (index, layer) in description.soil.iter().enumerate() {
@@ -77,17 +74,7 @@ fn added_mass(table: &[AddedMassRow], name: Option<&String>, writing: &mut Writi
 }
 
 fn wires(wires: &Wires, name: Option<&String>, writing: &mut Writing) {
-    if !(1..=MOST_WIRES).contains(&wires.count) {
-        let message = format!(
-            "a set of {} guy wires will be refused by the reader",
-            wires.count
-        );
-        writing.note(message);
-    }
     writing.section(&schema::WIRES);
     writing.name(name);
-    writing.number("height", wires.height_m);
-    writing.value("count", &wires.count.to_string());
-    writing.number("stiffness", wires.stiffness_n_per_m);
-    writing.number("angle_deg", wires.angle_deg);
+    values(wires, writing);
 }

@@ -1,6 +1,6 @@
 //! The input as a drawing and in tables.
 
-use towermodes::{Damping, TowerDescription};
+use towermodes::TowerDescription;
 
 use super::super::content::ReportContent;
 use super::super::document::Block;
@@ -8,7 +8,7 @@ use super::super::table::Table;
 use super::bodies::{point_masses, rna};
 use super::foundation::foundation;
 use super::surroundings::surroundings;
-use super::{paragraph, table, tabulated_picture};
+use super::{inputs, paragraph, table, tabulated_picture};
 use crate::figures;
 use crate::number::{NOTHING, digits, given, length, mass};
 use crate::wording::speed_range;
@@ -77,40 +77,16 @@ fn overview(content: &ReportContent) -> Table {
     if let Some(missing) = tower.missing_parts() {
         facts.push(("limits of the model", missing.to_string()));
     }
-    facts.extend(damping(&description.damping));
-    Table::of_facts("Overview", facts)
-}
-
-/// The loss factors and the data of the blades that are given.
-fn damping(damping: &Damping) -> impl Iterator<Item = (&'static str, String)> {
-    let factors = &damping.loss_factors;
-    let rotor = damping.rotor.as_ref();
-    let largest = factors.materials.iter().flatten().copied();
-    let facts = [
-        ("loss factor of the tower (−)", factors.tower),
-        (
-            "largest loss factor of a named material (−)",
-            largest.reduce(f64::max),
-        ),
-        ("loss factor of the foundation (−)", factors.foundation),
-        ("loss factor of the soil (−)", factors.soil),
-        ("loss factor of the wires (−)", factors.wires),
-        ("loss factor of the water (−)", factors.water),
-        (
-            "chord moment ∫ c r dr of a blade (m³)",
-            rotor.map(|rotor| rotor.chord_moment_m3),
-        ),
-        (
-            "lift slope of the blades (1/rad)",
-            rotor.map(|rotor| rotor.lift_slope),
-        ),
-        (
-            "density of air (kg/m³)",
-            rotor.map(|rotor| rotor.air_density_kg_per_m3),
-        ),
-    ];
-    let facts = facts.into_iter();
-    facts.filter_map(|(name, value)| Some((name, given(value?))))
+    let mut table = Table::of_facts("Overview", facts);
+    for (name, value) in inputs::facts(&description.damping) {
+        table.push([name, value]);
+    }
+    let of_materials = description.damping.loss_factors.materials.iter();
+    if let Some(largest) = of_materials.flatten().copied().reduce(f64::max) {
+        let name = "largest loss factor of a named material (−)";
+        table.push([name.to_owned(), given(largest)]);
+    }
+    table
 }
 
 fn described(name: &str) -> String {

@@ -14,15 +14,33 @@ pub(super) fn of_inputs(
     others: impl IntoIterator<Item = (String, String)>,
 ) -> Table {
     let mut table = Table::new(caption, ["quantity", "#value"]);
-    for (input, value) in given_inputs(inputs) {
-        if let Some(shown) = shown(input, value) {
-            table.push([labelled(input, value), shown]);
-        }
-    }
-    for (name, value) in others {
+    for (name, value) in facts(inputs).into_iter().chain(others) {
         table.push([name, value]);
     }
     table
+}
+
+/// The values of a table with their units, without those that are infinite by default.
+pub(super) fn facts(inputs: &dyn Inputs) -> Vec<(String, String)> {
+    let all = given_inputs(inputs).into_iter();
+    let facts =
+        all.filter_map(|(input, value)| Some((labelled(input, value), shown(input, value)?)));
+    facts.collect()
+}
+
+/// A row for each of several tables of one kind.
+pub(super) fn of_list(caption: &str, all: &[impl Inputs], names: &[String]) -> Table {
+    let first = all.first().map_or_else(Vec::new, |one| given_inputs(one));
+    let header = first
+        .iter()
+        .map(|(input, value)| format!("#{}", labelled(input, *value)));
+    let header: Vec<String> = header.collect();
+    let mut table = Table::new(caption, header.iter().map(String::as_str));
+    for one in all {
+        let values = given_inputs(one).into_iter();
+        table.push(values.map(|(input, value)| shown(input, value).unwrap_or_default()));
+    }
+    table.named(names).shortened()
 }
 
 /// The values of a table in a few words, each with its symbol: "φ′ 35°".
@@ -35,6 +53,7 @@ pub(super) fn in_short(inputs: &dyn Inputs) -> Vec<String> {
             Given::Number(value) | Given::Optional(Some(value)) => {
                 Plain(factor * value).to_string()
             }
+            Given::Count(count) => count.to_string(),
             Given::Pair(Some([top, bottom])) if top == bottom => Plain(factor * top).to_string(),
             Given::Pair(Some(pair)) => {
                 let [top, bottom] = pair.map(|value| Plain(factor * value));
@@ -58,6 +77,7 @@ fn labelled(input: &Input, value: Given) -> String {
         (true, "") => format!("{meaning} (−)"),
         (true, unit) => {
             let raised = unit.replace("m2", "m²").replace("m3", "m³");
+            let raised = raised.replace("degrees", "°");
             format!("{meaning} ({raised})")
         }
     }
@@ -75,6 +95,7 @@ fn shown(input: &Input, value: Given) -> Option<String> {
             let [top, bottom] = pair?.map(given);
             Some(format!("{top} to {bottom}"))
         }
+        Given::Count(count) => Some(count.to_string()),
         Given::Flag(flag) => Some(if flag { "yes" } else { "no" }.to_owned()),
         Given::Name(place, names) => Some(names[place?].to_owned()),
     }

@@ -1,10 +1,10 @@
 //! Soil, water and guy wires in tables.
 
-use towermodes::{AddedMassRow, SoilRow, Tower, TowerDescription, Wires};
+use towermodes::{AddedMassRow, SoilRow, Tower, TowerDescription};
 
 use super::super::document::Block;
 use super::super::table::Table;
-use super::inputs::of_inputs;
+use super::inputs::{of_inputs, of_list};
 use super::table;
 use crate::number::{given, length};
 
@@ -30,7 +30,7 @@ pub(super) fn surroundings(description: &TowerDescription, tower: &Tower) -> Vec
     let which_table = |index| which(index, description.added_mass.len(), &names.added_mass);
     tables.extend(added.map(|(index, rows)| added_mass(&which_table(index), rows)));
     if !description.wires.is_empty() {
-        tables.push(wires(&description.wires, &names.wires));
+        tables.push(of_list("Guy wires", &description.wires, &names.wires));
     }
     if tables.is_empty() {
         return Vec::new();
@@ -90,25 +90,4 @@ fn added_mass(which: &str, rows: &[AddedMassRow]) -> Table {
         table.push([length(row.height_m), given(row.mass_kg_per_m)]);
     }
     table.shortened()
-}
-
-fn wires(wires: &[Wires], names: &[String]) -> Table {
-    let mut table = Table::new(
-        "Guy wires",
-        [
-            "#height z (m)",
-            "#number",
-            "#stiffness of each (N/m)",
-            "#angle from the horizontal (°)",
-        ],
-    );
-    for set in wires {
-        table.push([
-            length(set.height_m),
-            set.count.to_string(),
-            given(set.stiffness_n_per_m),
-            given(set.angle_deg),
-        ]);
-    }
-    table.named(names).shortened()
 }

@@ -41,6 +41,7 @@ impl PileTube {
             unit: " m",
             least: 0.0,
             most,
+            remedy: "",
         };
         error("wall_thickness", problem)
     }

@@ -68,7 +68,8 @@ impl Problem {
             Self::EmbeddedBelowStratum { .. } => {
                 "soil_thickness is the depth of the rock below the surface of the soil, in m"
             }
-            Self::OutOfRange { .. } => "check value and unit",
+            Self::OutOfRange { remedy: "", .. } => "check value and unit",
+            Self::OutOfRange { remedy, .. } => remedy,
             Self::InfiniteAndFloating { .. } => {
                 "write finite stiffnesses, or use type = \"springs\", where inf is allowed"
             }
@@ -122,8 +123,6 @@ impl Problem {
             Self::TableShorterThanLayer { .. } => {
                 "give rows at the top and at the bottom of the layer, or beyond"
             }
-            Self::TooFewWires { .. } => "count is the number of equally spaced guy wires",
-            Self::WireAngle { .. } => "for a wire at 45 degrees write angle_deg = 45",
             Self::StationsAndProperties => "remove one of the two",
             Self::ShearInSomeRows => {
                 "give it in every row, or in no row for a tower without shear deformation"
@@ -134,17 +133,15 @@ impl Problem {
             Self::ShearCoefficient { .. } => {
                 "a thin-walled tube has about 0.53; shear = true uses Cowper's value"
             }
-            Self::LossFactor { .. } => {
-                "a loss factor is twice the damping ratio, as a fraction and not in percent: 0.004 for a damping ratio of 0.2 %"
-            }
             Self::SpeedsFall { .. } => {
                 "write rpm = [lowest, highest], or one number for constant speed"
             }
             Self::RotorTooFast { .. } => "the unit is revolutions per minute (rpm)",
             Self::Blades { .. } => "give the number of blades, for example 3, or omit [rotor]",
-            Self::NotPositive { .. } | Self::Negative { .. } | Self::UnknownMaterial { .. } => {
-                return None;
-            }
+            Self::NotPositive { .. }
+            | Self::Negative { .. }
+            | Self::TooFew { .. }
+            | Self::UnknownMaterial { .. } => return None,
         })
     }
 }

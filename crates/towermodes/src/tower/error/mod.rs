@@ -261,6 +261,18 @@ pub enum Problem {
         least: f64,
         /// The largest possible value.
         most: f64,
+        /// What to do about it; may be empty.
+        remedy: &'static str,
+    },
+    /// Fewer than are needed.
+    #[error("{quantity} is {count}; it must be at least {least}")]
+    TooFew {
+        /// What they are.
+        quantity: &'static str,
+        /// How many there are.
+        count: u64,
+        /// How many are needed.
+        least: u64,
     },
     /// An infinite stiffness for a floating platform.
     #[error(
@@ -516,18 +528,6 @@ pub enum Problem {
         /// Height of the layer's bottom, m.
         bottom_m: f64,
     },
-    /// Fewer than three wires.
-    #[error("at least three equally spaced guy wires are needed, but the set has {count}")]
-    TooFewWires {
-        /// How many there are.
-        count: usize,
-    },
-    /// Wires that go up.
-    #[error("the angle of the guy wires from the horizontal is {} degrees; it must be from 0 to 90", Plain(*.angle_deg))]
-    WireAngle {
-        /// The angle, degrees.
-        angle_deg: f64,
-    },
     /// Tubes and a property table for one tower.
     #[error("the tower has both stations and a table of properties")]
     StationsAndProperties,
@@ -543,14 +543,6 @@ pub enum Problem {
     /// A shear coefficient no section has.
     #[error("the shear coefficient is {}; it must be greater than 0 and at most 1", Plain(*.value))]
     ShearCoefficient {
-        /// The value given.
-        value: f64,
-    },
-    /// A loss factor that no part has.
-    #[error("the loss factor of {part} is {}; it must be from 0 to 1", Plain(*.value))]
-    LossFactor {
-        /// The part.
-        part: &'static str,
         /// The value given.
         value: f64,
     },

@@ -88,7 +88,7 @@ pub enum Place {
         /// Which of its values.
         key: &'static str,
     },
-    /// One value of a set of wires: `height`, `count`, `stiffness` or `angle`.
+    /// One value of a set of wires: `height`, `count`, `stiffness` or `angle_deg`.
     Wires {
         /// Which set.
         index: usize,

@@ -1,5 +1,7 @@
 //! What dissipates the energy of vibrations: loss factors of the parts, and the rotor in the wind.
 
+use crate::inputs::{Input, Inputs, Limit};
+
 /// What dissipates the energy of vibrations. It has no effect on frequencies and mode shapes.
 ///
 /// # Example
@@ -18,11 +20,13 @@
 /// assert_eq!(damping.loss_factors.of_material(0), Some(0.004));
 /// assert_eq!(damping.loss_factors.water, None);
 /// ```
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Inputs)]
 pub struct Damping {
     /// The loss factors of the parts.
+    #[inputs]
     pub loss_factors: LossFactors,
     /// The rotor in the wind; none if it is not known.
+    #[inputs]
     pub rotor: Option<RotorAerodynamics>,
 }
 
@@ -31,20 +35,33 @@ pub struct Damping {
 ///
 /// η = 2ζ = δ/π, with ζ the damping ratio and δ the logarithmic decrement of a vibration in which
 /// the part has all the energy.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Inputs)]
 pub struct LossFactors {
     /// Of the materials without a loss factor of their own, and of a table of properties.
+    #[input(loss_factor("tower_loss_factor", "the loss factor of the tower").note("of the tower's materials: 2 times the damping ratio"))]
     pub tower: Option<f64>,
     /// Of the materials, in their order in the description; it may be shorter.
+    #[tables]
     pub materials: Vec<Option<f64>>,
     /// Of the foundation.
+    #[input(loss_factor("foundation_loss_factor", "the loss factor of the foundation").note("of the foundation"))]
     pub foundation: Option<f64>,
     /// Of the soil springs along the tower.
+    #[input(loss_factor("soil_loss_factor", "the loss factor of the soil").note("of the soil along the tower"))]
     pub soil: Option<f64>,
     /// Of the guy wires.
+    #[input(loss_factor("wires_loss_factor", "the loss factor of the wires").note("of the guy wires"))]
     pub wires: Option<f64>,
     /// Of the water, as a fraction of its largest kinetic energy.
+    #[input(loss_factor("water_loss_factor", "the loss factor of the water").note("of the water, of its kinetic energy"))]
     pub water: Option<f64>,
+}
+
+/// A loss factor, which may be unknown.
+pub(in crate::tower) const fn loss_factor(key: &'static str, name: &'static str) -> Input {
+    const REMEDY: &str = "a loss factor is twice the damping ratio, as a fraction and not in percent: 0.004 for a damping ratio of 0.2 %";
+    let limit = Limit::Within([0.0, 1.0]);
+    Input::new(key, "", limit, name).optional().remedy(REMEDY)
 }
 
 impl LossFactors {
@@ -55,18 +72,33 @@ impl LossFactors {
 }
 
 /// A running rotor in attached flow: what its aerodynamic damping follows from.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Inputs)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RotorAerodynamics {
     /// ∫ c r dr over one blade with the chord c at the distance r from the rotor axis, from 0 to
     /// the tip, m³.
+    #[input(Input::new("chord_moment", " m3", Limit::Positive, "the chord moment of a blade")
+        .optional()
+        .note("integral of chord times radius over one blade"))]
     pub chord_moment_m3: f64,
     /// Slope of the lift coefficient dC_L/dα, 1/rad.
+    #[input(Input::new("lift_slope", " per rad", Limit::Positive, "the lift slope of the blades")
+        .or(RotorAerodynamics::THIN_AIRFOIL)
+        .note("of the blade sections, 2 pi by default")
+        .needs("chord_moment", ADD_CHORD_MOMENT))]
     pub lift_slope: f64,
     /// Density of air, kg/m³.
+    #[input(Input::new("air_density", " kg/m3", Limit::Positive, "the density of the air")
+        .or(RotorAerodynamics::STANDARD_AIR)
+        .note("1.225 by default")
+        .needs("chord_moment", ADD_CHORD_MOMENT))]
     pub air_density_kg_per_m3: f64,
 }
+
+/// What to do where the other values of the rotor stand alone.
+const ADD_CHORD_MOMENT: &str =
+    "add chord_moment, the integral of chord times radius over one blade, m3";
 
 impl RotorAerodynamics {
     /// The lift slope of a thin airfoil, 2π (Glauert 1926, *The Elements of Aerofoil and Airscrew

@@ -1,5 +1,7 @@
 //! The rotor that turns freely about its shaft, geared to the generator.
 
+use crate::inputs::{Input, Inputs, Limit};
+
 /// Inertias about the shaft, for a rotor that turns freely. The inertia xx of the rotor-nacelle
 /// assembly contains them as if the rotor was locked; the tilt of the shaft is neglected.
 ///
@@ -17,14 +19,25 @@
 /// let nacelle = 70_660.0 - v27.locked_kg_m2();
 /// assert!((nacelle + v27.free_kg_m2() - 30_826.0).abs() < 1.0);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Inputs)]
 pub struct Drivetrain {
     /// Inertia of rotor and hub about the shaft, kg m².
+    #[input(Input::new("rotor_inertia", " kg m2", Limit::Positive, "the inertia of the rotor")
+        .note("of rotor and hub about the shaft")
+        .hint("rotor and hub about the shaft, kg m2"))]
     pub rotor_inertia_kg_m2: f64,
     /// Inertia of the generator about its own shaft, kg m².
+    #[input(Input::new("generator_inertia", " kg m2", Limit::NotNegative, "the inertia of the generator")
+        .or(0.0)
+        .quiet()
+        .note("about its own shaft"))]
     pub generator_inertia_kg_m2: f64,
     /// Turns of the generator per turn of the rotor relative to the nacelle; 1 without a gearbox,
     /// negative if it turns the other way.
+    #[input(Input::new("gear_ratio", "", Limit::Finite, "the gear ratio")
+        .or(1.0)
+        .quiet()
+        .note("turns of the generator per turn of the rotor; 1 by default"))]
     pub gear_ratio: f64,
 }
 

@@ -1,21 +1,46 @@
 //! Springs under the base of a tower.
 
+use crate::inputs::{Input, Inputs, Limit};
 use crate::space::SpatialMatrix;
 
 /// Springs under the base, the same in both planes; infinity is a rigid one, zero none.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Inputs)]
 pub struct FoundationSprings {
     /// Against translation x and y, N/m.
+    #[input(spring("lateral", " N/m", "the lateral stiffness in x and y")
+        .hint("lateral in N/m; inf is rigid, 0 is none")
+        .also("kx ky kxx kyy k_x k_lateral horizontal translation kh"))]
     pub lateral_n_per_m: f64,
     /// Against rotation about x and y, N m.
+    #[input(spring("rocking", " N m", "the rocking stiffness about x and y")
+        .hint("rocking in N m; inf is rigid, 0 is none")
+        .also("krx kry k_rocking rotation rotational krot k_theta tilting kr"))]
     pub rocking_n_m: f64,
     /// Between x and rotation about y, and with the opposite sign between y and rotation about x,
     /// N.
+    #[input(Input::new("coupling", " N", Limit::Finite, "the coupling stiffness between x and rotation about y")
+        .or(0.0)
+        .quiet()
+        .note("between x and rotation about y")
+        .also("kxr klr cross cross_coupling k_coupling"))]
     pub coupling_n: f64,
     /// Against translation z, N/m.
+    #[input(spring("vertical", " N/m", "the vertical stiffness")
+        .hint("vertical in N/m; inf is rigid, 0 is none")
+        .also("kz kzz k_z k_vertical axial kv"))]
     pub vertical_n_per_m: f64,
     /// Against rotation about z, N m.
+    #[input(spring("torsion", " N m", "the torsional stiffness about z")
+        .hint("torsion in N m; inf is rigid, 0 is none")
+        .also("ktors krz kt torsional yaw"))]
     pub torsion_n_m: f64,
+}
+
+/// A spring that may be rigid.
+const fn spring(key: &'static str, spaced_unit: &'static str, name: &'static str) -> Input {
+    Input::new(key, spaced_unit, Limit::Stiffness, name)
+        .or_infinite()
+        .note("inf is rigid")
 }
 
 impl FoundationSprings {

@@ -162,15 +162,32 @@ impl Water {
 /// n ≥ 3 wires of stiffness k each at an angle α from the horizontal hold the tower's axis with n/2
 /// k cos²α in every horizontal direction and with n k sin²α vertically. Their tension, and that
 /// they are fixed to the shell and not to the axis, is neglected.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Inputs)]
 pub struct Wires {
     /// Height of their upper ends in the datum of the stations, m.
+    #[input(Input::height("height", "the height of the upper ends")
+        .note("of their upper ends")
+        .hint("height of their upper ends in m, in the datum of the stations"))]
     pub height_m: f64,
     /// How many there are, at least three.
+    #[input(Input::new("count", "", Limit::AtLeast(3), "the number of guy wires in the set")
+        .note("number of wires, equally spaced")
+        .hint("number of equally spaced wires")
+        .usual([f64::NEG_INFINITY, 24.0], "typical: 3 to 12")
+        .also("n number number_of_wires n_wires wires"))]
     pub count: usize,
     /// Stiffness EA/L of each, N/m.
+    #[input(Input::new("stiffness", " N/m", Limit::Spring, "the stiffness EA/L of each wire")
+        .note("EA/L of each wire")
+        .hint("EA/L of each wire in N/m")
+        .also("ea_l wire_stiffness"))]
     pub stiffness_n_per_m: f64,
     /// Angle from the horizontal, degrees.
+    #[input(Input::new("angle_deg", " degrees", Limit::Within([0.0, 90.0]), "the angle of the guy wires from the horizontal")
+        .note("from the horizontal")
+        .hint("angle from the horizontal in degrees")
+        .remedy("for a wire at 45 degrees write angle_deg = 45")
+        .also("angle inclination slope"))]
     pub angle_deg: f64,
 }
 

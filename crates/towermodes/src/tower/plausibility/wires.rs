@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::usual::Usual;
+use super::usual::{Usual, check_inputs};
 use crate::tower::Warning;
 use crate::tower::{Ineffective, Quantity, Site};
 use crate::tower::{Place, Tower, Wires};
@@ -10,7 +10,6 @@ use crate::tower::{Place, Tower, Wires};
 /// Stays of small masts are 5 mm thick. There is no upper limit: decks hold towers rigidly with
 /// wires.
 const DIAMETER: Usual = Usual::at_least(Quantity::WireDiameter, 0.003);
-const COUNT: Usual = Usual::at_most(Quantity::WireCount, 24.0);
 /// A right angle in radians is 1.57.
 const ANGLE: Usual = Usual::new(Quantity::WireAngle, 2.0, 85.0);
 /// Young's modulus of steel strand, Pa.
@@ -19,7 +18,7 @@ const STRAND_PA: f64 = 1.6e11;
 pub(super) fn check(tower: &Tower, wires: &[Wires], warnings: &mut Vec<Warning>) {
     for (index, set) in wires.iter().enumerate() {
         let at = |key| Site::at(Place::Wires { index, key });
-        COUNT.check(set.count as f64, at("count"), warnings);
+        check_inputs(set, |key| Place::Wires { index, key }, warnings);
         let length_m = set.height_m - tower.base_m();
         if length_m == 0.0 && !tower.base().moves[..3].contains(&true) {
             let (site, what) = (at("height"), Ineffective::WiresAtClampedBase);
@@ -28,12 +27,12 @@ pub(super) fn check(tower: &Tower, wires: &[Wires], warnings: &mut Vec<Warning>)
         }
         let angle_deg = set.angle_deg;
         if angle_deg > 85.0 {
-            let (site, what) = (at("angle"), Ineffective::UprightWires);
+            let (site, what) = (at("angle_deg"), Ineffective::UprightWires);
             warnings.push(Warning::NoEffect { site, what });
             continue;
         }
         // Level wires to a building or to another tower have no angle, and any length.
-        if angle_deg == 0.0 || ANGLE.check(angle_deg, at("angle"), warnings) {
+        if angle_deg == 0.0 || ANGLE.check(angle_deg, at("angle_deg"), warnings) {
             continue;
         }
         let wire_m = length_m / angle_deg.to_radians().sin();

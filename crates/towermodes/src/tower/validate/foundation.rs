@@ -4,7 +4,7 @@ use super::super::parts::foundation_springs::FoundationSprings;
 use super::super::support::base::Base;
 use super::inertia::check_inertia;
 use super::inputs::check_inputs;
-use super::scale::{coordinate, error, finite, positive, stiffness};
+use super::scale::{coordinate, error, positive};
 use crate::space::SpatialMatrix;
 use crate::symmetric::eigenpairs;
 use crate::tower::closed_form::ClosedForm;
@@ -54,30 +54,8 @@ fn check_stiffness(foundation: &StiffnessFoundation) -> Result<(), TowerError> {
 }
 
 fn check_springs(springs: &FoundationSprings) -> Result<(), TowerError> {
-    let values = [
-        (
-            "lateral",
-            "the lateral spring",
-            springs.lateral_n_per_m,
-            " N/m",
-        ),
-        ("rocking", "the rocking spring", springs.rocking_n_m, " N m"),
-        (
-            "vertical",
-            "the vertical spring",
-            springs.vertical_n_per_m,
-            " N/m",
-        ),
-        ("torsion", "the torsion spring", springs.torsion_n_m, " N m"),
-    ];
-    for (key, quantity, value, unit) in values {
-        // Infinity is a rigid spring.
-        if value != f64::INFINITY {
-            stiffness(at(key), quantity, value, unit)?;
-        }
-    }
+    check_inputs(springs, at)?;
     let coupling = springs.coupling_n;
-    finite(at("coupling"), "the coupling spring", coupling, " N")?;
     let (lateral, rocking) = (springs.lateral_n_per_m, springs.rocking_n_m);
     if coupling == 0.0 {
         return Ok(());

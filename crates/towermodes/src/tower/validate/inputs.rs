@@ -1,6 +1,8 @@
 //! The limits of single values.
 
-use super::scale::{coordinate, error, finite, length, not_negative, positive, stiffness};
+use super::scale::{
+    above_zero, coordinate, error, finite, length, not_negative, positive, stiffness,
+};
 use crate::inputs::{Input, Inputs, Limit, given_inputs};
 use crate::tower::error::{Place, Problem, TowerError};
 
@@ -22,7 +24,7 @@ pub(super) fn check_inputs(
     Ok(())
 }
 
-fn check_input(input: &Input, value: f64, place: Place) -> Result<(), TowerError> {
+pub(super) fn check_input(input: &Input, value: f64, place: Place) -> Result<(), TowerError> {
     if input.may_be_infinite && value == f64::INFINITY {
         return Ok(());
     }
@@ -37,12 +39,25 @@ fn check_input(input: &Input, value: f64, place: Place) -> Result<(), TowerError
         Limit::Length => length(place, name, value),
         Limit::Positive => positive(place, name, value, unit),
         Limit::NotNegative => not_negative(place, name, value, unit),
+        Limit::Spring => {
+            above_zero(place, name, value, unit)?;
+            stiffness(place, name, value, unit)
+        }
         Limit::Stiffness => stiffness(place, name, value, unit),
         Limit::UpTo(most) => {
             positive(place, name, value, unit)?;
             within(place, input, value, [0.0, most])
         }
         Limit::Within(range) => within(place, input, value, range),
+        Limit::AtLeast(least) if value >= least as f64 => Ok(()),
+        Limit::AtLeast(least) => {
+            let problem = Problem::TooFew {
+                quantity: name,
+                count: value as u64,
+                least,
+            };
+            error(place, problem)
+        }
         Limit::PoissonsRatioOfSoil => {
             finite(place, name, value, unit)?;
             match (0.0..=0.5).contains(&value) {
@@ -70,6 +85,7 @@ fn within(
         unit: input.spaced_unit,
         least,
         most,
+        remedy: input.remedy,
     };
     error(place, problem)
 }

@@ -91,7 +91,7 @@ pub(super) fn stiffness(
     error(place, problem)
 }
 
-fn above_zero(
+pub(super) fn above_zero(
     place: Place,
     quantity: &'static str,
     value: f64,

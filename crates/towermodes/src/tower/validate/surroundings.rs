@@ -3,7 +3,7 @@
 use super::super::parts::surroundings::{AddedMassRow, SoilRow, Water, Wires};
 use super::super::pieces::immersion;
 use super::inputs::check_inputs;
-use super::scale::{coordinate, error, finite, not_negative, stiffness};
+use super::scale::{coordinate, error, not_negative, stiffness};
 use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
 
@@ -150,32 +150,7 @@ fn check_water(water: &Water, base_m: f64, top_m: f64) -> Result<(), TowerError>
 
 fn check_wires(index: usize, wires: &Wires, base_m: f64, top_m: f64) -> Result<(), TowerError> {
     let at = |key| Place::Wires { index, key };
-    coordinate(at("height"), "height", wires.height_m)?;
-    let (value, unit) = (wires.stiffness_n_per_m, " N/m");
-    let quantity = "the stiffness of a wire";
-    if value.is_finite() && value <= 0.0 {
-        let problem = Problem::NotPositive {
-            quantity,
-            value,
-            unit,
-        };
-        return error(at("stiffness"), problem);
-    }
-    stiffness(at("stiffness"), quantity, value, unit)?;
-    finite(
-        at("angle"),
-        "the angle from the horizontal",
-        wires.angle_deg,
-        " degrees",
-    )?;
-    let count = wires.count;
-    if count < 3 {
-        return error(at("count"), Problem::TooFewWires { count });
-    }
-    let angle_deg = wires.angle_deg;
-    if !(0.0..=90.0).contains(&angle_deg) {
-        return error(at("angle"), Problem::WireAngle { angle_deg });
-    }
+    check_inputs(wires, at)?;
     let height_m = wires.height_m;
     if (base_m..=top_m).contains(&height_m) {
         return Ok(());
