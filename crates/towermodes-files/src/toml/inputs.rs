@@ -5,9 +5,7 @@ use towermodes::inputs::{Given, Input, Inputs, Limit, given_inputs};
 
 use super::text::reading::Reading;
 use super::text::table::{Table, suggestion};
-use super::text::values::{
-    Value, list, number, number_or_infinity, text, truth, whole, wrong_kind,
-};
+use super::text::values::{Value, list, number, number_or_infinity, text, truth, wrong_kind};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// Reads the values of a table into a blank one; none after a mistake. `at` gives the place of a
@@ -127,19 +125,14 @@ fn value(
     reading.remember(place, value.span());
     match blank {
         Given::Number(_) | Given::Optional(_) if input.may_be_infinite => {
-            number_or_infinity(value, key, reading).map(|number| blank.with_number(number))
+            number_or_infinity(value, input.key, reading).map(|number| blank.with_number(number))
         }
         Given::Number(_) | Given::Optional(_) => {
-            number(value, key, reading).map(|number| blank.with_number(number))
+            number(value, input.key, reading).map(|number| blank.with_number(number))
         }
+        Given::Triple(_) => triple(value, input, reading).map(Given::Triple),
         Given::Pair(_) => pair(value, key, reading).map(|pair| Given::Pair(Some(pair))),
-        Given::Count(_) => {
-            let least = match input.limit {
-                Limit::AtLeast(least) => least,
-                _ => 0,
-            };
-            whole(value, key, least, reading).map(|count| Given::Count(count as usize))
-        }
+        Given::Count(_) => count(value, input, reading).map(Given::Count),
         Given::Flag(_) => truth(value, key, reading).map(Given::Flag),
         Given::Name(_, names) => {
             let name = text(value, input.meaning(), reading)?;
@@ -175,6 +168,33 @@ fn pair(value: &Value<'_>, key: &str, reading: &mut Reading) -> Option<[f64; 2]>
         number(&values[1], key, reading),
     );
     Some([top?, bottom?])
+}
+
+/// A whole number; the checks of the tower limit it.
+fn count(value: &Value<'_>, input: &Input, reading: &mut Reading) -> Option<usize> {
+    let count = number(value, input.key, reading)?;
+    if count.fract() == 0.0 && (0.0..=1e9).contains(&count) {
+        return Some(count as usize);
+    }
+    let least = match input.limit {
+        Limit::AtLeast(least) => least,
+        _ => 0,
+    };
+    let rule = format!("a whole number of at least {least}");
+    let kind = DiagnosticKind::out_of_range(input.key, count, rule);
+    reading.refuse(Diagnostic::new(value.span(), kind))
+}
+
+/// `[x, y, z]`.
+fn triple(value: &Value<'_>, input: &Input, reading: &mut Reading) -> Option<[f64; 3]> {
+    let values = list(value, input.key, reading)?;
+    if values.len() != 3 {
+        let kind = DiagnosticKind::wrong_count(input.key, values.len(), 3);
+        return reading.refuse(Diagnostic::new(value.span(), kind).with_hint(input.hint));
+    }
+    let mut entry = |i: usize| number(&values[i], &format!("{}[{i}]", input.key), reading);
+    let (x, y, z) = (entry(0), entry(1), entry(2));
+    Some([x?, y?, z?])
 }
 
 /// Refuses a value that has no effect beside the others.

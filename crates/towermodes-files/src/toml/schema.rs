@@ -8,8 +8,8 @@ use std::sync::LazyLock;
 
 use towermodes::inputs::{Given, Input, Inputs, every_input};
 use towermodes::{
-    Damping, Drivetrain, Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, Water,
-    Wires,
+    Damping, Drivetrain, Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, PointMass,
+    Rna, Water, Wires,
 };
 
 /// A table of the tower file.
@@ -71,7 +71,9 @@ impl TableSchema {
         let mut keys = first.to_vec();
         for &(input, given) in inputs {
             let key = match input.key.split_once('.') {
-                Some((group, _)) if keys.iter().any(|key| key.name == group) => continue,
+                Some((group, _)) if keys.iter().chain(last).any(|key| key.name == group) => {
+                    continue;
+                }
                 Some((group, _)) => KeySchema::group(group),
                 None => KeySchema::described(input, given),
             };
@@ -129,6 +131,7 @@ impl KeySchema {
             kind: match given {
                 Given::Number(_) | Given::Optional(_) | Given::Count(_) => ValueKind::Number,
                 Given::Pair(_) => ValueKind::Any,
+                Given::Triple(_) => ValueKind::Numbers,
                 Given::Flag(_) => ValueKind::Flag,
                 Given::Name(..) => ValueKind::Text,
             },
@@ -243,8 +246,16 @@ macro_rules! tables {
 /// ```
 pub fn tower_file_schema() -> &'static [&'static TableSchema] {
     static ALL: LazyLock<Vec<&TableSchema>> = LazyLock::new(|| {
-        let described: [&TableSchema; 6] =
-            [&WATER, &WIRES, &DRIVETRAIN, &DAMPING, &GROUND, &SPRINGS];
+        let described: [&TableSchema; 8] = [
+            &RNA,
+            &POINT_MASS,
+            &WATER,
+            &WIRES,
+            &DRIVETRAIN,
+            &DAMPING,
+            &GROUND,
+            &SPRINGS,
+        ];
         listed()
             .iter()
             .copied()
@@ -289,15 +300,33 @@ pub(super) fn closed_form(kind: &str) -> &'static TableSchema {
 pub static WATER: LazyLock<TableSchema> =
     LazyLock::new(|| TableSchema::described("[water]", &[], &every_input(&Water::blank()), &[]));
 
+/// The key of the inertia of a body.
+const INERTIA_OF_BODY: &[KeySchema] = keys! {
+    optional "inertia" Table "kg m2" "about the centre of mass";
+};
+
+/// The name of a part of which there are several.
+const NAME: &[KeySchema] = keys! {
+    optional "name" Text "" "";
+};
+
+/// `[rna]`.
+pub static RNA: LazyLock<TableSchema> = LazyLock::new(|| {
+    TableSchema::described("[rna]", &[], &every_input(&Rna::blank()), INERTIA_OF_BODY)
+});
+
+/// `[[point_mass]]`.
+pub static POINT_MASS: LazyLock<TableSchema> = LazyLock::new(|| {
+    let inputs = every_input(&PointMass::blank());
+    TableSchema::described("[[point_mass]]", NAME, &inputs, INERTIA_OF_BODY)
+});
+
 /// `[[wires]]`.
 pub static WIRES: LazyLock<TableSchema> = LazyLock::new(|| {
-    let name: &[KeySchema] = keys! {
-        optional "name" Text "" "";
-    };
     let azimuth: &[KeySchema] = keys! {
         optional "azimuth_deg" Number "degrees" "of the first wire; it has no effect";
     };
-    TableSchema::described("[[wires]]", name, &every_input(&Wires::blank()), azimuth)
+    TableSchema::described("[[wires]]", NAME, &every_input(&Wires::blank()), azimuth)
 });
 
 /// `[drivetrain]`.
@@ -435,12 +464,6 @@ tables! {
         optional "xz" Number "kg m2" "";
         optional "yz" Number "kg m2" "";
 
-    /// `[rna]`.
-    RNA = "[rna]":
-        required "mass" Number "kg" "";
-        optional "center" Numbers "m" "centre of mass from the tower top: downwind, side-side, up";
-        optional "inertia" Table "kg m2" "about the centre of mass";
-
     /// `[turbine]`.
     TURBINE = "[turbine]":
         required "overhang" Number "m" "distance of the apex along the shaft, negative upwind";
@@ -494,13 +517,6 @@ tables! {
     ROTOR = "[rotor]":
         required "blades" Number "" "number of blades";
         required "rpm" Any "" "lowest and highest operating speed, or one constant speed";
-
-    /// `[[point_mass]]`.
-    POINT_MASS = "[[point_mass]]":
-        optional "name" Text "" "";
-        required "height" Number "m" "";
-        required "mass" Number "kg" "";
-        optional "inertia" Table "kg m2" "about the centre of mass";
 
     /// `[foundation]` of type `clamped`.
     CLAMPED = "[foundation] of type \"clamped\"":

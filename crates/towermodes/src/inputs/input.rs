@@ -82,7 +82,7 @@ impl Input {
 
     /// A height in the datum of the stations, m.
     pub const fn height(key: &'static str, name: &'static str) -> Self {
-        Self::new(key, " m", Limit::Coordinate, name)
+        Self::new(key, " m", Limit::Height, name)
     }
 
     /// One of several names.
@@ -206,6 +206,14 @@ impl Input {
         self
     }
 
+    /// The key of the table of the tower file that it stands in: its own, or that of a table in the
+    /// table, such as `inertia` of `inertia.xx`.
+    pub fn outer_key(&self) -> &'static str {
+        self.key
+            .split_once('.')
+            .map_or(self.key, |(outer, _)| outer)
+    }
+
     /// Its unit.
     pub fn unit(&self) -> &'static str {
         self.spaced_unit.trim_start()
@@ -218,6 +226,6 @@ impl Input {
 
     /// Whether it is a height in the datum of the tower file.
     pub fn is_height(&self) -> bool {
-        self.limit == Limit::Coordinate
+        self.limit == Limit::Height
     }
 }

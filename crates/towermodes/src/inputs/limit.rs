@@ -5,7 +5,9 @@
 pub enum Limit {
     /// Any finite number.
     Finite,
-    /// A height or another coordinate, m: of either sign or zero.
+    /// A height in the datum of the stations, m: of either sign or zero.
+    Height,
+    /// Another coordinate, m: of either sign or zero.
     Coordinate,
     /// A depth, m: positive or zero.
     Depth,
@@ -23,6 +25,10 @@ pub enum Limit {
     UpTo(f64),
     /// From the first number to the second.
     Within([f64; 2]),
+    /// An angle from the horizontal, degrees: from 0 to 90.
+    Slope,
+    /// A loss factor: from 0 to 1.
+    LossFactor,
     /// At least so many.
     AtLeast(u64),
     /// Poisson's ratio of soil: from 0 to 0.5.

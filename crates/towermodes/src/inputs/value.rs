@@ -11,6 +11,8 @@ pub enum Given {
     Optional(Option<f64>),
     /// A number at the top and one at the bottom of a layer; the tower file may give one for both.
     Pair(Option<[f64; 2]>),
+    /// Coordinates x downwind, y side-side, z up.
+    Triple([f64; 3]),
     /// How many there are of something.
     Count(usize),
     /// Yes or no.
@@ -51,7 +53,7 @@ impl Given {
             Self::Number(value) => Some(value),
             Self::Optional(value) => value,
             Self::Count(count) => Some(count as f64),
-            Self::Pair(_) | Self::Flag(_) | Self::Name(..) => None,
+            Self::Pair(_) | Self::Triple(_) | Self::Flag(_) | Self::Name(..) => None,
         }
     }
 
@@ -61,17 +63,20 @@ impl Given {
             Self::Pair(pair) => pair,
             Self::Number(_)
             | Self::Optional(_)
+            | Self::Triple(_)
             | Self::Count(_)
             | Self::Flag(_)
             | Self::Name(..) => None,
         }
     }
 
-    /// The number, or that at one end of a pair, 0 for the top and 1 for the bottom.
-    pub fn at(self, end: Option<usize>) -> Option<f64> {
-        match end {
-            None => self.number(),
-            Some(end) => self.pair()?.get(end).copied(),
+    /// The number, or that at one end of a pair, 0 for the top and 1 for the bottom, or one of the
+    /// coordinates.
+    pub fn at(self, place: Option<usize>) -> Option<f64> {
+        match (self, place) {
+            (Self::Triple(triple), Some(place)) => triple.get(place).copied(),
+            (_, Some(place)) => self.pair()?.get(place).copied(),
+            (_, None) => self.number(),
         }
     }
 
@@ -88,16 +93,20 @@ impl Given {
             Self::Number(_) => Self::Number(number),
             Self::Optional(_) => Self::Optional(Some(number)),
             Self::Pair(_) => Self::Pair(Some([number; 2])),
-            other @ (Self::Count(_) | Self::Flag(_) | Self::Name(..)) => other,
+            other @ (Self::Triple(_) | Self::Count(_) | Self::Flag(_) | Self::Name(..)) => other,
         }
     }
 
-    /// The same with another number at one end of a pair.
+    /// The same with another number at one end of a pair, or as one of the coordinates.
     #[must_use]
-    pub fn with(self, end: Option<usize>, number: f64) -> Self {
-        match (self.pair(), end) {
-            (Some([_, bottom]), Some(0)) => Self::Pair(Some([number, bottom])),
-            (Some([top, _]), Some(_)) => Self::Pair(Some([top, number])),
+    pub fn with(self, place: Option<usize>, number: f64) -> Self {
+        match (self, place) {
+            (Self::Pair(Some([_, bottom])), Some(0)) => Self::Pair(Some([number, bottom])),
+            (Self::Pair(Some([top, _])), Some(_)) => Self::Pair(Some([top, number])),
+            (Self::Triple(mut triple), Some(place)) => {
+                triple[place] = number;
+                Self::Triple(triple)
+            }
             _ => self.with_number(number),
         }
     }
@@ -156,6 +165,22 @@ impl Value for Option<[f64; 2]> {
 
     fn set(&mut self, given: Given) {
         *self = given.pair();
+    }
+}
+
+impl Value for [f64; 3] {
+    fn blank(input: &Input) -> Self {
+        [input.default; 3]
+    }
+
+    fn given(&self) -> Given {
+        Given::Triple(*self)
+    }
+
+    fn set(&mut self, given: Given) {
+        if let Given::Triple(triple) = given {
+            *self = triple;
+        }
     }
 }
 

@@ -44,7 +44,7 @@ impl Number {
     pub(super) fn place(self, indices: Indices) -> Place {
         match self {
             Self::Listed(key) => (key.place)(indices),
-            Self::Described(table, number) => (table.place)(indices, number.input.key),
+            Self::Described(table, number) => (table.place)(indices, number.place_key()),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Parts whose numbers are described beside their fields.
 
 use super::part::Indices;
-use crate::inputs::{Given, Input, Inputs};
+use crate::inputs::{Given, Input, Inputs, Limit};
 use crate::tower::{Place, TowerDescription};
 
 /// Finds the table of a kind in a description.
@@ -30,10 +30,11 @@ pub(super) struct Table {
     pub(super) absent: fn(&TowerDescription) -> Option<f64>,
 }
 
-/// A number of a table: a value, or one end of a pair.
+/// A number of a table: a value, one end of a pair, or one of three coordinates.
 pub(super) struct TableNumber {
     pub(super) input: &'static Input,
-    /// 0 for the top of a layer and 1 for its bottom; none for a value that is one number.
+    /// 0 for the top of a layer and 1 for its bottom, 0 to 2 for x to z; none for a value that is one
+    /// number.
     pub(super) end: Option<usize>,
     /// Its name in the table.
     pub(super) name: String,
@@ -42,13 +43,10 @@ pub(super) struct TableNumber {
 }
 
 impl TableNumber {
-    fn new(input: &'static Input, end: Option<usize>) -> Self {
+    fn new(input: &'static Input, end: Option<usize>, what: &str) -> Self {
         let (key, meaning) = (input.key, input.meaning());
-        let (name, meaning) = match end {
-            None => (key.to_owned(), meaning.to_owned()),
-            Some(0) => (format!("{key}[0]"), format!("{meaning} at the top")),
-            Some(end) => (format!("{key}[{end}]"), format!("{meaning} at the bottom")),
-        };
+        let name = end.map_or_else(|| key.to_owned(), |end| format!("{key}[{end}]"));
+        let meaning = format!("{meaning}{what}");
         Self {
             input,
             end,
@@ -57,14 +55,25 @@ impl TableNumber {
         }
     }
 
+    /// The key of its place: errors of an inertia are those of the whole tensor.
+    pub(super) fn place_key(&self) -> &'static str {
+        match self.input.limit {
+            Limit::Elsewhere => self.input.outer_key(),
+            _ => self.input.key,
+        }
+    }
+
     /// The numbers of a value.
     fn of((input, given): (&'static Input, Given)) -> Vec<Self> {
-        let ends: &[Option<usize>] = match given {
-            Given::Number(_) | Given::Optional(_) => &[None],
-            Given::Pair(_) => &[Some(0), Some(1)],
+        let several: &[&str] = match given {
+            Given::Number(_) | Given::Optional(_) => return vec![Self::new(input, None, "")],
+            Given::Pair(_) => &[" at the top", " at the bottom"],
+            Given::Triple(_) => &[", downwind", ", side-side", ", up"],
             Given::Count(_) | Given::Flag(_) | Given::Name(..) => &[],
         };
-        ends.iter().map(|end| Self::new(input, *end)).collect()
+        let ends = several.iter().enumerate();
+        ends.map(|(end, what)| Self::new(input, Some(end), what))
+            .collect()
     }
 }
 

@@ -12,6 +12,7 @@ use super::parts::properties::Properties;
 use super::parts::rotor::Rotor;
 use super::parts::surroundings::{AddedMassRow, SoilRow, Water, Wires};
 use super::pieces::shear::Shear;
+use crate::inputs::{Input, Inputs, Limit};
 
 /// One row of the tower's geometry: the tube at a height. Between rows diameter and wall are
 /// linear.
@@ -63,13 +64,21 @@ pub struct PropertyStation {
 /// let rna = Rna { center_m: [0.0, 0.0, 2.0], ..Rna::point(350e3) };
 /// assert_eq!(rna.mass_kg, 350e3);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Inputs)]
 pub struct Rna {
     /// Mass, kg.
+    #[input(Input::new("mass", " kg", Limit::NotNegative, "the mass")
+        .hint("mass in kg; leave [rna] out if there is none"))]
     pub mass_kg: f64,
     /// Centre of mass from the tower top, m: x fore-aft (downwind), y side-side, z up.
+    #[input(Input::new("center", " m", Limit::Coordinate, "the centre of mass from the tower top")
+        .or(0.0)
+        .quiet()
+        .note("centre of mass from the tower top: downwind, side-side, up")
+        .hint("[x fore-aft, y side-side, z up] from the tower top, m"))]
     pub center_m: [f64; 3],
     /// Inertia about the centre of mass, kg m².
+    #[inputs]
     pub inertia_kg_m2: Inertia,
 }
 
@@ -89,13 +98,17 @@ impl Rna {
 }
 
 /// A mass on the tower's axis: a flange, a platform, a transformer.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Inputs)]
 pub struct PointMass {
     /// Height z, m, in the datum of the stations.
+    #[input(Input::height("height", "the height")
+        .hint("height in m, in the datum of the stations"))]
     pub height_m: f64,
     /// Mass, kg.
+    #[input(Input::new("mass", " kg", Limit::NotNegative, "the mass"))]
     pub mass_kg: f64,
     /// Inertia about its centre, kg m²; zero for none.
+    #[inputs]
     pub inertia_kg_m2: Inertia,
 }
 

@@ -1,12 +1,13 @@
 //! `[rna]` and `[[point_mass]]`.
 
+use towermodes::inputs::Inputs;
 use towermodes::{Inertia, Place, PointMass, Rna};
 
+use super::super::inputs::read;
 use super::super::schema;
 use super::super::text::reading::Reading;
 use super::super::text::table::{Table, every_table, with_names};
 use super::super::text::values::Value;
-use super::body::{center, inertia_if_any};
 use crate::places::TABLE;
 
 /// The rotor-nacelle assembly.
@@ -14,19 +15,7 @@ pub(crate) fn rna(value: &Value<'_>, reading: &mut Reading) -> Option<Rna> {
     let at = |key| Place::Rna { key };
     let table = Table::of(value, "[rna]", &schema::RNA, reading)?;
     reading.remember(at(TABLE), value.span());
-    let hint = "mass in kg; leave [rna] out if there is none";
-    let mass = table.required_number("mass", hint, at("mass"), reading);
-    let hint = "[x fore-aft, y side-side, z up] from the tower top, m";
-    let center = match table.get("center") {
-        Some(value) => center(value, hint, at("center"), reading),
-        None => Some([0.0; 3]),
-    };
-    let inertia = inertia_if_any(&table, at("inertia"), reading);
-    Some(Rna {
-        mass_kg: mass?,
-        center_m: center?,
-        inertia_kg_m2: inertia?,
-    })
+    read(Rna::blank(), &table, at, reading)
 }
 
 /// Whether the file gives an inertia of zero to the rotor-nacelle assembly; one that is left out
@@ -54,14 +43,6 @@ fn point_mass(
     let table = Table::of(value, "[[point_mass]]", &schema::POINT_MASS, reading)?;
     reading.remember(at(TABLE), value.span());
     let name = table.name_of("a point mass's name", reading);
-    let hint = "height in m, in the datum of the stations";
-    let height = table.required_number("height", hint, at("height"), reading);
-    let mass = table.required_number("mass", "mass in kg", at("mass"), reading);
-    let inertia = inertia_if_any(&table, at("inertia"), reading);
-    let mass = PointMass {
-        height_m: height?,
-        mass_kg: mass?,
-        inertia_kg_m2: inertia?,
-    };
-    Some((mass, name?))
+    let mass = read(PointMass::blank(), &table, at, reading);
+    Some((mass?, name?))
 }

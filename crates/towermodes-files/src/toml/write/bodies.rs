@@ -13,14 +13,9 @@ pub(super) fn rna(rna: &Rna, is_point: bool, writing: &mut Writing) {
         return;
     }
     writing.section(&schema::RNA);
-    writing.number("mass", rna.mass_kg);
-    if rna.center_m != [0.0; 3] {
-        writing.value("center", &triple(rna.center_m));
-    }
+    values(rna, writing);
     if is_point && rna.inertia_kg_m2 == Inertia::default() {
         inertia_with(&rna.inertia_kg_m2, &["xx", "yy", "zz"], writing);
-    } else {
-        inertia(&rna.inertia_kg_m2, writing);
     }
 }
 
@@ -43,16 +38,7 @@ pub(super) fn point_masses(masses: &[PointMass], names: &[String], writing: &mut
     for (index, mass) in masses.iter().enumerate() {
         writing.section(&schema::POINT_MASS);
         writing.name(names.get(index));
-        writing.number("height", mass.height_m);
-        writing.number("mass", mass.mass_kg);
-        inertia(&mass.inertia_kg_m2, writing);
-    }
-}
-
-/// `inertia`, if there is one.
-fn inertia(inertia: &Inertia, writing: &mut Writing) {
-    if *inertia != Inertia::default() {
-        inertia_with(inertia, &[], writing);
+        values(mass, writing);
     }
 }
 

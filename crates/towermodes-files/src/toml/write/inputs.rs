@@ -2,6 +2,7 @@
 
 use towermodes::inputs::{Given, Input, Inputs, given_inputs};
 
+use super::bodies::triple;
 use super::text::number;
 use super::writing::Writing;
 
@@ -11,6 +12,7 @@ pub(super) fn values(inputs: &dyn Inputs, writing: &mut Writing) {
     let all = given_inputs(inputs);
     let is_written = |(input, given): &(&Input, Given)| match *given {
         Given::Count(_) => true,
+        Given::Triple(triple) => !input.is_quiet || triple != [input.default; 3],
         Given::Number(value) => !input.is_quiet || value != input.default,
         Given::Optional(value) => value.is_some(),
         Given::Pair(pair) => pair.is_some(),
@@ -27,15 +29,10 @@ pub(super) fn values(inputs: &dyn Inputs, writing: &mut Writing) {
     };
     for values in all.chunk_by(same) {
         let is_needed = |(input, _): &(&Input, Given)| needed.contains(&input.key);
-        if !values
+        let written = values
             .iter()
-            .any(|value| is_written(value) || is_needed(value))
-        {
-            continue;
-        }
-        let texts = values
-            .iter()
-            .filter_map(|(input, given)| Some((input.key, text(*given)?)));
+            .filter(|value| is_written(value) || is_needed(value));
+        let texts = written.filter_map(|(input, given)| Some((input.key, text(*given)?)));
         match group(values[0].0) {
             None => texts.for_each(|(key, text)| writing.value(key, &text)),
             // A table in one line.
@@ -43,7 +40,9 @@ pub(super) fn values(inputs: &dyn Inputs, writing: &mut Writing) {
                 let entry =
                     |(key, text): (&str, String)| format!("{} = {text}", &key[name.len() + 1..]);
                 let entries: Vec<String> = texts.map(entry).collect();
-                writing.value(name, &format!("{{ {} }}", entries.join(", ")));
+                if !entries.is_empty() {
+                    writing.value(name, &format!("{{ {} }}", entries.join(", ")));
+                }
             }
         }
     }
@@ -55,6 +54,7 @@ fn text(given: Given) -> Option<String> {
         Given::Number(value) | Given::Optional(Some(value)) => Some(number(value)),
         Given::Pair(Some([top, bottom])) if top == bottom => Some(number(top)),
         Given::Pair(Some([top, bottom])) => Some(format!("[{}, {}]", number(top), number(bottom))),
+        Given::Triple(values) => Some(triple(values)),
         Given::Count(count) => Some(count.to_string()),
         Given::Flag(flag) => Some(flag.to_string()),
         Given::Name(Some(place), names) => Some(format!("\"{}\"", names[place])),

@@ -96,6 +96,7 @@ fn shown(input: &Input, value: Given) -> Option<String> {
             Some(format!("{top} to {bottom}"))
         }
         Given::Count(count) => Some(count.to_string()),
+        Given::Triple(triple) => Some(triple.map(length).join(", ")),
         Given::Flag(flag) => Some(if flag { "yes" } else { "no" }.to_owned()),
         Given::Name(place, names) => Some(names[place?].to_owned()),
     }

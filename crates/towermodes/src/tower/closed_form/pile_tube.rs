@@ -41,7 +41,6 @@ impl PileTube {
             unit: " m",
             least: 0.0,
             most,
-            remedy: "",
         };
         error("wall_thickness", problem)
     }

@@ -68,8 +68,12 @@ impl Problem {
             Self::EmbeddedBelowStratum { .. } => {
                 "soil_thickness is the depth of the rock below the surface of the soil, in m"
             }
-            Self::OutOfRange { remedy: "", .. } => "check value and unit",
-            Self::OutOfRange { remedy, .. } => remedy,
+            Self::OutOfRange { .. } => "check value and unit",
+            Self::TooFew { remedy, .. } => remedy,
+            Self::Slope { .. } => "for a wire at 45 degrees write angle_deg = 45",
+            Self::LossFactor { .. } => {
+                "a loss factor is twice the damping ratio, as a fraction and not in percent: 0.004 for a damping ratio of 0.2 %"
+            }
             Self::InfiniteAndFloating { .. } => {
                 "write finite stiffnesses, or use type = \"springs\", where inf is allowed"
             }
@@ -138,10 +142,9 @@ impl Problem {
             }
             Self::RotorTooFast { .. } => "the unit is revolutions per minute (rpm)",
             Self::Blades { .. } => "give the number of blades, for example 3, or omit [rotor]",
-            Self::NotPositive { .. }
-            | Self::Negative { .. }
-            | Self::TooFew { .. }
-            | Self::UnknownMaterial { .. } => return None,
+            Self::NotPositive { .. } | Self::Negative { .. } | Self::UnknownMaterial { .. } => {
+                return None;
+            }
         })
     }
 }

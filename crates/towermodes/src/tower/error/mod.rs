@@ -261,8 +261,6 @@ pub enum Problem {
         least: f64,
         /// The largest possible value.
         most: f64,
-        /// What to do about it; may be empty.
-        remedy: &'static str,
     },
     /// Fewer than are needed.
     #[error("{quantity} is {count}; it must be at least {least}")]
@@ -273,6 +271,8 @@ pub enum Problem {
         count: u64,
         /// How many are needed.
         least: u64,
+        /// What to do about it; may be empty.
+        remedy: &'static str,
     },
     /// An infinite stiffness for a floating platform.
     #[error(
@@ -527,6 +527,22 @@ pub enum Problem {
         top_m: f64,
         /// Height of the layer's bottom, m.
         bottom_m: f64,
+    },
+    /// An angle from the horizontal that no taut wire has.
+    #[error("{quantity} is {} degrees; it must be from 0 to 90", Plain(*.value_deg))]
+    Slope {
+        /// The angle.
+        quantity: &'static str,
+        /// Its value, degrees.
+        value_deg: f64,
+    },
+    /// A loss factor that no part has.
+    #[error("{quantity} is {}; it must be from 0 to 1", Plain(*.value))]
+    LossFactor {
+        /// Which loss factor.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
     },
     /// Tubes and a property table for one tower.
     #[error("the tower has both stations and a table of properties")]

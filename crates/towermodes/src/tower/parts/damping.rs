@@ -59,9 +59,7 @@ pub struct LossFactors {
 
 /// A loss factor, which may be unknown.
 pub(in crate::tower) const fn loss_factor(key: &'static str, name: &'static str) -> Input {
-    const REMEDY: &str = "a loss factor is twice the damping ratio, as a fraction and not in percent: 0.004 for a damping ratio of 0.2 %";
-    let limit = Limit::Within([0.0, 1.0]);
-    Input::new(key, "", limit, name).optional().remedy(REMEDY)
+    Input::new(key, "", Limit::LossFactor, name).optional()
 }
 
 impl LossFactors {

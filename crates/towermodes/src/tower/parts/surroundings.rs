@@ -173,6 +173,7 @@ pub struct Wires {
     #[input(Input::new("count", "", Limit::AtLeast(3), "the number of guy wires in the set")
         .note("number of wires, equally spaced")
         .hint("number of equally spaced wires")
+        .remedy("count is the number of equally spaced guy wires")
         .usual([f64::NEG_INFINITY, 24.0], "typical: 3 to 12")
         .also("n number number_of_wires n_wires wires"))]
     pub count: usize,
@@ -183,10 +184,9 @@ pub struct Wires {
         .also("ea_l wire_stiffness"))]
     pub stiffness_n_per_m: f64,
     /// Angle from the horizontal, degrees.
-    #[input(Input::new("angle_deg", " degrees", Limit::Within([0.0, 90.0]), "the angle of the guy wires from the horizontal")
+    #[input(Input::new("angle_deg", " degrees", Limit::Slope, "the angle of the guy wires from the horizontal")
         .note("from the horizontal")
         .hint("angle from the horizontal in degrees")
-        .remedy("for a wire at 45 degrees write angle_deg = 45")
         .also("angle inclination slope"))]
     pub angle_deg: f64,
 }

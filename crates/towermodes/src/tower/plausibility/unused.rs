@@ -27,7 +27,7 @@ fn given(layer: &GroundLayer) -> impl Iterator<Item = &'static str> {
         Given::Optional(value) => value.is_some(),
         Given::Pair(pair) => pair.is_some(),
         Given::Number(_) => modulus == Some(key),
-        Given::Count(_) | Given::Flag(_) | Given::Name(..) => false,
+        Given::Triple(_) | Given::Count(_) | Given::Flag(_) | Given::Name(..) => false,
     };
     let values = given_inputs(layer).into_iter();
     let given = values.filter(move |(input, value)| is_given(input.key, *value));

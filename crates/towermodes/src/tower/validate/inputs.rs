@@ -3,7 +3,7 @@
 use super::scale::{
     above_zero, coordinate, error, finite, length, not_negative, positive, stiffness,
 };
-use crate::inputs::{Input, Inputs, Limit, given_inputs};
+use crate::inputs::{Given, Input, Inputs, Limit, given_inputs};
 use crate::tower::error::{Place, Problem, TowerError};
 
 /// Checks each number of a table against its limit; `at` gives the place of a key.
@@ -12,11 +12,14 @@ pub(super) fn check_inputs(
     at: impl Fn(&'static str) -> Place,
 ) -> Result<(), TowerError> {
     for (input, given) in given_inputs(inputs) {
-        let numbers = match given.pair() {
+        let numbers = match given {
             // Strength and stiffness can begin with zero, as those of normally consolidated clay.
-            Some([0.0, other] | [other, 0.0]) if other > 0.0 => [Some(other), None],
-            Some(pair) => pair.map(Some),
-            None => [given.number(), None],
+            Given::Pair(Some([0.0, other] | [other, 0.0])) if other > 0.0 => {
+                [Some(other), None, None]
+            }
+            Given::Pair(Some([top, bottom])) => [Some(top), Some(bottom), None],
+            Given::Triple(triple) => triple.map(Some),
+            _ => [given.number(), None, None],
         };
         let mut numbers = numbers.into_iter().flatten();
         numbers.try_for_each(|value| check_input(input, value, at(input.key)))?;
@@ -31,7 +34,7 @@ pub(super) fn check_input(input: &Input, value: f64, place: Place) -> Result<(),
     let (name, unit) = (input.name, input.spaced_unit);
     match input.limit {
         Limit::Finite => finite(place, name, value, unit),
-        Limit::Coordinate => coordinate(place, name, value),
+        Limit::Height | Limit::Coordinate => coordinate(place, name, value),
         Limit::Depth => {
             not_negative(place, name, value, unit)?;
             coordinate(place, name, value)
@@ -49,12 +52,30 @@ pub(super) fn check_input(input: &Input, value: f64, place: Place) -> Result<(),
             within(place, input, value, [0.0, most])
         }
         Limit::Within(range) => within(place, input, value, range),
+        Limit::Slope if (0.0..=90.0).contains(&value) => Ok(()),
+        Limit::Slope => {
+            finite(place, name, value, unit)?;
+            let (quantity, value_deg) = (name, value);
+            error(
+                place,
+                Problem::Slope {
+                    quantity,
+                    value_deg,
+                },
+            )
+        }
+        Limit::LossFactor if (0.0..=1.0).contains(&value) => Ok(()),
+        Limit::LossFactor => {
+            let quantity = name;
+            error(place, Problem::LossFactor { quantity, value })
+        }
         Limit::AtLeast(least) if value >= least as f64 => Ok(()),
         Limit::AtLeast(least) => {
             let problem = Problem::TooFew {
                 quantity: name,
                 count: value as u64,
                 least,
+                remedy: input.remedy,
             };
             error(place, problem)
         }
@@ -85,7 +106,6 @@ fn within(
         unit: input.spaced_unit,
         least,
         most,
-        remedy: input.remedy,
     };
     error(place, problem)
 }

@@ -19,6 +19,7 @@ use drivetrain::check_drivetrain;
 use foundation::{check_buoyancy, check_foundation};
 use ground::check_ground;
 use inertia::check_inertia;
+use inputs::check_inputs;
 use scale::{coordinate, error, length, not_negative, positive};
 use surroundings::check_surroundings;
 
@@ -262,13 +263,7 @@ fn check_shear(shear: Shear) -> Result<(), TowerError> {
 fn check_rna(rna: &Rna) -> Result<(), TowerError> {
     let at = |key| Place::Rna { key };
     let inertia = &rna.inertia_kg_m2;
-    not_negative(at("mass"), "mass", rna.mass_kg, " kg")?;
-    for (quantity, value) in ["centre x", "centre y", "centre z"]
-        .into_iter()
-        .zip(rna.center_m)
-    {
-        coordinate(at("center"), quantity, value)?;
-    }
+    check_inputs(rna, at)?;
     check_inertia(at("inertia"), inertia)?;
     if rna.mass_kg == 0.0 && *inertia != Inertia::default() {
         return error(at("mass"), Problem::InertiaWithoutMass);
@@ -283,8 +278,7 @@ fn check_point_mass(
     top_m: f64,
 ) -> Result<(), TowerError> {
     let at = |key| Place::PointMass { index, key };
-    coordinate(at("height"), "height", mass.height_m)?;
-    not_negative(at("mass"), "mass", mass.mass_kg, " kg")?;
+    check_inputs(mass, at)?;
     check_inertia(at("inertia"), &mass.inertia_kg_m2)?;
     if mass.height_m >= base_m && mass.height_m <= top_m {
         return Ok(());
