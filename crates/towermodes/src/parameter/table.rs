@@ -33,8 +33,8 @@ pub(super) struct Table {
 /// A number of a table: a value, one end of a pair, or one of three coordinates.
 pub(super) struct TableNumber {
     pub(super) input: &'static Input,
-    /// 0 for the top of a layer and 1 for its bottom, 0 to 2 for x to z; none for a value that is one
-    /// number.
+    /// 0 for the top of a layer and 1 for its bottom, 0 to 2 for x to z; none for a value that is
+    /// one number.
     pub(super) end: Option<usize>,
     /// Its name in the table.
     pub(super) name: String,

@@ -61,11 +61,6 @@ pub(super) fn inertia_with(inertia: &Inertia, required: &[&str], writing: &mut W
     writing.value("inertia", &table);
 }
 
-/// `[x, y, z]`.
-pub(super) fn triple(values: [f64; 3]) -> String {
-    format!("[{}]", values.map(number).join(", "))
-}
-
 pub(super) fn drivetrain(drivetrain: Option<&Drivetrain>, writing: &mut Writing) {
     let Some(drivetrain) = drivetrain else {
         return;

@@ -3,8 +3,9 @@
 use towermodes::space::SpatialMatrix;
 use towermodes::{FloatingPlatform, Foundation, ReferredMatrix, StiffnessFoundation, Support};
 
-use super::bodies::{inertia_with, triple};
+use super::bodies::inertia_with;
 use super::inputs::values;
+use super::text::triple;
 use super::writing::Writing;
 use crate::toml::schema::{self, TableSchema};
 

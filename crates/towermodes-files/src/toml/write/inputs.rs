@@ -2,8 +2,7 @@
 
 use towermodes::inputs::{Given, Input, Inputs, given_inputs};
 
-use super::bodies::triple;
-use super::text::number;
+use super::text::{number, triple};
 use super::writing::Writing;
 
 /// The values of a table. Quiet ones are left out where they have their default, unless another

@@ -30,6 +30,11 @@ pub(super) fn quoted(text: &str) -> String {
     quoted
 }
 
+/// `[x, y, z]`.
+pub(super) fn triple(values: [f64; 3]) -> String {
+    format!("[{}]", values.map(number).join(", "))
+}
+
 #[cfg(test)]
 mod tests {
     use super::{number, quoted};

@@ -3,8 +3,8 @@
 use towermodes::turbine::TurbineDescription;
 use towermodes::{BladeDescription, BladeSection, Inertia, RigidBody};
 
-use super::bodies::{inertia_with, triple};
-use super::text::quoted;
+use super::bodies::inertia_with;
+use super::text::{quoted, triple};
 use super::writing::Writing;
 use crate::toml::schema;
 use crate::toml::turbine::GENERATORS;
