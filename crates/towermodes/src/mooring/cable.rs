@@ -24,6 +24,8 @@ pub(super) struct Profile {
     pub(super) lower_n: f64,
     /// By how much the line pulls the upper end down V, N.
     pub(super) upper_n: f64,
+    /// How far the lowest point of the line is below its lower end, m.
+    pub(super) sag_m: f64,
     /// Length on the seabed L_B, m.
     pub(super) on_seabed_m: f64,
     /// Whether it has no horizontal tension, because it lies loosely on the seabed, or no tension
@@ -44,6 +46,7 @@ impl Profile {
             lower_horizontal_n: 0.0,
             lower_n: 0.0,
             upper_n: 0.0,
+            sag_m: 0.0,
             on_seabed_m: 0.0,
             is_slack: true,
             transverse_n_per_m: 0.0,

@@ -35,27 +35,18 @@ impl Elimination {
                 return Err(k);
             }
             let is_free = pivot <= least;
-            for i in k + 1..n {
-                let factor = if is_free {
-                    0.0
-                } else {
-                    self.matrix[i * n + k] / pivot
-                };
+            // From below, so that column k is divided where it is no longer needed.
+            for i in (k + 1..n).rev() {
+                let entry = self.matrix[i * n + k];
+                let factor = if is_free { 0.0 } else { entry / pivot };
                 for j in k + 1..=i {
-                    // Column k below j is not yet divided.
-                    self.matrix[i * n + j] -= factor * self.column(j, k, i, pivot);
+                    self.matrix[i * n + j] -= factor * self.matrix[j * n + k];
                 }
                 self.matrix[i * n + k] = factor;
             }
             self.matrix[k * n + k] = if is_free { 0.0 } else { pivot };
         }
         Ok(())
-    }
-
-    /// Entry (j, k) of the matrix before column k was divided by its pivot down to row i.
-    fn column(&self, j: usize, k: usize, i: usize, pivot: f64) -> f64 {
-        let entry = self.matrix[j * self.size + k];
-        if j < i { entry * pivot } else { entry }
     }
 
     /// Solves for the eliminated unknowns, in place.

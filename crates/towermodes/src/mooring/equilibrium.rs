@@ -17,8 +17,9 @@ const LARGEST_RAD: f64 = 0.2;
 const CLOSE: f64 = 1e-10;
 /// Halvings of a step that goes too far.
 const HALVINGS: usize = 12;
-/// Fractions of its scale that are added to each stiffness until all pivots are positive.
-const SHIFTS: [f64; 8] = [0.0, 1e-8, 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4];
+/// Fractions of its scale that are added to each stiffness until all pivots are positive. None is
+/// 1, with which a negative stiffness would become zero.
+const SHIFTS: [f64; 8] = [0.0, 3e-8, 3e-6, 3e-4, 3e-2, 3.0, 3e2, 3e4];
 
 /// The memory of a search; a second search allocates nothing.
 #[derive(Debug, Clone, Default)]

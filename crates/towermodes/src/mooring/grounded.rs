@@ -7,8 +7,8 @@
 //! x = L_B + Σ (H/w) asinh(V/H) + HL/EA − friction.
 //!
 //! Source: Jonkman 2007, *Dynamics Modeling and Loads Analysis of an Offshore Floating Wind
-//! Turbine*, eq. 2-37, with the quadratic equation in place of the second unknown, and for ends of
-//! any height.
+//! Turbine* (NREL/TP-500-41958), quasi-static mooring lines; here with the quadratic equation in
+//! place of the second unknown, and for ends of any height.
 
 use super::cable::{Cable, Profile};
 use super::root::increasing_root;
@@ -69,7 +69,7 @@ pub(super) fn grounded(cable: &Cable, span_m: f64, heights_m: [f64; 2]) -> Optio
     let hangs_n = |risers: &[Riser; 2]| risers[0].vertical_n + risers[1].vertical_n;
     let loose_m = length_m - hangs_n(&risers(0.0)) / w;
     if span_m <= loose_m {
-        return Some(profile(cable, 0.0, 0.0, &risers(0.0), loose_m));
+        return Some(profile(heights_m[0], 0.0, 0.0, &risers(0.0), loose_m));
     }
     // Span less the loose span, and its derivative without friction and with it.
     let reach = |horizontal_n: f64| {
@@ -88,12 +88,14 @@ pub(super) fn grounded(cable: &Cable, span_m: f64, heights_m: [f64; 2]) -> Optio
     let start_n = w * length_m;
     let horizontal_n = increasing_root(start_n, |horizontal_n| {
         let (reach_m, _, slope) = reach(horizontal_n);
+        // Rounding may make the shortest reach negative.
+        let reach_m = reach_m.max(f64::MIN_POSITIVE);
         ((reach_m / beyond_m).ln(), slope / reach_m)
     })?;
     let risers = risers(horizontal_n);
     let on_seabed_m = (length_m - hangs_n(&risers) / w).max(0.0);
-    let stiffness_n_per_m = 1.0 / reach(horizontal_n).1;
-    let mut profile = profile(cable, horizontal_n, stiffness_n_per_m, &risers, on_seabed_m);
+    let k = 1.0 / reach(horizontal_n).1;
+    let mut profile = profile(heights_m[0], horizontal_n, k, &risers, on_seabed_m);
     profile.transverse_n_per_m = horizontal_n / span_m;
     if heights_m[0] == 0.0 {
         let lost_n = cable.seabed_friction * w * on_seabed_m;
@@ -132,7 +134,7 @@ fn friction(
 /// With k = ∂H/∂x. The span that a horizontal tension needs falls by ∂V/∂H with the height of an
 /// end (Maxwell), so that H rises by k ∂V/∂H.
 fn profile(
-    cable: &Cable,
+    sag_m: f64,
     horizontal_n: f64,
     k: f64,
     [lower, upper]: &[Riser; 2],
@@ -141,12 +143,12 @@ fn profile(
     let (a, b) = (lower.by_horizontal, upper.by_horizontal);
     let (lower_k, upper_k) = (lower.by_height_n_per_m, upper.by_height_n_per_m);
     let is_slack = horizontal_n == 0.0;
-    debug_assert!(cable.weight_n_per_m > 0.0);
     Profile {
         horizontal_n,
         lower_horizontal_n: horizontal_n,
         lower_n: lower.vertical_n,
         upper_n: upper.vertical_n,
+        sag_m,
         on_seabed_m,
         is_slack,
         transverse_n_per_m: 0.0,

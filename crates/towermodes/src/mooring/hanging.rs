@@ -13,6 +13,9 @@
 use super::cable::{Cable, Profile};
 use super::root::increasing_root;
 
+/// Spans below this fraction of the length are none: their tensions are below the smallest number.
+const NO_SPAN: f64 = 1e-100;
+
 /// The line at one s.
 struct Shape {
     /// s, N.
@@ -88,18 +91,19 @@ impl Equation {
         }
     }
 
-    /// A first s above the least: that of the inextensible catenary, or of the straight line.
+    /// A first s above the least: that of the inextensible catenary, where sinh λ/λ is known and
+    /// s = W coth λ, or of the straight line.
     fn start_n(&self, span_m: f64) -> f64 {
-        let chord = (span_m / self.length_m).hypot(self.rise);
-        let lambda = match (3.0
-            * ((1.0 - self.rise * self.rise) / (span_m / self.length_m).powi(2) - 1.0))
-            .sqrt()
-        {
-            lambda if lambda > 0.0 => lambda,
-            _ => 0.2,
+        let (span, rise) = (span_m / self.length_m, self.rise);
+        let ratio = (1.0 - rise * rise).sqrt() / span;
+        let lambda = if ratio > 1.0 {
+            let steep = (2.0 * ratio * (2.0 * ratio).ln()).ln();
+            (6.0 * (ratio - 1.0)).sqrt().min(steep)
+        } else {
+            0.2
         };
         let catenary_n = 2.0 * self.weight_n / (2.0 * lambda).exp_m1();
-        let straight_n = self.twice_stiffness_n * (chord - 1.0) - self.least_n;
+        let straight_n = self.twice_stiffness_n * (span.hypot(rise) - 1.0) - self.least_n;
         catenary_n.max(straight_n)
     }
 }
@@ -111,7 +115,7 @@ pub(super) fn hanging(cable: &Cable, span_m: f64, rise_m: f64) -> Option<Profile
     if equation.weight_n == 0.0 && is_loose {
         return Some(Profile::without_force());
     }
-    let above_n = if span_m > 0.0 {
+    let above_n = if span_m > NO_SPAN * cable.length_m {
         increasing_root(equation.start_n(span_m), |above_n| {
             let shape = equation.shape(above_n);
             ((shape.span_m / span_m).ln(), shape.slope)
@@ -146,6 +150,7 @@ fn profile(cable: &Cable, equation: &Equation, shape: &Shape) -> Profile {
         lower_horizontal_n: shape.horizontal_n,
         lower_n,
         upper_n,
+        sag_m: sag_m(cable, shape.horizontal_n, lower_n),
         on_seabed_m: 0.0,
         is_slack: false,
         transverse_n_per_m: 1.0 / (length_m * (shape.arc_per_n + 1.0 / cable.axial_stiffness_n)),
@@ -155,4 +160,13 @@ fn profile(cable: &Cable, equation: &Equation, shape: &Shape) -> Profile {
             [k_xz, -k_zz, k_zz],
         ],
     }
+}
+
+/// How far a line with these tensions at its lower end goes down from there, m.
+fn sag_m(cable: &Cable, horizontal_n: f64, lower_n: f64) -> f64 {
+    if lower_n <= 0.0 {
+        return 0.0;
+    }
+    let square = lower_n * lower_n / cable.weight_n_per_m;
+    square / (horizontal_n.hypot(lower_n) + horizontal_n) + 0.5 * square / cable.axial_stiffness_n
 }

@@ -78,7 +78,7 @@ impl Rope {
             hung.forces_n[i] = [
                 horizontal_n * along[0],
                 horizontal_n * along[1],
-                -self.up * down_n,
+                0.0 - self.up * down_n,
             ];
             for (column, &(j, sign_j)) in ends.iter().enumerate() {
                 let signs = [sign_i, sign_j];
@@ -111,6 +111,12 @@ impl Rope {
                 }
             })
         })
+    }
+
+    /// The lowest height of the line, m, or the greatest one of a line lighter than water.
+    pub(super) fn extreme_z_m(&self, ends_m: [Vector; 2], sag_m: f64) -> f64 {
+        let lower = ends_m.map(|end| self.up * end[2]);
+        self.up * (lower[0].min(lower[1]) - sag_m)
     }
 
     /// Height of an end above the seabed, m, which a line lighter than water does not reach.

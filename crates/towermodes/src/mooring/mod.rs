@@ -17,11 +17,13 @@ mod error;
 mod grounded;
 mod hanging;
 mod line;
+mod mass;
 mod pose;
 mod root;
 mod state;
 mod system;
 mod vector;
+mod warning;
 
 pub use description::{
     Attachment, Carrier, LineType, MooringBody, MooringDescription, MooringLine, MooringPoint,
@@ -31,3 +33,4 @@ pub use error::{MooringError, MooringItem};
 pub use pose::Pose;
 pub use state::{BodyState, LineState, MooringLoad, MooringState, MooringWorkspace};
 pub use system::Mooring;
+pub use warning::MooringWarning;

@@ -5,6 +5,7 @@ use std::array::from_fn;
 use super::carrier::Owner;
 use super::equilibrium::Search;
 use super::error::{MooringError, MooringItem};
+use super::line::Hung;
 use super::pose::{Placement, Pose};
 use super::system::{Mooring, Seat};
 use super::vector::{difference, length, product, rotation_vector, sum, transposed};
@@ -55,12 +56,14 @@ pub struct LineState {
     pub forces_n: [[f64; 3]; 2],
     /// Tension at each end, N.
     pub tensions_n: [f64; 2],
-    /// Horizontal tension H at the upper end, N.
+    /// Horizontal tension H at the upper end, N; of a line lighter than water at the lower end.
     pub horizontal_n: f64,
-    /// By how much it pulls the upper end down V, N.
+    /// By how much it pulls that end down V, N; of a line lighter than water, upwards.
     pub vertical_n: f64,
     /// Length on the seabed, m.
     pub on_seabed_m: f64,
+    /// Its lowest height, m; of a line lighter than water the greatest one.
+    pub extreme_z_m: f64,
     /// Whether it has no horizontal tension: it lies loosely on the seabed, or has no weight and is
     /// longer than the distance of its ends.
     pub is_slack: bool,
@@ -118,20 +121,23 @@ impl Mooring {
         let load = self.load(pose, &mut workspace)?;
         let (platform, free) = (self.platform(pose), &workspace.search.free);
         let body = |seat: &Seat| seat.state(self.description.reference_m, &platform, free);
+        let (ropes, hung) = (&self.ropes, &workspace.search.assembly.hung);
+        let lines = ropes
+            .iter()
+            .zip(&self.ends)
+            .zip(hung)
+            .map(|((rope, ends), hung)| {
+                let ends_m = ends.map(|end| end.reached(&platform, free).position_m);
+                LineState::new(hung, rope.extreme_z_m(ends_m, hung.profile.sag_m))
+            });
+        let points_m = self
+            .points
+            .iter()
+            .map(|arm| arm.reached(&platform, free).position_m);
         Ok(MooringState {
             load,
-            lines: workspace
-                .search
-                .assembly
-                .hung
-                .iter()
-                .map(LineState::new)
-                .collect(),
-            points_m: self
-                .points
-                .iter()
-                .map(|arm| arm.reached(&platform, free).position_m)
-                .collect(),
+            lines: lines.collect(),
+            points_m: points_m.collect(),
             bodies: self.bodies.iter().map(body).collect(),
             rods: self.rods.iter().map(body).collect(),
         })
@@ -157,14 +163,20 @@ impl Mooring {
         Ok(())
     }
 
-    /// Points of free parts are above the seabed.
+    /// Points that move are above the seabed.
     fn check_depths(&self, platform: &Placement, free: &[Placement]) -> Result<(), MooringError> {
         let depth_m = self.description.depth_m;
         for (index, arm) in self.points.iter().enumerate() {
             let z_m = arm.reached(platform, free).position_m[2];
-            if matches!(arm.owner, Owner::Free(_)) && z_m < -depth_m {
-                let item = MooringItem::Point(index);
-                return Err(MooringError::Sinks { item, z_m, depth_m });
+            let item = MooringItem::Point(index);
+            match arm.owner {
+                Owner::Free(_) if z_m < -depth_m => {
+                    return Err(MooringError::Sinks { item, z_m, depth_m });
+                }
+                Owner::Platform if z_m < -depth_m => {
+                    return Err(MooringError::UnderSeabed { item, z_m, depth_m });
+                }
+                Owner::Ground | Owner::Platform | Owner::Free(_) => {}
             }
         }
         Ok(())
@@ -172,7 +184,7 @@ impl Mooring {
 }
 
 impl LineState {
-    fn new(hung: &super::line::Hung) -> Self {
+    fn new(hung: &Hung, extreme_z_m: f64) -> Self {
         let profile = &hung.profile;
         Self {
             forces_n: hung.forces_n,
@@ -180,6 +192,7 @@ impl LineState {
             horizontal_n: profile.horizontal_n,
             vertical_n: profile.upper_n,
             on_seabed_m: profile.on_seabed_m,
+            extreme_z_m,
             is_slack: profile.is_slack,
         }
     }

@@ -2,6 +2,13 @@
 //! bodies and rods, differences of the force, invariances, refusals, random lines.
 
 mod decks;
+mod differences;
 mod free_parts;
+mod invariance;
+mod masses;
 mod platforms;
+mod random_lines;
+mod random_parts;
+mod refusals;
 mod single_lines;
+mod warnings;

@@ -48,8 +48,8 @@ fn floaters_have_the_stiffness_of_an_independent_program() {
 
 #[test]
 fn floaters_have_the_published_stiffness() {
-    // Jonkman 2010 (NREL/TP-500-47535) and Robertson et al. 2014 (NREL/TP-5000-60601); the latter
-    // gives the vertical force with another buoyancy of the chain.
+    // Jonkman 2010 (NREL/TP-500-47535); Robertson et al. 2014 (NREL/TP-5000-60601), whose vertical
+    // force is 3 % smaller.
     let published = "
         hywind | 41180 41180 11940 311.1e6 311.1e6 11.56e6 -2.816e6 -1.607e6 | 1e-3
         oc4 | 7.08e4 7.08e4 1.91e4 8.73e7 8.73e7 1.17e8 -1.08e5 -1.84e6 | 3e-2";

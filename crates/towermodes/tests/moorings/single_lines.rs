@@ -156,6 +156,55 @@ fn the_order_of_the_ends_does_not_matter() {
     assert_eq!(a.lines[0].tensions_n[0], b.lines[0].tensions_n[1]);
 }
 
+/// Friction is no force with a potential: the stiffness leaves it out, at the tension with it.
+#[test]
+fn the_stiffness_is_symmetric_with_friction() {
+    let mut rough = oc4_semi();
+    rough.line_types[0].seabed_friction = 1.0;
+    let (smooth, rough) = (at_rest(&oc4_semi()), at_rest(&rough));
+    let [k, expected] = [&rough.load.stiffness, &smooth.load.stiffness];
+    assert_eq!(k[0][4], k[4][0]);
+    for i in 0..6 {
+        k[i][i].close_to(expected[i][i], 5e-3);
+    }
+    // The anchor feels less by C_B w L_B.
+    let line = &rough.lines[0];
+    assert!(line.tensions_n[0] < 0.72 * line.horizontal_n);
+}
+
+/// A line that sags to the seabed between two points above it is two lines from there.
+#[test]
+fn a_line_that_touches_the_seabed_is_two_lines() {
+    let chain = LineType::new(0.1, 100.0, 5e8);
+    let whole = at_rest(&one_line(chain, 370.0, "0 0 -150", "250 0 -60"));
+    let line = &whole.lines[0];
+    assert!(
+        line.on_seabed_m > 10.0 && line.horizontal_n > 0.0,
+        "{line:?}"
+    );
+    line.extreme_z_m.close_to(-200.0, 1e-14);
+    let w = (100.0 - 1025.0 * std::f64::consts::FRAC_PI_4 * 0.01) * 9.80665;
+    let lower_n = -line.forces_n[0][2];
+    // Each part from its end to the middle of what lies: hanging length, stretched span.
+    let half = |vertical_n: f64, height_m: f64| {
+        let (h, ea) = (line.horizontal_n, 5e8);
+        let laid = 0.5 * line.on_seabed_m;
+        let span = laid + h / w * (vertical_n / h).asinh() + h * (laid + vertical_n / w) / ea;
+        let part = one_line(
+            chain,
+            laid + vertical_n / w,
+            "0 0 -200",
+            &format!("{span} 0 {}", height_m - 200.0),
+        );
+        let part = at_rest(&part).lines[0];
+        part.horizontal_n.close_to(h, 1e-9);
+        part.vertical_n.close_to(vertical_n, 1e-9);
+        span
+    };
+    let spans = half(line.vertical_n, 140.0) + half(lower_n, 50.0);
+    spans.close_to(250.0, 1e-12);
+}
+
 /// A line lighter than water is a heavy one upside down.
 #[test]
 fn a_line_lighter_than_water_is_a_heavy_one_upside_down() {
