@@ -5,7 +5,10 @@
 
 use towermodes::frame::*;
 use towermodes::tower::Tube;
-use towermodes::{Inertia, Material, RigidBody};
+use towermodes::{
+    Foundation, Inertia, Material, Method, Options, RigidBody, Rna, Station, Tower,
+    TowerDescription, solve,
+};
 
 /// A tube of steel between two joints.
 fn tube(name: &str, joints: [usize; 2]) -> FrameMember {
@@ -374,5 +377,119 @@ fn a_member_of_a_millimetre_costs_no_digit() {
     let cut = frequencies(&frame(&points, &pieces, &[0]), 4, false);
     for (a, b) in whole.iter().zip(cut) {
         assert!((a / b - 1.0).abs() < 1e-11, "{a} and {b}");
+    }
+}
+
+/// A tower of 60 m with a nacelle, on a foundation.
+fn tower_on(foundation: Foundation, base_m: f64) -> Tower {
+    let steel = Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10);
+    Tower::new(TowerDescription {
+        materials: vec![steel],
+        stations: vec![
+            Station::new(base_m, 2.0, 0.03),
+            Station::new(60.0, 1.5, 0.02),
+        ],
+        rna: Rna {
+            center_m: [0.4, 0.0, 1.0],
+            ..Rna::point(20e3)
+        },
+        foundation,
+        gravity_m_per_s2: 0.0,
+        ..TowerDescription::default()
+    })
+    .expect("a tower")
+}
+
+fn on_frame(mut frame: FrameDescription, joints: &[usize], position_m: [f64; 3]) -> Foundation {
+    frame.transition = Some(Transition {
+        position_m,
+        joints: joints.to_vec(),
+        is_held: false,
+    });
+    let frame = Frame::new(frame).expect("a frame");
+    let foundation = FrameFoundation::new(frame, RigidBody::default()).expect("a foundation");
+    Foundation::Frame(Box::new(foundation))
+}
+
+fn modes_of(tower: &Tower, method: Method) -> Vec<(String, f64)> {
+    let options = Options {
+        method,
+        modes: 8,
+        ..Options::default()
+    };
+    let solution = solve(tower, &options).expect("a solution");
+    assert!(solution.certificate.complete);
+    let modes = solution.modes.iter();
+    modes
+        .map(|mode| (mode.label(), mode.extrapolated_hz))
+        .collect()
+}
+
+#[test]
+fn a_vertical_member_under_a_tower_is_the_lower_part_of_a_longer_tower() {
+    let mut below = frame(&VERTICAL, &[[0, 1]], &[0]);
+    below.members[0].shears = false;
+    let on_member = tower_on(on_frame(below, &[1], [0.0; 3]), 0.0);
+    let steel = Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10);
+    let whole = Tower::new(TowerDescription {
+        materials: vec![steel],
+        stations: vec![
+            Station::new(-20.0, 2.0, 0.03),
+            Station::new(0.0, 2.0, 0.03),
+            Station::new(60.0, 1.5, 0.02),
+        ],
+        rna: *on_member.rna(),
+        gravity_m_per_s2: 0.0,
+        ..TowerDescription::default()
+    });
+    let whole = whole.expect("a tower");
+    let (own, expected) = (
+        modes_of(&on_member, Method::Spectral),
+        modes_of(&whole, Method::Spectral),
+    );
+    for (own, expected) in own.iter().zip(&expected) {
+        assert_eq!(own.0, expected.0);
+        assert!(
+            (own.1 / expected.1 - 1.0).abs() < 1e-11,
+            "{own:?}, expected {expected:?}"
+        );
+    }
+    for method in [Method::RmjeExact, Method::Bmodes] {
+        let (own, expected) = (modes_of(&on_member, method), modes_of(&whole, method));
+        for (own, expected) in own.iter().zip(&expected) {
+            assert!(
+                (own.1 / expected.1 - 1.0).abs() < 1e-3,
+                "{method:?}: {own:?}, {expected:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_very_stiff_jacket_is_a_clamp() {
+    let legs = [
+        [-5.0, -5.0, -10.0],
+        [5.0, -5.0, -10.0],
+        [0.0, 5.0, -10.0],
+        [-1.0, -1.0, 0.0],
+        [1.0, -1.0, 0.0],
+        [0.0, 1.0, 0.0],
+    ];
+    let mut jacket = frame(&legs, &[[0, 3], [1, 4], [2, 5], [0, 4], [1, 5]], &[0, 1, 2]);
+    for member in &mut jacket.members {
+        let MemberKind::Beam { material, .. } = &mut member.kind else {
+            continue;
+        };
+        material.youngs_modulus_pa *= 1e6;
+        material.shear_modulus_pa *= 1e6;
+    }
+    let stiff = tower_on(on_frame(jacket, &[3, 4, 5], [0.0; 3]), 0.0);
+    let clamped = tower_on(Foundation::Clamped, 0.0);
+    let own = modes_of(&stiff, Method::Spectral);
+    for (own, expected) in own.iter().zip(modes_of(&clamped, Method::Spectral)) {
+        assert!(
+            (own.1 / expected.1 - 1.0).abs() < 1e-4,
+            "{own:?}, expected {expected:?}"
+        );
     }
 }

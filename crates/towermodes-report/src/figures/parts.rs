@@ -49,7 +49,9 @@ impl<'a> Parts<'a> {
         let springs = match self.description.foundation.support() {
             Support::Springs(springs) => *springs,
             Support::Stiffness(matrices) => on_diagonal(matrices),
-            Support::Clamped | Support::Floating(_) | Support::Form(_) => return None,
+            Support::Clamped | Support::Floating(_) | Support::Form(_) | Support::Frame(_) => {
+                return None;
+            }
         };
         (!are_rigid(&springs)).then_some(springs)
     }
@@ -61,9 +63,11 @@ impl<'a> Parts<'a> {
                 of,
                 tower: self.tower,
             }),
-            Support::Clamped | Support::Springs(_) | Support::Stiffness(_) | Support::Form(_) => {
-                None
-            }
+            Support::Clamped
+            | Support::Springs(_)
+            | Support::Stiffness(_)
+            | Support::Form(_)
+            | Support::Frame(_) => None,
         }
     }
 

@@ -1,9 +1,10 @@
 //! A tower turned about its axis.
 
+use towermodes::frame::{Frame, FrameFoundation, JointKind};
 use towermodes::space::SpatialMatrix;
 use towermodes::{
-    FloatingPlatform, Foundation, FoundationSprings, Inertia, ReferredMatrix, StiffnessFoundation,
-    Support, TowerDescription,
+    FloatingPlatform, Foundation, FoundationSprings, Inertia, ReferredMatrix, RigidBody,
+    StiffnessFoundation, Support, TowerDescription,
 };
 
 /// A 3×3 matrix.
@@ -38,6 +39,7 @@ pub fn rotated(description: &TowerDescription, azimuth_rad: f64) -> TowerDescrip
             let stiffness = turn.matrix(&form.stiffness());
             Some(Foundation::Stiffness(Box::new(stiffness.into())))
         }
+        Support::Frame(foundation) => Some(turn.frame(foundation)),
         // The same in both planes.
         Support::Clamped | Support::Springs(_) | Support::Form(_) => None,
     };
@@ -83,6 +85,39 @@ impl Turn {
             }
         }
         turned
+    }
+
+    /// A frame of tubes; the axis of the tower goes through the origin.
+    fn frame(&self, foundation: &FrameFoundation) -> Foundation {
+        let mut description = foundation.frame.description().clone();
+        for joint in &mut description.joints {
+            joint.position_m = self.vector(joint.position_m);
+            if let JointKind::Pin { axis, .. } = &mut joint.kind {
+                *axis = self.vector(*axis);
+            }
+        }
+        for support in &mut description.supports {
+            support.stiffness = self.matrix(&support.stiffness);
+            support.inertia = self.matrix(&support.inertia);
+        }
+        for (_, body) in &mut description.masses {
+            *body = self.body(body);
+        }
+        if let Some(transition) = &mut description.transition {
+            transition.position_m = self.vector(transition.position_m);
+        }
+        let platform = self.body(&foundation.platform);
+        let turned =
+            Frame::new(description).and_then(|frame| FrameFoundation::new(frame, platform));
+        Foundation::Frame(Box::new(turned.expect("a frame that was turned")))
+    }
+
+    fn body(&self, body: &RigidBody) -> RigidBody {
+        RigidBody {
+            mass_kg: body.mass_kg,
+            center_m: self.vector(body.center_m),
+            inertia_kg_m2: self.inertia(&body.inertia_kg_m2),
+        }
     }
 
     fn platform(&self, platform: &FloatingPlatform) -> FloatingPlatform {

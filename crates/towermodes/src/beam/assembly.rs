@@ -60,6 +60,14 @@ impl Degrees {
 }
 
 impl BeamRecipe {
+    /// The polynomial degree of spectral elements.
+    pub(crate) fn degree(self) -> Option<usize> {
+        match self {
+            Self::Bmodes => None,
+            Self::Spectral { degree, .. } => Some(degree),
+        }
+    }
+
     fn degrees(self, shears: bool) -> Degrees {
         match self {
             // Cubics squared have degree 6: four points are exact.

@@ -94,12 +94,7 @@ impl MemberElement {
         self.stencil.add_element(&mut self.beam, &ALL, &slice);
     }
 
-    /// Number of its own coordinates; its stiffness for them is the identity.
-    pub(crate) fn coordinates(&self) -> usize {
-        self.beam.coordinates()
-    }
-
-    /// The motion of its far end for its own coordinates: 6 rows.
+    /// The motion of its far end for its own coordinates, whose stiffness is the identity: 6 rows.
     pub(crate) fn tip(&self) -> impl Iterator<Item = &[f64]> {
         self.beam.tip_rows(0)
     }

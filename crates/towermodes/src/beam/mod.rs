@@ -3,6 +3,7 @@
 
 mod assembly;
 mod blade;
+mod branch;
 mod curves;
 mod element;
 mod elimination;

@@ -10,8 +10,8 @@ use super::strain::{Strain, deformations};
 use super::substitution;
 use crate::space::SpatialMatrix;
 use crate::subsystem::{
-    Coefficients, Coordinates, MatrixKind, Resultant, SegmentCurves, ShearFraction, Subsystem,
-    Subsystems, dimension,
+    Branch, Coefficients, Coordinates, MatrixKind, Resultant, SegmentCurves, ShearFraction,
+    Subsystem, Subsystems, dimension,
 };
 use crate::tower::{Motion, Motions, Tower};
 
@@ -119,6 +119,10 @@ impl<const D: usize> Subsystem for BeamSubsystem<D> {
 
     fn start(&mut self, out: &mut [f64]) {
         product::base_excitation(&self.beam, &mut self.loads, out);
+    }
+
+    fn branch(&self) -> Option<Branch> {
+        (D == 6).then(|| self.beam.branch())
     }
 
     fn curves<'a>(

@@ -5,6 +5,7 @@
 mod components;
 
 mod articulated;
+mod branch;
 mod cubic;
 mod curves;
 mod joint;

@@ -8,7 +8,7 @@ use super::product::{self, Loads};
 use super::transfer;
 use crate::space::SpatialMatrix;
 use crate::subsystem::{
-    Coefficients, Coordinates, Energies, InternalForces, JointState, MatrixKind, Resultant,
+    Branch, Coefficients, Coordinates, Energies, InternalForces, JointState, MatrixKind, Resultant,
     SegmentCurves, ShearFraction, Subsystem, Subsystems, dimension,
 };
 use crate::tower::{Motions, Tower};
@@ -63,6 +63,10 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
 
     fn add_geometric_stiffness(&mut self, moment_n_m: f64) {
         self.chain.add_geometric_stiffness(moment_n_m);
+    }
+
+    fn branch(&self) -> Option<Branch> {
+        (D == 6).then(|| self.chain.branch())
     }
 
     fn is_identity(&self, a: &Coefficients) -> bool {

@@ -25,6 +25,8 @@ pub(super) struct Assembled {
     pub(super) joints: Vec<Node>,
     /// The node of the transition piece.
     pub(super) transition: Node,
+    /// The positions of the nodes, m.
+    pub(super) positions_m: Vec<Vector>,
 }
 
 /// Makes the equations of a frame.
@@ -38,7 +40,9 @@ pub(super) fn assemble(frame: &Frame, recipe: FrameRecipe) -> Result<Assembled, 
     assembly.place_members();
     let joints = assembly.joints.clone();
     let transition = assembly.transition;
+    let positions_m = assembly.graph.positions_m.clone();
     Ok(Assembled {
+        positions_m,
         equations: assembly.equations()?,
         joints,
         transition,

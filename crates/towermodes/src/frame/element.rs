@@ -24,15 +24,30 @@ pub(super) struct Element {
     /// Inertia, stiffness to the ground, geometric stiffness for v and y: 6 + coordinates rows;
     /// empty where there is none.
     pub(super) matrices: [Vec<f64>; 3],
+    /// The unit vectors of the reflections that changed the coordinates.
+    reflectors: Vec<Vec<f64>>,
 }
 
 impl Element {
     /// The element that was made last.
     pub(super) fn of(made: &MemberElement, length_m: f64) -> Self {
-        let coordinates = made.coordinates();
-        let mut tips: Vec<Vec<f64>> = made.tip().map(<[f64]>::to_vec).collect();
-        let mut matrices = made.matrices().clone();
-        let mut rank = 0;
+        let mut tips = made.tip().map(<[f64]>::to_vec);
+        let tips = std::array::from_fn(|_| tips.next().unwrap_or_default());
+        Self::new(
+            MemberElement::rigid(length_m),
+            tips,
+            made.matrices().clone(),
+        )
+    }
+
+    /// An element with these rows of T.
+    pub(super) fn new(
+        transfer: SpatialMatrix,
+        mut tips: [Vec<f64>; 6],
+        mut matrices: [Vec<f64>; 3],
+    ) -> Self {
+        let coordinates = tips[0].len();
+        let (mut rank, mut reflectors) = (0, Vec::new());
         for d in 0..6 {
             let Some(reflector) = reflector(&tips[d], rank) else {
                 continue;
@@ -44,13 +59,22 @@ impl Element {
                 reflect_matrix(&reflector, 6 + coordinates, 6 + rank, matrix);
             }
             rank += 1;
+            reflectors.push(reflector);
         }
         let column = |k: usize| std::array::from_fn(|d| tips[d][k]);
         Self {
-            transfer: MemberElement::rigid(length_m),
+            transfer,
             tip: (0..rank).map(column).collect(),
             coordinates,
             matrices,
+            reflectors,
+        }
+    }
+
+    /// The coordinates y before the change, from those after it, in place.
+    pub(super) fn change_back(&self, own: &mut [f64]) {
+        for (rank, reflector) in self.reflectors.iter().enumerate().rev() {
+            reflect(reflector, &mut own[rank..]);
         }
     }
 
@@ -83,6 +107,7 @@ impl Element {
             transfer: self.transfer,
             tip: self.tip.clone(),
             coordinates: moving,
+            reflectors: Vec::new(),
             matrices: [sum, leading(ground), leading(geometric)],
         }
     }

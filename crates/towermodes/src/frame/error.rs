@@ -43,6 +43,9 @@ pub enum FrameSolveError {
         /// The joint.
         joint: String,
     },
+    /// A frame under a tower without a transition piece that moves.
+    #[error("the frame has no transition piece that could carry the tower; give its joints")]
+    NoTransition,
     /// No modes requested, or more than there are.
     #[error("{modes} modes are requested; the frame has from 1 to {available}")]
     Modes {

@@ -1,6 +1,7 @@
 //! Space frames as eigenvalue problems: members between joints in space, factored joint by joint.
 
 mod assembly;
+mod carrying;
 mod element;
 mod elimination;
 mod equations;
@@ -14,12 +15,13 @@ mod recipe;
 mod rigid;
 mod solve;
 
+pub(crate) use carrying::OnFrame;
 pub use error::FrameSolveError;
 pub use recipe::FrameRecipe;
 pub use solve::{FrameMode, FrameOptions, FrameSolution, count_frame_modes, solve_frame};
 
 pub use crate::tower::frame::{
-    Frame, FrameDescription, FrameError, FrameJoint, FrameMember, FramePlace, FrameProblem,
-    FrameSpring, FrameSupport, GivenSection, JointKind, MemberKind, Rectangle, SectionEnds,
-    Transition,
+    Frame, FrameDescription, FrameError, FrameFoundation, FrameJoint, FrameMember, FramePlace,
+    FrameProblem, FrameSpring, FrameSupport, GivenSection, JointKind, MemberKind, Rectangle,
+    SectionEnds, Transition,
 };

@@ -121,6 +121,7 @@ fn solve_once(
         equations,
         joints,
         transition,
+        ..
     } = assemble(frame, recipe)?;
     let available = equations.unknowns;
     if wanted == 0 || wanted > available {

@@ -5,6 +5,7 @@ use thiserror::Error;
 use super::request::limits::{MAX_BYTES, MAX_DEGREE, MAX_POINTS, MAX_SECONDS};
 use crate::eigen::EigenError;
 use crate::elements::BorderError;
+use crate::frame::FrameSolveError;
 use crate::modes::Family;
 use crate::number::Plain;
 
@@ -44,6 +45,9 @@ pub enum SolveError {
         "element boundaries can be given only for the method bmodes; the other methods set them at steps and changes of taper"
     )]
     BordersOfOthers,
+    /// A frame under the tower that cannot be solved.
+    #[error(transparent)]
+    Frame(#[from] FrameSolveError),
     /// Borders that a mesh of this tower cannot have.
     #[error(transparent)]
     Borders(#[from] BorderError),

@@ -61,6 +61,19 @@ impl<S: Subsystem + ?Sized> Subsystems<S> {
         self.count = self.members.len();
     }
 
+    /// Takes the subsystem out, if it is the only one in use.
+    pub(crate) fn take_only(&mut self) -> Option<Box<S>> {
+        let only = if self.count == 1 {
+            self.members.pop()
+        } else {
+            None
+        };
+        if only.is_some() {
+            self.release();
+        }
+        only
+    }
+
     /// Takes all subsystems out of use but keeps their memory.
     pub(crate) fn release(&mut self) {
         self.count = 0;

@@ -1,5 +1,6 @@
 //! Uncoupled groups of motions of a model, each an eigenvalue problem, for all element types.
 
+mod branch;
 mod coefficients;
 mod coordinates;
 mod curves;
@@ -8,6 +9,7 @@ mod list;
 mod pencil;
 mod states;
 
+pub use branch::{Branch, BranchLink};
 pub use coefficients::{Coefficients, MatrixKind};
 pub(crate) use coordinates::{Coordinates, dimension};
 pub use curves::{SegmentCurves, ShearFraction};
@@ -96,6 +98,11 @@ pub trait Subsystem: Send + Sync {
     /// Writes the vector with the [internal forces](Self::internal_forces) of one on another mesh.
     /// The forces may jump at some heights (m, rising).
     fn with_internal_forces(&self, _forces: &InternalForces, _jumps_m: &[f64], _out: &mut [f64]) {}
+
+    /// The same equations as a branch of links; none if not all motions are coupled here.
+    fn branch(&self) -> Option<Branch> {
+        None
+    }
 
     /// What each joint does in a mode of an eigenvalue λ, rad²/s²; false if this is no chain of
     /// joints.

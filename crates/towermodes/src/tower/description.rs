@@ -9,6 +9,7 @@ use super::parts::material::Material;
 use super::parts::missing::MissingPart;
 use super::parts::part_names::PartNames;
 use super::parts::properties::Properties;
+use super::parts::rigid_body::RigidBody;
 use super::parts::rotor::Rotor;
 use super::parts::surroundings::{AddedMassRow, SoilRow, Water, Wires};
 use super::pieces::shear::Shear;
@@ -94,6 +95,37 @@ impl Rna {
     /// Whether there is no rotor-nacelle assembly: all its values are 0.
     pub fn is_absent(&self) -> bool {
         *self == Self::default()
+    }
+}
+
+impl From<RigidBody> for Rna {
+    fn from(body: RigidBody) -> Self {
+        let RigidBody {
+            mass_kg,
+            center_m,
+            inertia_kg_m2,
+        } = body;
+        Self {
+            mass_kg,
+            center_m,
+            inertia_kg_m2,
+        }
+    }
+}
+
+/// The centre is relative to the tower top.
+impl From<Rna> for RigidBody {
+    fn from(rna: Rna) -> Self {
+        let Rna {
+            mass_kg,
+            center_m,
+            inertia_kg_m2,
+        } = rna;
+        Self {
+            mass_kg,
+            center_m,
+            inertia_kg_m2,
+        }
     }
 }
 

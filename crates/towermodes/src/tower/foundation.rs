@@ -6,6 +6,7 @@ use super::closed_form::{
     CircularFooting, ClosedForm, HalfSpace, Monopile, RectangularFooting, SuctionCaisson,
     WinklerPile,
 };
+use super::frame::FrameFoundation;
 use super::parts::foundation_springs::FoundationSprings;
 use super::parts::inertia::Inertia;
 use crate::inputs::Inputs;
@@ -56,6 +57,8 @@ pub enum Foundation {
     WinklerPile(Box<WinklerPile>),
     /// A rigid floating platform.
     Floating(Box<FloatingPlatform>),
+    /// A space frame: jacket, tripod, monopile by members.
+    Frame(Box<FrameFoundation>),
 }
 
 /// The foundations by closed form, whose variants have the names of their types. Nothing else in
@@ -70,6 +73,7 @@ macro_rules! closed_forms {
                     Self::Stiffness(matrices) => Support::Stiffness(matrices),
                     Self::Springs(springs) => Support::Springs(springs),
                     Self::Floating(platform) => Support::Floating(platform),
+                    Self::Frame(frame) => Support::Frame(frame),
                     $(Self::$kind(form) => Support::Form(Borrow::<$kind>::borrow(form)),)+
                 }
             }
@@ -78,9 +82,11 @@ macro_rules! closed_forms {
             pub fn form_mut(&mut self) -> Option<&mut dyn ClosedForm> {
                 match self {
                     $(Self::$kind(form) => Some(BorrowMut::<$kind>::borrow_mut(form)),)+
-                    Self::Clamped | Self::Stiffness(_) | Self::Springs(_) | Self::Floating(_) => {
-                        None
-                    }
+                    Self::Clamped
+                    | Self::Stiffness(_)
+                    | Self::Springs(_)
+                    | Self::Floating(_)
+                    | Self::Frame(_) => None,
                 }
             }
 
@@ -112,6 +118,8 @@ pub enum Support<'f> {
     Springs(&'f FoundationSprings),
     /// A rigid floating platform.
     Floating(&'f FloatingPlatform),
+    /// A space frame.
+    Frame(&'f FrameFoundation),
     /// A closed form.
     Form(&'f dyn ClosedForm),
 }
@@ -124,7 +132,20 @@ impl Foundation {
             Support::Clamped
             | Support::Stiffness(_)
             | Support::Springs(_)
-            | Support::Floating(_) => None,
+            | Support::Floating(_)
+            | Support::Frame(_) => None,
+        }
+    }
+
+    /// The frame, if it is one.
+    pub fn frame(&self) -> Option<&FrameFoundation> {
+        match self.support() {
+            Support::Frame(frame) => Some(frame),
+            Support::Clamped
+            | Support::Stiffness(_)
+            | Support::Springs(_)
+            | Support::Floating(_)
+            | Support::Form(_) => None,
         }
     }
 

@@ -89,10 +89,16 @@ impl Tower {
             && matrices.clone().all(independent::planes_are_equal);
         let independent = independent::independent_motions(matrices);
         let is_uncoupled = independent.len() == Motion::ALL.len();
+        let frame = description.foundation.frame().cloned().map(Box::new);
+        let independent = match &frame {
+            Some(_) => vec![Motions::all()],
+            None => possible(independent, &pieces, &base),
+        };
         Self {
-            planes_are_equal: planes_are_equal && is_uncoupled,
+            planes_are_equal: planes_are_equal && is_uncoupled && frame.is_none(),
             planes_are_apart: false,
-            independent: possible(independent, &pieces, &base),
+            independent,
+            frame,
             name: printable(&description.name),
             stations: take(&mut description.stations),
             properties: take(&mut description.properties),

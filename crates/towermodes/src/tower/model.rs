@@ -2,6 +2,7 @@
 
 use super::attachment::Attachment;
 use super::description::{PointMass, PropertyStation, Rna, Station};
+use super::frame::FrameFoundation;
 use super::parts::missing::MissingParts;
 use super::parts::rotor::Rotor;
 use super::pieces::integrals::weight_integrals;
@@ -36,6 +37,7 @@ pub struct Tower {
     pub(super) outfitting_factor: f64,
     pub(super) mass_kg: f64,
     pub(super) ground: Option<InGround>,
+    pub(super) frame: Option<Box<FrameFoundation>>,
     pub(super) missing: Option<MissingParts>,
     pub(super) warnings: Vec<Warning>,
 }
@@ -221,6 +223,11 @@ impl Tower {
         let piece = self.piece_at(0.5 * (base_m + top_m));
         let (_, moment_kg_m) = weight_integrals(piece, base_m, top_m, base_m);
         self.compression_n(top_m) * (top_m - base_m) + self.gravity_m_per_s2 * moment_kg_m
+    }
+
+    /// The frame that carries the tower, if there is one.
+    pub fn frame(&self) -> Option<&FrameFoundation> {
+        self.frame.as_deref()
     }
 
     /// Whether both bending planes are equal and nothing couples them, so that each bending

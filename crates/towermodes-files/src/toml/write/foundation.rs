@@ -21,6 +21,8 @@ pub(super) fn foundation(foundation: &Foundation, writing: &mut Writing) {
             values(springs, writing);
         }
         Support::Floating(platform) => floating(platform, writing),
+        // The reader refuses it: a tower file has no members yet.
+        Support::Frame(_) => writing.commented("type", "\"frame\"", ""),
         Support::Form(form) => {
             let name = form.kind().name;
             kind(name, schema::closed_form(name), writing);

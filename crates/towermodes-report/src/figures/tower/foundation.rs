@@ -13,7 +13,7 @@ use crate::svg::{Colour, Drawing, Stroke};
 pub(super) fn below(parts: &Parts<'_>) -> f64 {
     match parts.description.foundation.support() {
         Support::Clamped => 26.0,
-        Support::Floating(_) => 16.0,
+        Support::Floating(_) | Support::Frame(_) => 16.0,
         Support::Stiffness(_) | Support::Springs(_) | Support::Form(_) => 58.0,
     }
 }
@@ -24,7 +24,7 @@ pub(super) fn draw_foundation(drawing: &mut Drawing, view: &View<'_>) {
         view.parts.description.foundation.support(),
         view.parts.springs(),
     ) {
-        (Support::Floating(_), _) => {}
+        (Support::Floating(_) | Support::Frame(_), _) => {}
         (Support::Form(form), _) => {
             draw_in_soil(drawing, view, &InSoil::new(view, form.buried()));
         }
@@ -131,6 +131,10 @@ pub(super) fn callout(view: &View<'_>) -> Option<Callout> {
     Some(match view.parts.description.foundation.support() {
         Support::Floating(_) => return None,
         Support::Clamped => Callout::whole(clamp, vec!["clamped".to_owned()]),
+        Support::Frame(foundation) => {
+            let members = foundation.frame.description().members.len();
+            Callout::whole(clamp, vec![format!("space frame of {members} members")])
+        }
         Support::Springs(_) if view.parts.springs().is_none() => {
             Callout::whole(clamp, vec!["springs, all rigid: clamped".to_owned()])
         }

@@ -85,6 +85,7 @@ fn foundation(foundation: &Foundation, tower: &Tower) -> &'static str {
         Support::Stiffness(_) => "foundation with a stiffness matrix",
         Support::Springs(_) => "springs at the base",
         Support::Floating(_) => "floating platform",
+        Support::Frame(_) => "space frame",
         Support::Form(form) => form.kind().in_words,
     }
 }

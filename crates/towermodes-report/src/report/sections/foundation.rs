@@ -1,5 +1,6 @@
 //! The foundation in tables.
 
+use towermodes::frame::FrameFoundation;
 use towermodes::{
     ClosedForm, FloatingPlatform, FoundationSprings, ReferredMatrix, StiffnessFoundation, Support,
     TowerDescription,
@@ -25,7 +26,31 @@ pub(super) fn foundation(description: &TowerDescription) -> Vec<Block> {
         }
         Support::Floating(platform) => floating(platform, description.gravity_m_per_s2),
         Support::Form(form) => of_form(form),
+        Support::Frame(foundation) => vec![table(of_frame(foundation))],
     }
+}
+
+fn of_frame(foundation: &FrameFoundation) -> Table {
+    let frame = &foundation.frame;
+    let description = frame.description();
+    let [x, y, z] = foundation.reference_m().map(given);
+    Table::of_facts(
+        "Space frame under the tower",
+        [
+            ("joints", description.joints.len().to_string()),
+            ("members", description.members.len().to_string()),
+            ("supports", description.supports.len().to_string()),
+            ("mass of the frame (kg)", digits(frame.mass_kg(), 6)),
+            (
+                "mass of the transition piece (kg)",
+                given(foundation.platform.mass_kg),
+            ),
+            (
+                "reference point of the transition piece, x, y, z (m)",
+                format!("{x}, {y}, {z}"),
+            ),
+        ],
+    )
 }
 
 /// The values of a foundation by closed form, what follows from them, and its stiffness: as springs

@@ -6,11 +6,16 @@ use crate::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams, assemble_bla
 use crate::blade::Blade;
 use crate::chain::Chains;
 use crate::elements::{Element, Mesh, assemble_chains};
+use crate::frame::{FrameSolveError, OnFrame};
 use crate::modes::ByMotion;
 use crate::subsystem::{
     Coefficients, Eigenproblem, Energies, Resultant, Subsystem, SubsystemPencil,
 };
 use crate::tower::{Motions, Tower};
+
+/// Degree of the members of a frame where the tower's elements have none: exact to ten digits for
+/// any member of a jacket in the lowest modes.
+const FRAME_DEGREE: usize = 8;
 
 /// The subsystems of a tower or a blade, with the memory to work on them.
 ///
@@ -20,6 +25,10 @@ pub(crate) struct Model {
     chains: Chains,
     beams: Beams,
     beam_memory: BeamWorkspace,
+    /// A tower on a frame; then both lists are empty.
+    on_frame: Option<OnFrame>,
+    /// Why the frame has no equations.
+    frame_error: Option<FrameSolveError>,
     /// Height of the base, or radius of the blade's root, m.
     base_m: f64,
     /// Where the spectrum begins, rad²/s²: 0, or below where nothing holds a floating tower in some
@@ -62,6 +71,36 @@ impl Model {
         self.restart(tower.base_m());
         let recipe = options.recipe(element);
         assemble_chains(tower, mesh, &recipe, &mut self.chains);
+        self.put_on_frame(tower, FRAME_DEGREE);
+    }
+
+    /// Puts the tower that was assembled on its frame, if it has one.
+    fn put_on_frame(&mut self, tower: &Tower, degree: usize) {
+        let Some(frame) = tower.frame() else {
+            return;
+        };
+        let chain = self
+            .chains
+            .take_only()
+            .map(|chain| chain as Box<dyn Subsystem>);
+        let own = chain.or_else(|| {
+            self.beams
+                .take_only()
+                .map(|beam| beam as Box<dyn Subsystem>)
+        });
+        let Some(own) = own else {
+            return;
+        };
+        let at = (tower.base_m(), tower.gravity_m_per_s2());
+        match OnFrame::new(own, frame, at, degree) {
+            Ok(on_frame) => self.on_frame = Some(on_frame),
+            Err(error) => self.frame_error = Some(error),
+        }
+    }
+
+    /// Why the frame under the tower has no equations, if so.
+    pub(crate) fn take_frame_error(&mut self) -> Option<FrameSolveError> {
+        self.frame_error.take()
     }
 
     /// Assembles a tower as beams.
@@ -71,6 +110,10 @@ impl Model {
             beam_memory, beams, ..
         } = self;
         assemble_beams(tower, mesh, recipe, beam_memory, beams);
+        self.put_on_frame(
+            tower,
+            recipe.degree().map_or(FRAME_DEGREE, |degree| degree.max(4)),
+        );
     }
 
     /// Assembles a rotating blade with elements between these fractions of its span.
@@ -82,17 +125,23 @@ impl Model {
     fn restart(&mut self, base_m: f64) {
         self.chains.release();
         self.beams.release();
+        self.on_frame = None;
+        self.frame_error = None;
         self.base_m = base_m;
         self.origin = 0.0;
     }
 
     /// Number of subsystems; of two equal bending planes only one is there.
     pub(crate) fn count(&self) -> usize {
-        self.chains.members().len() + self.beams.members().len()
+        let parts = self.chains.members().len() + self.beams.members().len();
+        parts + usize::from(self.on_frame.is_some())
     }
 
     /// A subsystem; the first one has the bending in the fore-aft plane.
     pub(crate) fn subsystem(&self, index: usize) -> &dyn Subsystem {
+        if let Some(on_frame) = &self.on_frame {
+            return on_frame;
+        }
         let (chains, beams) = (self.chains.members(), self.beams.members());
         match index.checked_sub(chains.len()) {
             None => &*chains[index],
@@ -100,9 +149,14 @@ impl Model {
         }
     }
 
+    /// The same, to be worked on.
+    fn subsystem_mut(&mut self, index: usize) -> &mut dyn Subsystem {
+        subsystem_mut(&mut self.chains, &mut self.beams, &mut self.on_frame, index)
+    }
+
     /// The eigenvalue problem of a subsystem.
     pub(crate) fn pencil(&mut self, index: usize, problem: Eigenproblem) -> SubsystemPencil<'_> {
-        let subsystem = subsystem_mut(&mut self.chains, &mut self.beams, index);
+        let subsystem = subsystem_mut(&mut self.chains, &mut self.beams, &mut self.on_frame, index);
         SubsystemPencil::new(subsystem, problem).observed_by(self.monitor.observer())
     }
 
@@ -115,6 +169,7 @@ impl Model {
     /// How many times the modes of a subsystem are in the spectrum.
     pub(crate) fn multiplicity(&self, index: usize) -> usize {
         match self.chains.members().is_empty() {
+            _ if self.on_frame.is_some() => 1,
             true => self.beams.multiplicity(index),
             false => self.chains.multiplicity(index),
         }
@@ -150,12 +205,12 @@ impl Model {
         vector: &[f64],
     ) -> Resultant {
         let base_m = self.base_m;
-        subsystem_mut(&mut self.chains, &mut self.beams, index).resultant(a, vector, base_m)
+        self.subsystem_mut(index).resultant(a, vector, base_m)
     }
 
     /// xᵀ A x of a vector of a subsystem for each of its matrices.
     pub(crate) fn energies(&mut self, index: usize, vector: &[f64]) -> Energies {
-        subsystem_mut(&mut self.chains, &mut self.beams, index).energies(vector)
+        self.subsystem_mut(index).energies(vector)
     }
 
     /// The forces and the energy of an eigenvector of a subsystem.
@@ -165,7 +220,7 @@ impl Model {
             (self.resultant(index, &Coefficients::MASS, vector), None)
         } else {
             let base_m = self.base_m;
-            let subsystem = subsystem_mut(&mut self.chains, &mut self.beams, index);
+            let subsystem = self.subsystem_mut(index);
             let (resultant, strain) = subsystem.modal_resultant(vector, base_m);
             (resultant, Some(strain))
         };
@@ -180,8 +235,12 @@ impl Model {
 fn subsystem_mut<'a>(
     chains: &'a mut Chains,
     beams: &'a mut Beams,
+    on_frame: &'a mut Option<OnFrame>,
     index: usize,
 ) -> &'a mut dyn Subsystem {
+    if let Some(on_frame) = on_frame {
+        return on_frame;
+    }
     match index.checked_sub(chains.members().len()) {
         None => &mut *chains.members_mut()[index],
         Some(index) => &mut *beams.members_mut()[index],

@@ -42,6 +42,9 @@ pub(crate) fn solve_cut(
         degree: cut.degree_of(options.method),
     });
     model.assemble(tower, &cut.mesh, cut.degree, options);
+    if let Some(error) = model.take_frame_error() {
+        return Err(error.into());
+    }
     if !model.is_finite() {
         return Err(EigenError::NotFinite.into());
     }

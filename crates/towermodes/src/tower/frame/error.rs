@@ -138,6 +138,11 @@ pub enum FrameProblem {
     /// A joint of the transition piece that is listed twice, or none.
     #[error("the transition piece needs at least one joint, each listed once")]
     TransitionJoints,
+    /// A frame that should carry a tower.
+    #[error(
+        "a frame under a tower needs a transition piece that moves; give its reference point and joints"
+    )]
+    NoTransition,
     /// Joints that rigid links connect although they are held differently.
     #[error(
         "rigid links connect two supported joints, which then cannot move; remove the links or one support"

@@ -3,10 +3,12 @@
 mod axes;
 mod description;
 mod error;
+mod foundation;
 mod member;
 mod validate;
 
 pub use description::{FrameDescription, FrameJoint, FrameSupport, JointKind, Transition};
 pub use error::{FrameError, FramePlace, FrameProblem};
+pub use foundation::FrameFoundation;
 pub use member::{FrameMember, FrameSpring, GivenSection, MemberKind, Rectangle, SectionEnds};
 pub use validate::Frame;

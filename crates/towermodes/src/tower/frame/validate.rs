@@ -59,6 +59,20 @@ impl Frame {
         members.sum::<f64>() + masses.sum::<f64>() + soil.sum::<f64>()
     }
 
+    /// Whether any support has a stiffness.
+    pub(crate) fn has_soil(&self) -> bool {
+        let mut supports = self.description.supports.iter();
+        supports.any(|support| support.stiffness != [[0.0; 6]; 6])
+    }
+
+    /// Multiplies the stiffness of all supports.
+    pub(crate) fn multiply_soil(&mut self, factor: f64) {
+        for support in &mut self.description.supports {
+            let entries = support.stiffness.iter_mut().flatten();
+            entries.for_each(|entry| *entry *= factor);
+        }
+    }
+
     /// Mass of a member, kg.
     pub fn member_mass_kg(&self, member: &FrameMember) -> f64 {
         let length_m = self.length_m(member);

@@ -62,6 +62,7 @@ fn is_elastic(foundation: &Foundation) -> bool {
         Support::Springs(springs) => springs.diagonal().into_iter().any(is_spring),
         Support::Stiffness(base) => (0..6).any(|motion| is_spring(base.stiffness[motion][motion])),
         Support::Form(_) => true,
+        Support::Frame(foundation) => foundation.frame.has_soil(),
     }
 }
 
@@ -74,6 +75,7 @@ fn on_soil(foundation: &Foundation, factor: f64) -> Foundation {
             let entries = base.stiffness.iter_mut().flatten();
             entries.for_each(|entry| *entry *= factor);
         }
+        Foundation::Frame(foundation) => foundation.frame.multiply_soil(factor),
         other => {
             if let Some(form) = other.form_mut() {
                 multiply_soil(form, factor);

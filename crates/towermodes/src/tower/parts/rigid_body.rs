@@ -1,6 +1,5 @@
 //! Rigid bodies put together: a rotor-nacelle assembly from its hub, blades and nacelle.
 
-use super::super::description::Rna;
 use super::inertia::Inertia;
 
 /// Relative size below which an entry is a rounding error.
@@ -136,37 +135,6 @@ impl RigidBody {
             inertia_kg_m2: Inertia::from_tensor(std::array::from_fn(|i| {
                 std::array::from_fn(|j| entry(i, j))
             })),
-        }
-    }
-}
-
-impl From<RigidBody> for Rna {
-    fn from(body: RigidBody) -> Self {
-        let RigidBody {
-            mass_kg,
-            center_m,
-            inertia_kg_m2,
-        } = body;
-        Self {
-            mass_kg,
-            center_m,
-            inertia_kg_m2,
-        }
-    }
-}
-
-/// The centre is relative to the tower top.
-impl From<Rna> for RigidBody {
-    fn from(rna: Rna) -> Self {
-        let Rna {
-            mass_kg,
-            center_m,
-            inertia_kg_m2,
-        } = rna;
-        Self {
-            mass_kg,
-            center_m,
-            inertia_kg_m2,
         }
     }
 }

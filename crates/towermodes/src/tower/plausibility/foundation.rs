@@ -27,7 +27,7 @@ const ABOVE: f64 = 0.005;
 
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
     match given.foundation.support() {
-        Support::Clamped => {}
+        Support::Clamped | Support::Frame(_) => {}
         Support::Form(form) => {
             if form.kind().contains_soil && has_soil(given) {
                 warnings.push(Warning::SoilTwice { site: at("type") });

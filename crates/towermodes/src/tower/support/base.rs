@@ -4,6 +4,7 @@ use super::super::attachment::spatial_inertia;
 use super::super::foundation::{
     FloatingPlatform, Foundation, ReferredMatrix, StiffnessFoundation, Support,
 };
+use super::super::frame::FrameFoundation;
 use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
 
 /// The base of a tower, for its motion (x, y, z, rotation about x, y, z).
@@ -23,6 +24,8 @@ pub struct Base {
     pub overturning_kg_m: f64,
     /// Whether it floats: rigid-body modes are modes of their own.
     pub floats: bool,
+    /// Whether it rides on a frame, which holds it.
+    pub on_frame: bool,
 }
 
 impl Base {
@@ -35,6 +38,7 @@ impl Base {
             Support::Springs(springs) => Self::on(&on_springs(springs.matrix())),
             Support::Form(form) => Self::on(&on_springs(form.stiffness())),
             Support::Floating(platform) => Self::afloat(platform, base_m, mass_kg),
+            Support::Frame(foundation) => Self::on_frame(foundation, base_m, mass_kg),
         }
     }
 
@@ -49,6 +53,18 @@ impl Base {
             moves,
             stiffness: symmetrized(&stiffness),
             inertia: symmetrized(&foundation.inertia),
+            ..Self::default()
+        }
+    }
+
+    /// The base rides on the transition piece, which the frame holds. The weight of the tower turns
+    /// over about the reference point of the transition piece.
+    fn on_frame(foundation: &FrameFoundation, base_m: f64, mass_kg: f64) -> Self {
+        let [_, _, reference_m] = foundation.reference_m();
+        Self {
+            moves: [true; 6],
+            overturning_kg_m: mass_kg * (base_m - reference_m),
+            on_frame: true,
             ..Self::default()
         }
     }

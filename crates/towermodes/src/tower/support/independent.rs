@@ -65,6 +65,11 @@ impl Motions {
         set
     }
 
+    /// All motions.
+    pub fn all() -> Self {
+        Self([true; 4])
+    }
+
     /// Whether a motion is in the set.
     pub fn contains(self, motion: Motion) -> bool {
         self.0[motion.index()]

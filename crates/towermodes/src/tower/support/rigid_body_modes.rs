@@ -12,7 +12,7 @@ const NAMED: f64 = 0.1;
 
 /// Refuses a tower that can move as a whole without resistance, unless it floats.
 pub(crate) fn check(tower: &Tower) -> Result<(), TowerError> {
-    if tower.base.floats || tower.base.is_clamped() {
+    if tower.base.floats || tower.base.on_frame || tower.base.is_clamped() {
         return Ok(());
     }
     match free_motion(&tower.rigid_stiffness(), tower.base.moves) {

@@ -24,6 +24,7 @@ pub(super) fn foundation(content: &ReportContent) -> String {
             format!("{}{}", springs(content), inertia(foundation))
         }
         Support::Floating(platform) => floating(platform),
+        Support::Frame(_) => "The tower stands on the transition piece of a space frame, whose members vibrate with it; the weight of the frame does not change the stiffness of its members.".to_owned(),
         Support::Form(form) => format!("{}{}", form.assumption(), held(content)),
     }
 }

@@ -1,0 +1,41 @@
+//! A frame as the foundation of a tower.
+
+use super::super::parts::rigid_body::RigidBody;
+use super::error::{FrameError, FramePlace, FrameProblem};
+use super::validate::Frame;
+
+/// A frame that carries a tower on its transition piece.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrameFoundation {
+    /// The frame.
+    pub frame: Frame,
+    /// The transition piece itself as a rigid body, with its centre from the reference point.
+    pub platform: RigidBody,
+    reference_m: [f64; 3],
+}
+
+impl FrameFoundation {
+    /// A frame with a transition piece that moves.
+    ///
+    /// # Errors
+    /// [`FrameProblem::NoTransition`] if the frame has none, or one that is held.
+    pub fn new(frame: Frame, platform: RigidBody) -> Result<Self, FrameError> {
+        let transition = frame.description().transition.as_ref();
+        match transition.filter(|transition| !transition.is_held) {
+            Some(transition) => Ok(Self {
+                reference_m: transition.position_m,
+                frame,
+                platform,
+            }),
+            None => Err(FrameError {
+                place: FramePlace::Transition,
+                problem: FrameProblem::NoTransition,
+            }),
+        }
+    }
+
+    /// The reference point of the transition piece, m; the axis of the tower goes through it.
+    pub fn reference_m(&self) -> [f64; 3] {
+        self.reference_m
+    }
+}
