@@ -128,7 +128,7 @@ def test_failures_are_a_list(nrel: tm.Tower) -> None:
     masses = np.where(np.arange(400) % 3 == 1, -1.0 - np.arange(400), 350e3)
     failures = nrel.sweep({"rna.mass": masses}, modes=1, threads=3).failures
     expected = [
-        (row, f"rna.mass: mass is -{row + 1} kg; it must not be negative")
+        (row, f"rna.mass: the mass is -{row + 1} kg; it must not be negative")
         for row in range(1, 400, 3)
     ]
     assert failures == expected

@@ -100,5 +100,5 @@ fn a_setting_that_is_wrong_for_a_file_names_the_file() {
         .args(["solve", FILES[0], FILES[2]]);
     let refused = command.args(["--set", "rna.mass=-3"]).output();
     let said = String::from_utf8_lossy(&refused.expect("the program runs").stderr).into_owned();
-    said.says(&format!("error: {}: mass is -3 kg", FILES[0]));
+    said.says(&format!("error: {}: the mass is -3 kg", FILES[0]));
 }

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use towermodes::inputs::Dimension;
 use towermodes::{Parameter, Tower, TowerDescription};
 
 /// A slider reaches this share of the value to both sides.
@@ -14,8 +15,8 @@ const LEFT: f64 = 0.05;
 /// The ranges of the sliders of a tower.
 pub(crate) struct Sliders<'d> {
     description: &'d TowerDescription,
-    /// The heights of each list, m, by the name of its column.
-    heights_m: HashMap<String, Vec<f64>>,
+    /// The heights of each list, m, by the height of its first row.
+    heights_m: HashMap<Parameter, Vec<f64>>,
     /// Height of the tower, m, and mass of tower and RNA, kg; 1 of an impossible tower.
     height_m: f64,
     mass_kg: f64,
@@ -26,10 +27,10 @@ impl<'d> Sliders<'d> {
         let tower = Tower::new(description.clone()).ok();
         let height_m = tower.as_ref().map_or(1.0, Tower::height_m);
         let mass_kg = tower.map_or(1.0, |tower| tower.mass_kg() + tower.rna().mass_kg);
-        let mut heights_m: HashMap<String, Vec<f64>> = HashMap::new();
+        let mut heights_m: HashMap<Parameter, Vec<f64>> = HashMap::new();
         let all = Parameter::all(description).into_iter();
         for height in all.filter(|one| one.is_height()) {
-            let own = heights_m.entry(column(height)).or_default();
+            let own = heights_m.entry(height.in_first_row()).or_default();
             own.push(height.value(description));
         }
         Self {
@@ -47,7 +48,7 @@ impl<'d> Sliders<'d> {
             return self.of_height(parameter, value);
         }
         match value {
-            0.0 => self.of_zero(parameter.unit()),
+            0.0 => self.of_zero(parameter.dimension()),
             _ if value.is_finite() => {
                 let ends = [(1.0 - SHARE) * value, (1.0 + SHARE) * value];
                 [ends[0].min(ends[1]), ends[0].max(ends[1])]
@@ -60,7 +61,8 @@ impl<'d> Sliders<'d> {
     fn of_height(&self, parameter: Parameter, value: f64) -> [f64; 2] {
         let reach_m = HEIGHT_SHARE * self.height_m;
         let (mut low, mut high) = (value - reach_m, value + reach_m);
-        for &other in self.heights_m.get(&column(parameter)).into_iter().flatten() {
+        let beside = self.heights_m.get(&parameter.in_first_row());
+        for &other in beside.into_iter().flatten() {
             let left = LEFT * (other - value).abs();
             if other < value {
                 low = low.max(other + left);
@@ -72,29 +74,23 @@ impl<'d> Sliders<'d> {
     }
 
     /// A number that is zero has no scale of its own: that of the tower is taken.
-    fn of_zero(&self, unit: &str) -> [f64; 2] {
+    fn of_zero(&self, dimension: Dimension) -> [f64; 2] {
+        use Dimension as D;
         let (height_m, mass_kg) = (self.height_m, self.mass_kg);
-        match unit {
-            "m" => [-0.05 * height_m, 0.05 * height_m],
-            "kg" => [0.0, 0.1 * mass_kg],
-            "kg m2" => [0.0, 0.1 * mass_kg * (0.1 * height_m).powi(2)],
-            "kg m" => [-0.01 * mass_kg * height_m, 0.01 * mass_kg * height_m],
-            "kg/m" => [0.0, mass_kg / height_m],
-            "m/s2" => [0.0, 9.81],
-            "degrees" => [-10.0, 10.0],
-            _ => [0.0, 1.0],
+        match dimension {
+            D::Length => [-0.05 * height_m, 0.05 * height_m],
+            D::Mass => [0.0, 0.1 * mass_kg],
+            D::Inertia => [0.0, 0.1 * mass_kg * (0.1 * height_m).powi(2)],
+            D::MassTimesLength => [-0.01 * mass_kg * height_m, 0.01 * mass_kg * height_m],
+            D::MassPerLength => [0.0, mass_kg / height_m],
+            D::Acceleration => [0.0, 9.81],
+            D::Angle => [-10.0, 10.0],
+            D::Pure | D::Density | D::Volume | D::Velocity | D::RotorSpeed | D::PerAngle => {
+                [0.0, 1.0]
+            }
+            D::Force | D::Moment | D::Bending | D::ForcePerLength | D::ForcePerArea => [0.0, 1.0],
+            D::ForcePerVolume | D::Pressure | D::OfEntries => [0.0, 1.0],
         }
-    }
-}
-
-/// The name without its last index, which the rows of one list have in common.
-fn column(parameter: Parameter) -> String {
-    let name = parameter.to_string();
-    match (name.rfind('['), name.rfind(']')) {
-        (Some(open), Some(close)) if open < close => {
-            format!("{}[]{}", &name[..open], &name[close + 1..])
-        }
-        _ => name,
     }
 }
 

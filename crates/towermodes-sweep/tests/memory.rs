@@ -239,7 +239,7 @@ fn sentences_name_numbers_as_columns_do() {
         stations[2].wall | 9.0 | stations[2].wall: outer diameter 3.87 m is less than twice
         stations[1].height | 99.0 | stations[2].height: height 87.6 m is below
         material.density | -1.0 | material.density: density is -1 kg
-        rna.mass | -1.0 | rna.mass: mass is -1 kg
+        rna.mass | -1.0 | rna.mass: the mass is -1 kg
         rotor.rpm[0] | -1.0 | rotor.rpm[0]:␣
         "#;
     for [column, value, expected] in rows(table) {

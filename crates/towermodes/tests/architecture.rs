@@ -242,6 +242,37 @@ fn nothing_but_its_file_names_a_model_of_soil() {
     );
 }
 
+/// What a number is, `Parameter::nature` and `Parameter::dimension` say. Whoever solves, fits, sweeps
+/// or shows towers with other numbers takes no name and no unit apart.
+#[test]
+fn no_name_of_a_number_decides_by_its_text() {
+    let rooms = [
+        "towermodes/src/sensitivity",
+        "towermodes-analysis/src",
+        "towermodes-design/src",
+        "towermodes-sweep/src",
+        "towermodes-explore/src/slider.rs",
+    ];
+    let decisions = [
+        "starts_with(\"",
+        "ends_with(\"",
+        ".contains(\"",
+        ".unit() ==",
+        "&parameter.unit()",
+        "match parameter.unit()",
+    ];
+    let mut files = vec![root().join("crates").join(rooms[rooms.len() - 1])];
+    for room in &rooms[..rooms.len() - 1] {
+        rust_files(&root().join("crates").join(room), &mut files);
+    }
+    assert!(files.len() > 50);
+    for file in files.iter().filter(|file| !file.ends_with("tests.rs")) {
+        let code = code(file);
+        let found = decisions.iter().find(|text| code.contains(**text));
+        assert_eq!(found, None, "{}", file.display());
+    }
+}
+
 /// Asserts that the code of no file but the homes has one of the texts; random towers have all.
 fn assert_only_homes_have(texts: &[String], homes: &[&str]) {
     let mut files = Vec::new();

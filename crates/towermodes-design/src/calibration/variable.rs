@@ -178,26 +178,11 @@ fn present_value(change: &Change, base: &TowerDescription) -> Option<f64> {
 /// Whether the value of a change is positive by its nature: a factor, a stiffness, a mass, a
 /// thickness; not a height, a distance from the axis or a product of inertia.
 fn is_positive(change: &Change, base: &TowerDescription) -> bool {
-    let is_size = |parameter: &Parameter| {
-        let name = parameter.to_string();
-        let key = name.rsplit('.').next().unwrap_or(&name);
-        let is_signed = key.ends_with("height")
-            || key.starts_with("center")
-            || key.starts_with("angle")
-            || key.ends_with("poissons_ratio")
-            || ["z_m", "level", "bed", "coupling", "xy", "xz", "yz"].contains(&key);
-        let is_beside_diagonal = key.contains("][") && !is_diagonal(key);
-        !is_signed && !is_beside_diagonal && parameter.value(base) >= 0.0
-    };
+    let is_amount =
+        |parameter: &Parameter| parameter.nature().is_amount() && parameter.value(base) >= 0.0;
     match change.operation() {
         Operation::Scale => true,
-        Operation::Set => change.parameters().iter().all(is_size),
+        Operation::Set => change.parameters().iter().all(is_amount),
         Operation::Add => false,
     }
-}
-
-/// Whether `matrix[2][2]` is on the diagonal.
-fn is_diagonal(key: &str) -> bool {
-    let mut indices = key.split('[').skip(1);
-    indices.next() == indices.next()
 }

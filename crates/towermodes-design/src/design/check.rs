@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use towermodes::inputs::Nature;
 use towermodes::{Operation, Parameter, TowerDescription};
 
 use super::error::{DesignError, WIDEST};
@@ -40,12 +41,9 @@ impl Variable {
         }
     }
 
-    /// Whether its values are diameters or wall thicknesses.
+    /// Whether its values are numbers that are always positive, such as diameters.
     fn is_size(&self) -> bool {
-        let is_size = |number: &Parameter| {
-            let name = number.to_string();
-            name.ends_with(".wall") || name.ends_with(".diameter")
-        };
+        let is_size = |number: &Parameter| number.nature() == Nature::Size;
         self.change.operation() == Operation::Set && self.change.parameters().iter().any(is_size)
     }
 

@@ -37,10 +37,8 @@ pub enum DesignError {
         /// The lower bound.
         low: f64,
     },
-    /// A diameter or a wall thickness that is not positive within its bounds.
-    #[error(
-        "the lower bound of `{variable}` is {low}, but diameters and wall thicknesses must be positive"
-    )]
+    /// A number that is always positive, with a bound that is not.
+    #[error("the lower bound of `{variable}` is {low}, but this number must be positive")]
     NotPositive {
         /// The name of the variable.
         variable: String,

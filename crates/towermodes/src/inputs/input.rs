@@ -1,6 +1,6 @@
 //! The facts about one value.
 
-use super::{Limit, Quantity};
+use super::{Limit, Nature, Quantity};
 
 /// The facts about one value of the tower file, made by constant functions beside the field that
 /// holds it.
@@ -226,6 +226,6 @@ impl Input {
 
     /// Whether it is a height in the datum of the tower file.
     pub fn is_height(&self) -> bool {
-        self.limit == Limit::Height
+        self.limit.nature() == Nature::Height
     }
 }

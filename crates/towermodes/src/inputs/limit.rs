@@ -33,6 +33,55 @@ pub enum Limit {
     AtLeast(u64),
     /// Poisson's ratio of soil: from 0 to 0.5.
     PoissonsRatioOfSoil,
+    /// A moment of inertia; the check of the whole tensor limits it.
+    Inertia,
     /// None; the check of its struct limits it.
     Elsewhere,
+}
+
+/// What kind of number a quantity is by its nature.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Nature {
+    /// A height in the datum of the tower file.
+    Height,
+    /// A coordinate, an angle, a product of inertia, Poisson's ratio: zero is a value like others.
+    Signed,
+    /// A mass, a spring: positive, or zero where there is none.
+    Amount,
+    /// A length, a density, a factor: always positive.
+    Size,
+}
+
+impl Nature {
+    /// Whether it is positive, or zero where there is none.
+    pub fn is_amount(self) -> bool {
+        match self {
+            Self::Amount | Self::Size => true,
+            Self::Height | Self::Signed => false,
+        }
+    }
+}
+
+impl Limit {
+    /// What kind of number has this limit.
+    pub fn nature(self) -> Nature {
+        match self {
+            Self::Height => Nature::Height,
+            Self::Finite
+            | Self::Coordinate
+            | Self::Slope
+            | Self::PoissonsRatioOfSoil
+            | Self::Elsewhere => Nature::Signed,
+            Self::Depth
+            | Self::NotNegative
+            | Self::Stiffness
+            | Self::LossFactor
+            | Self::Inertia => Nature::Amount,
+            Self::Length | Self::Positive | Self::Spring | Self::UpTo(_) | Self::AtLeast(_) => {
+                Nature::Size
+            }
+            Self::Within([least, _]) if least < 0.0 => Nature::Signed,
+            Self::Within(_) => Nature::Amount,
+        }
+    }
 }

@@ -5,13 +5,15 @@
 //! reader, the writer and the schema of the tower file, and the report visit the values and have
 //! no lists of their own. Facts about two values are in the checks of the struct that has both.
 
+mod dimension;
 mod input;
 mod limit;
 mod quantity;
 mod value;
 
+pub use dimension::Dimension;
 pub use input::Input;
-pub use limit::Limit;
+pub use limit::{Limit, Nature};
 pub use quantity::Quantity;
 pub(crate) use towermodes_derive::Inputs;
 pub(crate) use value::names;

@@ -28,8 +28,8 @@ pub(super) static ROTOR: Part = Part {
         get |d, _i| d.rotor.as_ref()?;
         set |d, _i| d.rotor.as_mut()?;
         place |_i, key| Place::Rotor { key };
-        "rpm[0]" "rpm" "lowest operating speed", "rpm" lowest_rpm;
-        "rpm[1]" "rpm" "highest operating speed", "rpm" highest_rpm;
+        "rpm[0]" Amount "rpm" "lowest operating speed", "rpm" lowest_rpm;
+        "rpm[1]" Amount "rpm" "highest operating speed", "rpm" highest_rpm;
     },
 };
 

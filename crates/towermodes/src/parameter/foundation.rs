@@ -2,7 +2,7 @@
 
 use super::part::{Indices, Key, Part, fields};
 use super::table::Table;
-use crate::inputs::{Inputs, every_input};
+use crate::inputs::{Inputs, Nature, every_input};
 use crate::space::SpatialMatrix;
 use crate::tower::{
     FloatingPlatform, FormKind, Foundation, FoundationSprings, Place, StiffnessFoundation,
@@ -98,19 +98,19 @@ pub(super) fn closed_forms() -> Vec<Table> {
 foundation! {
     /// `[foundation]` of type `floating`.
     FLOATING = "floating platform", floating floating_mut:
-        "mass" "kg" "mass with ballast", "mass" mass_kg;
-        "center[0]" "m" "centre of mass from the tower axis, downwind", "center" center_m[0];
-        "center[1]" "m" "centre of mass from the tower axis, side-side", "center" center_m[1];
-        "center[2]" "m" "height of the centre of mass", "center" center_m[2];
-        "inertia.xx" "kg m2" "inertia about the fore-aft axis", "inertia" inertia_kg_m2.xx;
-        "inertia.yy" "kg m2" "inertia about the side-side axis", "inertia" inertia_kg_m2.yy;
-        "inertia.zz" "kg m2" "inertia about the tower axis", "inertia" inertia_kg_m2.zz;
-        "inertia.xy" "kg m2" "entry xy of the inertia", "inertia" inertia_kg_m2.xy;
-        "inertia.xz" "kg m2" "entry xz of the inertia", "inertia" inertia_kg_m2.xz;
-        "inertia.yz" "kg m2" "entry yz of the inertia", "inertia" inertia_kg_m2.yz;
-        "added_mass_height" "m" "height of the reference point of added_mass", "added_mass" added_mass.height_m;
-        "hydrostatic_height" "m" "height of the reference point of hydrostatic", "hydrostatic" hydrostatic.height_m;
-        "mooring_height" "m" "height of the reference point of mooring", "mooring" mooring.height_m;
+        "mass" Amount "kg" "mass with ballast", "mass" mass_kg;
+        "center[0]" Signed "m" "centre of mass from the tower axis, downwind", "center" center_m[0];
+        "center[1]" Signed "m" "centre of mass from the tower axis, side-side", "center" center_m[1];
+        "center[2]" Signed "m" "height of the centre of mass", "center" center_m[2];
+        "inertia.xx" Amount "kg m2" "inertia about the fore-aft axis", "inertia" inertia_kg_m2.xx;
+        "inertia.yy" Amount "kg m2" "inertia about the side-side axis", "inertia" inertia_kg_m2.yy;
+        "inertia.zz" Amount "kg m2" "inertia about the tower axis", "inertia" inertia_kg_m2.zz;
+        "inertia.xy" Signed "kg m2" "entry xy of the inertia", "inertia" inertia_kg_m2.xy;
+        "inertia.xz" Signed "kg m2" "entry xz of the inertia", "inertia" inertia_kg_m2.xz;
+        "inertia.yz" Signed "kg m2" "entry yz of the inertia", "inertia" inertia_kg_m2.yz;
+        "added_mass_height" Signed "m" "height of the reference point of added_mass", "added_mass" added_mass.height_m;
+        "hydrostatic_height" Signed "m" "height of the reference point of hydrostatic", "hydrostatic" hydrostatic.height_m;
+        "mooring_height" Signed "m" "height of the reference point of mooring", "mooring" mooring.height_m;
 }
 
 /// A symmetric 6×6 matrix of a foundation.
@@ -126,6 +126,7 @@ macro_rules! matrix {
                 name: "",
                 unit: $unit,
                 meaning: $meaning,
+            nature: Nature::Amount,
                 place: |_| Place::Foundation { key: $key },
                 get: |d, i| entry(&$get(d)?.$($field).+, i),
                 set: |d, i, value| set_entries(&mut $get_mut(d)?.$($field).+, i, value),

@@ -43,9 +43,9 @@ pub(super) static ROWS: Part = Part {
         get |d, i| table(d, i[0])?.get(i[1])?;
         set |d, i| table_mut(d, i[0])?.get_mut(i[1])?;
         place |i, key| Place::GroundRow { layer: i[0], row: i[1], key };
-        "height" "m" "height", "height" height_m;
-        "displacement" "m" "displacement of the pile", "displacement" displacement_m;
-        "reaction" "N/m" "reaction per length", "reaction" reaction_n_per_m;
+        "height" Height "m" "height", "height" height_m;
+        "displacement" Amount "m" "displacement of the pile", "displacement" displacement_m;
+        "reaction" Amount "N/m" "reaction per length", "reaction" reaction_n_per_m;
     },
 };
 

@@ -57,6 +57,11 @@ impl Holder {
         }
     }
 
+    /// Whether it is a list of lists, whose rows have a second index.
+    pub(super) fn has_rows(self) -> bool {
+        self.name().matches("[]").count() == 2
+    }
+
     /// Whether its two indices may be exchanged: the entries of a symmetric matrix.
     pub(super) fn is_symmetric(self) -> bool {
         match self {

@@ -30,6 +30,7 @@ pub use error::ParameterError;
 use std::fmt;
 use std::sync::LazyLock;
 
+use crate::inputs::{Dimension, Nature};
 use crate::tower::{Place, TowerDescription};
 use holder::Holder;
 use name::Name;
@@ -189,7 +190,34 @@ impl Parameter {
 
     /// Whether it is a height in the datum of the tower file: of a row, a mass, the water.
     pub fn is_height(self) -> bool {
-        self.number.is_height()
+        self.nature() == Nature::Height
+    }
+
+    /// What kind of number it is. Beside the diagonal a matrix has entries of either sign.
+    pub fn nature(self) -> Nature {
+        let [row, column] = self.indices;
+        match self.part().is_symmetric() && row != column {
+            true => Nature::Signed,
+            false => self.number.nature(),
+        }
+    }
+
+    /// What it measures.
+    pub fn dimension(self) -> Dimension {
+        let dimension = Dimension::of_unit(self.unit());
+        debug_assert!(dimension.is_some(), "the unit of {self}");
+        dimension.unwrap_or(Dimension::Pure)
+    }
+
+    /// The same number of the first row of its list, which all its rows have in common.
+    #[must_use]
+    pub fn in_first_row(self) -> Self {
+        let [first, _] = self.indices;
+        let indices = match self.part().has_rows() {
+            true => [first, 0],
+            false => [0, 0],
+        };
+        Self { indices, ..self }
     }
 
     /// Whether it is the acceleration of gravity.
@@ -236,12 +264,14 @@ impl Parameter {
     }
 
     /// The number that changes together with this one: Poisson's ratio is another form of the shear
-    /// modulus.
+    /// modulus, at the same place.
     fn changed_with(self) -> Self {
-        let is_ratio = self.number.name() == "poissons_ratio";
-        let mut numbers = self.part().numbers().into_iter();
-        let modulus = numbers.find(|number| is_ratio && number.name() == "shear_modulus");
-        modulus.map_or(self, |number| Self { number, ..self })
+        let mut numbers = match self.place() {
+            Place::Material { .. } => self.part().numbers().into_iter(),
+            _ => return self,
+        };
+        let same = numbers.find(|number| number.place(self.indices) == self.place());
+        same.map_or(self, |number| Self { number, ..self })
     }
 
     fn part(self) -> Holder {
@@ -258,5 +288,25 @@ impl fmt::Display for Parameter {
             write!(f, "[{index}]{piece}")?;
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Dimension, PARTS};
+
+    #[test]
+    fn the_unit_of_each_number_has_a_dimension() {
+        for part in PARTS.iter() {
+            for number in part.numbers() {
+                let dimension = Dimension::of_unit(number.unit());
+                assert!(
+                    dimension.is_some(),
+                    "{}: {}",
+                    part.pattern(number),
+                    number.unit()
+                );
+            }
+        }
     }
 }

@@ -4,6 +4,7 @@ use std::hash::{Hash, Hasher};
 
 use super::part::{Indices, Key};
 use super::table::{Table, TableNumber};
+use crate::inputs::Nature;
 use crate::tower::{Place, TowerDescription};
 
 /// A number of a part of a tower.
@@ -77,11 +78,11 @@ impl Number {
         }
     }
 
-    /// Whether it is a height in the datum of the tower file.
-    pub(super) fn is_height(self) -> bool {
+    /// What kind of number it is.
+    pub(super) fn nature(self) -> Nature {
         match self {
-            Self::Listed(key) => key.name == "height",
-            Self::Described(_, number) => number.input.is_height(),
+            Self::Listed(key) => key.nature,
+            Self::Described(_, number) => number.nature(),
         }
     }
 

@@ -1,5 +1,6 @@
 //! A part of a tower and its numbers.
 
+use crate::inputs::Nature;
 use crate::tower::{Place, TowerDescription};
 
 /// The index of a part and of a row in it; 0 where there is none.
@@ -29,6 +30,8 @@ pub(super) struct Key {
     pub(super) unit: &'static str,
     /// What it is.
     pub(super) meaning: &'static str,
+    /// What kind of number it is.
+    pub(super) nature: Nature,
     /// Its place for errors.
     pub(super) place: fn(Indices) -> Place,
     /// Its value, if the description has it.
@@ -53,20 +56,21 @@ macro_rules! first_of {
 pub(super) use first_of;
 
 /// The numbers of a part that are fields of one type. The first two lines give the part for
-/// reading and for writing, the third its place for a key; each other line is key, unit, meaning
-/// and field, and `listed` with the condition if the number is not always listed.
+/// reading and for writing, the third its place for a key; each other line is key, nature, unit,
+/// meaning and field, and `listed` with the condition if the number is not always listed.
 macro_rules! fields {
     (
         get |$d:ident, $i:ident| $part:expr;
         set |$dm:ident, $im:ident| $part_mut:expr;
         place |$at:ident, $key:ident| $place:expr;
-        $($name:literal $unit:literal $meaning:literal, $place_key:literal $field:ident $(. $inner:ident)? $([$n:literal])? $(, listed $listed:expr)?;)+
+        $($name:literal $nature:ident $unit:literal $meaning:literal, $place_key:literal $field:ident $(. $inner:ident)? $([$n:literal])? $(, listed $listed:expr)?;)+
     ) => {
         &[$(
             crate::parameter::part::Key {
                 name: $name,
                 unit: $unit,
                 meaning: $meaning,
+                nature: crate::inputs::Nature::$nature,
                 place: |$at| { let _ = $at; let $key = $place_key; $place },
                 get: |$d, $i| { let _ = $i; Some($part.$field$(.$inner)?$([$n])?) },
                 set: |$dm, $im, value| { let _ = $im; $part_mut.$field$(.$inner)?$([$n])? = value; Some(()) },

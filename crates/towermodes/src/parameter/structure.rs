@@ -1,6 +1,7 @@
 //! The numbers of the tower itself: materials, stations, properties.
 
 use super::part::{Indices, Key, Part, fields, is_there};
+use crate::inputs::Nature;
 use crate::tower::{Material, Place, Properties, Shear, TowerDescription};
 
 /// `[material]`: the only material.
@@ -31,6 +32,7 @@ static MATERIAL_KEYS: [Key; 4] = [
         name: "density",
         unit: "kg/m3",
         meaning: "density",
+        nature: Nature::Size,
         place: |i| of_material(i, "density"),
         get: |d, i| Some(material(d, i)?.density_kg_per_m3),
         set: |d, i, value| {
@@ -43,6 +45,7 @@ static MATERIAL_KEYS: [Key; 4] = [
         name: "youngs_modulus",
         unit: "Pa",
         meaning: "Young's modulus",
+        nature: Nature::Size,
         place: |i| of_material(i, "youngs_modulus"),
         get: |d, i| Some(material(d, i)?.youngs_modulus_pa),
         set: |d, i, value| {
@@ -55,6 +58,7 @@ static MATERIAL_KEYS: [Key; 4] = [
         name: "shear_modulus",
         unit: "Pa",
         meaning: "shear modulus",
+        nature: Nature::Size,
         place: |i| of_material(i, "shear_modulus"),
         get: |d, i| Some(material(d, i)?.shear_modulus_pa),
         set: |d, i, value| {
@@ -69,6 +73,7 @@ static MATERIAL_KEYS: [Key; 4] = [
         name: "poissons_ratio",
         unit: "",
         meaning: "Poisson's ratio",
+        nature: Nature::Signed,
         place: |i| of_material(i, "shear_modulus"),
         get: |d, i| {
             let material = material(d, i)?;
@@ -108,6 +113,7 @@ pub(super) static TOWER: Part = Part {
             name: "outfitting_factor",
             unit: "",
             meaning: "multiplies the tower's masses per length",
+            nature: Nature::Size,
             place: |_| Place::OutfittingFactor,
             get: |d, _| Some(d.outfitting_factor),
             set: |d, _, value| {
@@ -120,6 +126,7 @@ pub(super) static TOWER: Part = Part {
             name: "shear",
             unit: "",
             meaning: "shear coefficient",
+            nature: Nature::Size,
             place: |_| Place::Shear,
             get: |d, _| match d.shear {
                 Shear::Coefficient(coefficient) => Some(coefficient),
@@ -148,9 +155,9 @@ pub(super) static STATIONS: Part = Part {
         get |d, i| d.stations.get(i[0])?;
         set |d, i| d.stations.get_mut(i[0])?;
         place |i, key| Place::Station { index: i[0], key };
-        "height" "m" "height", "height" height_m;
-        "diameter" "m" "outer diameter", "diameter" outer_diameter_m;
-        "wall" "m" "wall thickness", "wall" wall_thickness_m;
+        "height" Height "m" "height", "height" height_m;
+        "diameter" Size "m" "outer diameter", "diameter" outer_diameter_m;
+        "wall" Size "m" "wall thickness", "wall" wall_thickness_m;
     },
 };
 
@@ -171,6 +178,7 @@ macro_rules! column {
             name: $name,
             unit: $unit,
             meaning: $meaning,
+            nature: Nature::Amount,
             place: |i| Place::Station { index: i[0], key: $name },
             get: |d, i| Some(section(d, i)?.$($field)+),
             set: |d, i, value| {
@@ -189,6 +197,7 @@ macro_rules! shear_column {
             name: $name,
             unit: "N",
             meaning: $meaning,
+            nature: Nature::Amount,
             place: |i| Place::Station {
                 index: i[0],
                 key: $name,
@@ -210,6 +219,7 @@ static PROPERTY_KEYS: [Key; 11] = [
         name: "z_m",
         unit: "m",
         meaning: "height",
+        nature: Nature::Signed,
         place: |i| Place::Station { index: i[0], key: "height" },
         get: |d, i| Some(d.properties.get(i[0])?.height_m),
         set: |d, i, value| {

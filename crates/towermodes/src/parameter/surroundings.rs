@@ -2,7 +2,7 @@
 
 use super::part::{Indices, Key, Part, fields, is_there};
 use super::table::Table;
-use crate::inputs::{Inputs, every_input};
+use crate::inputs::{Inputs, Nature, every_input};
 use crate::tower::{Place, Planes, TowerDescription, Water, Wires};
 
 /// `[[soil]]`.
@@ -16,13 +16,13 @@ pub(super) static SOIL: Part = Part {
         get |d, i| d.soil.get(i[0])?.get(i[1])?;
         set |d, i| d.soil.get_mut(i[0])?.get_mut(i[1])?;
         place |i, key| Place::Soil { layer: i[0], row: i[1], key };
-        "height" "m" "height", "height" height_m;
-        "x" "N/m2" "spring in x per length", "x" stiffness.x_n_per_m2;
-        "y" "N/m2" "spring in y per length", "y" stiffness.y_n_per_m2;
-        "z" "N/m2" "spring in z per length", "z" stiffness.z_n_per_m2;
-        "torsion" "N" "spring in torsion per length", "torsion" stiffness.torsion_n;
-        "rotation_x" "N" "spring against rotation about x per length", "rotation_x" stiffness.rotation_x_n, listed resists_rotation;
-        "rotation_y" "N" "spring against rotation about y per length", "rotation_y" stiffness.rotation_y_n, listed resists_rotation;
+        "height" Height "m" "height", "height" height_m;
+        "x" Amount "N/m2" "spring in x per length", "x" stiffness.x_n_per_m2;
+        "y" Amount "N/m2" "spring in y per length", "y" stiffness.y_n_per_m2;
+        "z" Amount "N/m2" "spring in z per length", "z" stiffness.z_n_per_m2;
+        "torsion" Amount "N" "spring in torsion per length", "torsion" stiffness.torsion_n;
+        "rotation_x" Amount "N" "spring against rotation about x per length", "rotation_x" stiffness.rotation_x_n, listed resists_rotation;
+        "rotation_y" Amount "N" "spring against rotation about y per length", "rotation_y" stiffness.rotation_y_n, listed resists_rotation;
     },
 };
 
@@ -37,8 +37,8 @@ pub(super) static ADDED_MASS: Part = Part {
         get |d, i| d.added_mass.get(i[0])?.get(i[1])?;
         set |d, i| d.added_mass.get_mut(i[0])?.get_mut(i[1])?;
         place |i, key| Place::AddedMass { table: i[0], row: i[1], key };
-        "height" "m" "height", "height" height_m;
-        "mass" "kg/m" "added mass per length in x and y", "mass" mass_kg_per_m;
+        "height" Height "m" "height", "height" height_m;
+        "mass" Amount "kg/m" "added mass per length in x and y", "mass" mass_kg_per_m;
     },
 };
 
@@ -82,6 +82,7 @@ pub(super) static GRAVITY: Part = Part {
         name: "acceleration",
         unit: "m/s2",
         meaning: "acceleration of gravity",
+        nature: Nature::Amount,
         place: |_| Place::Gravity,
         get: |d, _| Some(d.gravity_m_per_s2),
         set: |d, _, value| {

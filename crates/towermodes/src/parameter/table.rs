@@ -1,7 +1,7 @@
 //! Parts whose numbers are described beside their fields.
 
 use super::part::Indices;
-use crate::inputs::{Given, Input, Inputs, Limit};
+use crate::inputs::{Given, Input, Inputs, Limit, Nature};
 use crate::tower::{Place, TowerDescription};
 
 /// Finds the table of a kind in a description.
@@ -58,8 +58,17 @@ impl TableNumber {
     /// The key of its place: errors of an inertia are those of the whole tensor.
     pub(super) fn place_key(&self) -> &'static str {
         match self.input.limit {
-            Limit::Elsewhere => self.input.outer_key(),
+            Limit::Inertia | Limit::Elsewhere => self.input.outer_key(),
             _ => self.input.key,
+        }
+    }
+
+    /// What kind of number it is.
+    pub(super) fn nature(&self) -> Nature {
+        match (self.input.limit.nature(), self.end) {
+            // A strength or stiffness can begin with zero at one end of a layer.
+            (Nature::Size, Some(_)) => Nature::Amount,
+            (nature, _) => nature,
         }
     }
 

@@ -1,6 +1,7 @@
 //! The value of a change on the tower as it is, and how far it is varied for a derivative.
 
 use super::error::SensitivityError;
+use crate::inputs::Dimension;
 use crate::parameter::{Change, Operation, Parameter};
 use crate::tower::{Neighbours, Tower, TowerDescription};
 
@@ -75,21 +76,27 @@ fn shortest_piece_m(tower: &Tower) -> f64 {
     lengths.fold(f64::INFINITY, f64::min)
 }
 
-/// The units of numbers that are entries of matrices of stiffness and inertia.
-const OF_MATRICES: [&str; 7] = ["kg", "kg m", "kg m2", "N/m", "N", "N m", "N/m2"];
-
 /// Whether stiffness and inertia depend linearly on the numbers of a change, so that a step may be
 /// as large as it must.
 pub(super) fn is_linear(change: &Change) -> bool {
     let is_linear = |parameter: &Parameter| {
         // Between the rows of a table inertias follow from masses.
-        !parameter.is_of_rows() && OF_MATRICES.contains(&parameter.unit())
+        !parameter.is_of_rows() && is_mass_or_spring(parameter.dimension())
     };
     change.operation() != Operation::Scale && change.parameters().iter().all(is_linear)
 }
 
-/// The units of numbers in which a tower is a polynomial of third degree at least, or none at all.
-const CURVED: [&str; 3] = ["m", "deg", ""];
+/// Whether stiffness and inertia are sums of such numbers.
+fn is_mass_or_spring(dimension: Dimension) -> bool {
+    use Dimension as D;
+    match dimension {
+        D::Mass | D::MassTimesLength | D::Inertia => true,
+        D::ForcePerLength | D::Force | D::Moment | D::ForcePerArea => true,
+        D::Pure | D::Length | D::Angle | D::MassPerLength | D::Density | D::Volume => false,
+        D::Bending | D::ForcePerVolume | D::Pressure | D::OfEntries => false,
+        D::Velocity | D::Acceleration | D::RotorSpeed | D::PerAngle => false,
+    }
+}
 
 /// Whether the numbers of a tower depend on the numbers of a change linearly or quadratically, so
 /// that a central difference is exact.
@@ -99,6 +106,14 @@ pub(super) fn is_quadratic(change: &Change) -> bool {
         // Between the rows of a table inertias are masses times squared radii of gyration.
         let is_of_rows = parameter.is_of_rows();
         let is_excluded = is_of_rows || parameter.is_of_ground();
-        is_of_profile || !(is_excluded || CURVED.contains(&parameter.unit()))
+        is_of_profile || !(is_excluded || is_curved(parameter.dimension()))
     })
+}
+
+/// Whether a tower is a polynomial of third degree at least in such numbers, or none at all.
+fn is_curved(dimension: Dimension) -> bool {
+    matches!(
+        dimension,
+        Dimension::Length | Dimension::Angle | Dimension::Pure
+    )
 }

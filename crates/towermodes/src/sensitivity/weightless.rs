@@ -32,7 +32,7 @@ pub(super) fn derivatives(
     let slight = solver.sensitivities(&description, changes).ok()?;
     let of_change = slight.changes.first()?;
     let of_mode = |mode: &ModeFrequency| -> Result<Derivative, NoDerivative> {
-        let is_same = |other: &ModeFrequency| other.label() == mode.label();
+        let is_same = |other: &ModeFrequency| other.name() == mode.name();
         match slight.modes.iter().position(is_same) {
             Some(place) => of_change.modes[place],
             None => Err(NoDerivative::Repeated),

@@ -41,7 +41,7 @@ pub struct GroundLayer {
     #[inputs]
     pub shear_modulus: Option<ShearModulus>,
     /// Poisson's ratio ν, for the models that need it.
-    #[input(Input::new("poissons_ratio", "", Limit::Within([0.0, 0.5]), "Poisson's ratio of the soil")
+    #[input(Input::new("poissons_ratio", "", Limit::PoissonsRatioOfSoil, "Poisson's ratio of the soil")
         .optional()
         .symbol("ν", 1.0, ""))]
     pub poissons_ratio: Option<f64>,

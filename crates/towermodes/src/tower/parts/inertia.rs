@@ -9,30 +9,28 @@ use crate::symmetric::eigenpairs;
 #[derive(Debug, Clone, Copy, PartialEq, Default, Inputs)]
 pub struct Inertia {
     /// About the fore-aft axis (resists side-side rotation), kg m².
-    #[input(entry("inertia.xx", "the inertia about the fore-aft axis"))]
+    #[input(entry("inertia.xx", Limit::Inertia, "the inertia about the fore-aft axis"))]
     pub xx: f64,
     /// About the side-side axis (resists fore-aft rotation), kg m².
-    #[input(entry("inertia.yy", "the inertia about the side-side axis"))]
+    #[input(entry("inertia.yy", Limit::Inertia, "the inertia about the side-side axis"))]
     pub yy: f64,
     /// About the tower axis (resists torsion), kg m².
-    #[input(entry("inertia.zz", "the inertia about the tower axis"))]
+    #[input(entry("inertia.zz", Limit::Inertia, "the inertia about the tower axis"))]
     pub zz: f64,
     /// Entry xy, kg m².
-    #[input(entry("inertia.xy", "the entry xy of the inertia"))]
+    #[input(entry("inertia.xy", Limit::Elsewhere, "the entry xy of the inertia"))]
     pub xy: f64,
     /// Entry xz, kg m².
-    #[input(entry("inertia.xz", "the entry xz of the inertia"))]
+    #[input(entry("inertia.xz", Limit::Elsewhere, "the entry xz of the inertia"))]
     pub xz: f64,
     /// Entry yz, kg m².
-    #[input(entry("inertia.yz", "the entry yz of the inertia"))]
+    #[input(entry("inertia.yz", Limit::Elsewhere, "the entry yz of the inertia"))]
     pub yz: f64,
 }
 
 /// An entry of the tensor; the check of the whole tensor limits it.
-const fn entry(key: &'static str, name: &'static str) -> Input {
-    Input::new(key, " kg m2", Limit::Elsewhere, name)
-        .or(0.0)
-        .quiet()
+const fn entry(key: &'static str, limit: Limit, name: &'static str) -> Input {
+    Input::new(key, " kg m2", limit, name).or(0.0).quiet()
 }
 
 impl Inertia {

@@ -86,7 +86,7 @@ pub(super) fn check_input(input: &Input, value: f64, place: Place) -> Result<(),
                 false => error(place, Problem::SoilPoissonsRatio { value }),
             }
         }
-        Limit::Elsewhere => Ok(()),
+        Limit::Inertia | Limit::Elsewhere => Ok(()),
     }
 }
 
