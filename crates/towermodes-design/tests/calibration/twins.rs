@@ -1,8 +1,8 @@
 //! Twin experiments: frequencies of a known tower with random errors must give the tower back,
 //! within the standard deviations that the fit states.
 
-use towermodes::{Rna, Solver, TowerDescription};
-use towermodes_testing::Close;
+use towermodes::{Ground, GroundLayer, LayerSoil, Rna, Sand, SoilModel, Solver, TowerDescription};
+use towermodes_testing::{Close, tube};
 
 use super::{Problem, fitted, frequencies, measured, options, tower, unknown, with_prior};
 use towermodes_design::calibration::{AtBound, calibrate};
@@ -242,4 +242,43 @@ fn units_do_not_matter() {
     let holds = (of_added / of_value - 1.0).abs() < 1e-5;
     assert!(holds, "{of_added:e} {of_value:e} {added:e} {value:e}");
     assert!((mass_again / of_mass - 1.0).abs() < 1e-5);
+}
+
+/// The height of a boundary between two layers is 0 in the datum of the stations. It may also be
+/// lower.
+#[test]
+fn a_height_of_zero_may_become_negative() {
+    let sand = |ends_m, subgrade_modulus_n_per_m3| {
+        let sand = Sand {
+            subgrade_modulus_n_per_m3: Some(subgrade_modulus_n_per_m3),
+            ..Sand::default()
+        };
+        GroundLayer::new(ends_m, LayerSoil::Sand(sand), SoilModel::Api)
+    };
+    let with_boundary = |boundary_m| {
+        let layers = vec![
+            sand([10.0, boundary_m], 5e6),
+            sand([boundary_m, -20.0], 4e7),
+        ];
+        TowerDescription {
+            foundation: super::springs(0.0, 0.0),
+            ground: Some(Ground::new(10.0, layers)),
+            rna: tower().rna,
+            ..tube(&[(-10.0, 6.0, 0.06), (10.0, 6.0, 0.06), (90.0, 4.0, 0.02)])
+        }
+    };
+    let names = ["fore-aft 1", "side-side 1"];
+    let truth = frequencies(&with_boundary(-1.0), &names);
+    let base = with_boundary(0.0);
+    let boundary = "set(ground.layer[0].bottom,ground.layer[1].top)";
+    let result = fitted(&Problem {
+        unknowns: vec![unknown(&base, boundary)],
+        measured: vec![
+            measured(names[0], truth[0], 1e-4),
+            measured(names[1], truth[1], 1e-4),
+        ],
+        base,
+    });
+    let height_m = result.expect("a fit").unknowns[0].value;
+    assert!((height_m + 1.0).abs() < 1e-3, "{height_m}");
 }
