@@ -242,8 +242,8 @@ fn nothing_but_its_file_names_a_model_of_soil() {
     );
 }
 
-/// `Parameter::nature` and `Parameter::dimension` give what kind of number a parameter is. Code that
-/// solves, fits or sweeps towers with other numbers decides nothing by the text of a name or unit.
+/// `Parameter::nature` and `Parameter::dimension` give what kind of number a parameter is. Code
+/// that solves, fits or sweeps towers with other numbers decides nothing by the text of a name.
 #[test]
 fn no_name_of_a_number_decides_by_its_text() {
     let rooms = [

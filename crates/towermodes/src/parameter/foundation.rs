@@ -32,26 +32,6 @@ foundation_of!(springs, springs_mut, Springs, FoundationSprings);
 foundation_of!(stiffness, stiffness_mut, Stiffness, StiffnessFoundation);
 foundation_of!(floating, floating_mut, Floating, FloatingPlatform);
 
-/// The numbers of a foundation of one type.
-macro_rules! foundation {
-    ($(#[$doc:meta])+ $id:ident = $noun:literal, $get:ident $get_mut:ident: $($keys:tt)+) => {
-        $(#[$doc])+
-        pub(super) static $id: Part = Part {
-            name: "foundation",
-            noun: $noun,
-            count: |d| usize::from($get(d).is_some()),
-            rows: |_, _| 1,
-            is_symmetric: false,
-            keys: fields! {
-                get |d, _i| $get(d)?;
-                set |d, _i| $get_mut(d)?;
-                place |_i, key| Place::Foundation { key };
-                $($keys)+
-            },
-        };
-    };
-}
-
 /// `[foundation]` of type `springs`.
 pub(super) static SPRINGS: Table = Table {
     name: "foundation",
@@ -95,9 +75,17 @@ pub(super) fn closed_forms() -> Vec<Table> {
     kinds.map(table).collect()
 }
 
-foundation! {
-    /// `[foundation]` of type `floating`.
-    FLOATING = "floating platform", floating floating_mut:
+/// `[foundation]` of type `floating`.
+pub(super) static FLOATING: Part = Part {
+    name: "foundation",
+    noun: "floating platform",
+    count: |d| usize::from(floating(d).is_some()),
+    rows: |_, _| 1,
+    is_symmetric: false,
+    keys: fields! {
+        get |d, _i| floating(d)?;
+        set |d, _i| floating_mut(d)?;
+        place |_i, key| Place::Foundation { key };
         "mass" Amount "kg" "mass with ballast", "mass" mass_kg;
         "center[0]" Signed "m" "centre of mass from the tower axis, downwind", "center" center_m[0];
         "center[1]" Signed "m" "centre of mass from the tower axis, side-side", "center" center_m[1];
@@ -111,7 +99,8 @@ foundation! {
         "added_mass_height" Signed "m" "height of the reference point of added_mass", "added_mass" added_mass.height_m;
         "hydrostatic_height" Signed "m" "height of the reference point of hydrostatic", "hydrostatic" hydrostatic.height_m;
         "mooring_height" Signed "m" "height of the reference point of mooring", "mooring" mooring.height_m;
-}
+    },
+};
 
 /// A symmetric 6×6 matrix of a foundation.
 macro_rules! matrix {
