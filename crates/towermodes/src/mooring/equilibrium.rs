@@ -12,9 +12,13 @@ const MAX_STEPS: usize = 300;
 const LONGEST_M: f64 = 10.0;
 /// The largest rotation of one step, rad.
 const LARGEST_RAD: f64 = 0.2;
+/// A step that turns by more follows a motion without stiffness, as a rod's about its axis, rad.
+const WILD_RAD: f64 = 2.0;
 /// Steps smaller than this fraction of the depth, or this angle (rad), end the search; the last
 /// one leaves its square.
 const CLOSE: f64 = 1e-10;
+/// A force that is left below this fraction of the largest tension is a rounding error.
+const ROUNDING: f64 = 1e-8;
 /// Halvings of a step that goes too far.
 const HALVINGS: usize = 12;
 /// Fractions of its scale that are added to each stiffness until all pivots are positive. None is
@@ -57,11 +61,7 @@ impl Search {
         if mooring.free.is_empty() {
             return Ok(true);
         }
-        let shift = self.factor(mooring, platform)?;
-        self.step.clear();
-        self.step
-            .extend_from_slice(&self.assembly.force[..mooring.unknowns]);
-        self.assembly.stiffness.solve(&mut self.step);
+        let shift = self.direct(mooring, platform)?;
         let (far_m, far_rad) = self.sizes(mooring);
         let work = self.work();
         let mut factor = (LONGEST_M / far_m).min(LARGEST_RAD / far_rad).min(1.0);
@@ -85,25 +85,47 @@ impl Search {
         Ok(is_close)
     }
 
-    /// Factors the stiffness with the smallest shift that makes it positive; returns the shift.
-    fn factor(&mut self, mooring: &Mooring, platform: &Placement) -> Result<f64, MooringError> {
-        let mut pivot = 0;
+    /// Finds the step of Newton's method with the smallest shift that makes the stiffness positive
+    /// and the rotations moderate; returns the shift.
+    fn direct(&mut self, mooring: &Mooring, platform: &Placement) -> Result<f64, MooringError> {
+        let mut failed = None;
         for shift in SHIFTS {
             self.assembly.stiffen(mooring, platform, &self.free);
             let Assembly {
-                stiffness, scales, ..
+                stiffness,
+                scales,
+                force,
+                ..
             } = &mut self.assembly;
-            match stiffness.factor(scales, shift) {
-                Ok(()) => return Ok(shift),
-                Err(unknown) => pivot = unknown,
+            failed = stiffness.factor(scales, shift).err();
+            if failed.is_none() {
+                self.step.clear();
+                self.step.extend_from_slice(&force[..mooring.unknowns]);
+                stiffness.solve(&mut self.step);
+                if self.sizes(mooring).1 <= WILD_RAD {
+                    return Ok(shift);
+                }
             }
         }
-        let item = self.item_of(mooring, pivot);
-        Err(MooringError::Unstable { item })
+        match failed {
+            None => Ok(SHIFTS[SHIFTS.len() - 1]),
+            Some(pivot) => Err(MooringError::Unstable {
+                item: self.item_of(mooring, pivot),
+            }),
+        }
     }
 
     /// The stiffness of the platform with the free parts in equilibrium.
     fn settle(&mut self, mooring: &Mooring, platform: &Placement) -> Result<(), MooringError> {
+        let pulls = self
+            .assembly
+            .hung
+            .iter()
+            .flat_map(|hung| hung.forces_n.map(length));
+        let most_n = pulls.fold(0.0, f64::max);
+        if self.residual(mooring).1 > ROUNDING * most_n {
+            return Err(self.failure(mooring));
+        }
         self.assembly.stiffen(mooring, platform, &self.free);
         let Assembly {
             stiffness, scales, ..
@@ -155,18 +177,23 @@ impl Search {
                 return MooringError::Sinks { item, z_m, depth_m };
             }
         }
-        let left = mooring.free.iter().map(|part| {
-            let force_n = length(part.motion(&self.assembly.force).0);
-            (part.item, force_n)
-        });
-        let (item, force_n) = left.fold((MooringItem::Site, 0.0), |most, next| {
-            if next.1 >= most.1 { next } else { most }
-        });
+        let (item, force_n) = self.residual(mooring);
         MooringError::NoEquilibrium {
             item,
             force_n,
             steps: MAX_STEPS,
         }
+    }
+
+    /// The free part with the largest force that is left, and the force, N.
+    fn residual(&self, mooring: &Mooring) -> (MooringItem, f64) {
+        let left = mooring.free.iter().map(|part| {
+            let force_n = length(part.motion(&self.assembly.force).0);
+            (part.item, force_n)
+        });
+        left.fold((MooringItem::Site, 0.0), |most, next| {
+            if next.1 >= most.1 { next } else { most }
+        })
     }
 
     fn item_of(&self, mooring: &Mooring, unknown: usize) -> MooringItem {

@@ -88,8 +88,10 @@ pub(super) fn grounded(cable: &Cable, span_m: f64, heights_m: [f64; 2]) -> Optio
     let start_n = w * length_m;
     let horizontal_n = increasing_root(start_n, |horizontal_n| {
         let (reach_m, _, slope) = reach(horizontal_n);
-        // Rounding may make the shortest reach negative.
-        let reach_m = reach_m.max(f64::MIN_POSITIVE);
+        // Rounding hides the shortest reach.
+        if reach_m <= 0.0 {
+            return (f64::NEG_INFINITY, slope);
+        }
         ((reach_m / beyond_m).ln(), slope / reach_m)
     })?;
     let risers = risers(horizontal_n);

@@ -19,7 +19,7 @@ fn random_line(seed: &mut Seed) -> MooringDescription {
         * if floats {
             seed.between(0.3, 0.999)
         } else {
-            seed.log_between(1.001, 8.0)
+            seed.log_between(1.001, 300.0)
         };
     let stiffness = seed.log_between(1e7, 1e10);
     let anchor = if seed.chance(0.6) {
@@ -199,6 +199,16 @@ fn wild_lines_are_answered() {
                     .chain(&state.load.force);
                 let is_finite = entries.into_iter().all(|entry| entry.is_finite());
                 assert!(is_finite, "{wild:?} {state:?}");
+                // The equations of the test have rounding errors for light lines, and for those
+                // that stretch to a multiple of their length.
+                let kind = &wild.line_types[0];
+                let weight = kind.mass_kg_per_m * GRAVITY * wild.lines[0].length_m;
+                let is_fit = kind.mass_kg_per_m > 1.0 && weight < kind.axial_stiffness_n;
+                assert!(
+                    !is_fit || residual(&wild) <= 1e-6,
+                    "{:e} {wild:?}",
+                    residual(&wild)
+                );
             }
             Err(MooringError::NoTension { .. }) => without_tension += 1,
             Err(_) => {}

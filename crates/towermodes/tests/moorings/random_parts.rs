@@ -102,6 +102,56 @@ fn assert_points_in_balance(
                 }
             }
         }
-        assert!(sum.iter().all(|force| force.abs() < 1e-3), "{sum:?}");
+        let tensions = state.lines.iter().flat_map(|line| line.tensions_n);
+        let most = tensions.fold(1e6, f64::max);
+        let is_small = sum.iter().all(|force| force.abs() < 1e-9 * most);
+        assert!(is_small, "{index}: {sum:?} {most}");
     }
+}
+
+/// Values of any size: a finite answer or an error, never a search without end.
+#[test]
+fn wild_free_parts_are_answered() {
+    let mut seed = Seed::new(43);
+    let mut answers = 0;
+    for _ in 0..500 {
+        let mut wild = [clump(), delta(), buoys(), rod()][seed.whole(0, 3)].clone();
+        let factor = |seed: &mut Seed| seed.log_between(1e-4, 1e4);
+        for point in &mut wild.points {
+            point.mass_kg *= factor(&mut seed);
+            point.volume_m3 *= factor(&mut seed);
+        }
+        for body in &mut wild.bodies {
+            body.mass_kg *= factor(&mut seed);
+            body.volume_m3 *= factor(&mut seed);
+            body.center_m = body.center_m.map(|c| c * seed.log_between(1e-3, 1e3));
+            body.angles_rad = body.angles_rad.map(|_| seed.between(-4.0, 4.0));
+        }
+        for rod in &mut wild.rods {
+            rod.mass_kg_per_m *= factor(&mut seed);
+            rod.diameter_m *= seed.log_between(0.1, 10.0);
+        }
+        for kind in &mut wild.line_types {
+            kind.mass_kg_per_m *= seed.log_between(0.1, 10.0);
+            kind.axial_stiffness_n *= seed.log_between(1e-2, 1e1);
+        }
+        for line in &mut wild.lines {
+            line.length_m *= seed.between(0.8, 1.3);
+        }
+        wild = scattered(&wild, seed.log_between(0.1, 100.0), &mut seed);
+        let state = Mooring::new(wild.clone()).and_then(|mooring| mooring.at(&Pose::default()));
+        if let Ok(state) = state {
+            answers += 1;
+            let mut entries = state
+                .load
+                .stiffness
+                .iter()
+                .flatten()
+                .chain(&state.load.force);
+            assert!(entries.all(|entry| entry.is_finite()), "{wild:?}");
+            assert_points_in_balance(&wild, &state);
+        }
+    }
+    // Others stretch too far, sink, or would rise for kilometres.
+    assert!(answers > 200, "{answers}");
 }
