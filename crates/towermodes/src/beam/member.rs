@@ -1,10 +1,12 @@
 //! One element of a straight member by itself: its matrices for the motion of its near end and its
 //! own coordinates, in the axes of the member.
 
-use super::element::{Slice, Stencil};
-use super::model::{Beam, rigid_motion};
+use super::element::{Slice, Stencil, write_shape};
+use super::legendre::{Legendre, Term};
+use super::model::{Beam, add_congruent, place, rigid_motion};
 use super::strain::{Strain, deformations};
 use crate::space::SpatialMatrix;
+use crate::subsystem::MatrixKind;
 use crate::tower::{Component, Motion, Motions, Section};
 
 /// All components, none backwards.
@@ -92,6 +94,28 @@ impl MemberElement {
             rotary_inertia: true,
         };
         self.stencil.add_element(&mut self.beam, &ALL, &slice);
+    }
+
+    /// Adds an inertia that moves with the section at a distance (m) from the near end.
+    pub(crate) fn add_inertia(&mut self, distance_m: f64, inertia: &SpatialMatrix) {
+        let length_m = self.beam.length_m(0);
+        let (rows, coordinates) = (self.beam.rows(), self.beam.coordinates());
+        let count = self.beam.deformations().iter().map(|d| d.count).max();
+        let terms = Legendre::at(2.0 * distance_m / length_m - 1.0);
+        let terms: Vec<Term> = terms.take(count.unwrap_or(0)).collect();
+        let mut shape = vec![0.0; 6 * rows];
+        let root = self.beam.roots[..coordinates * coordinates].to_vec();
+        let deformations = self.beam.deformations();
+        write_shape(
+            &terms,
+            length_m,
+            distance_m,
+            deformations,
+            &root,
+            &mut shape,
+        );
+        let matrix = self.beam.last_matrix(place(MatrixKind::Inertia));
+        add_congruent(inertia, &shape, rows, matrix);
     }
 
     /// The motion of its far end for its own coordinates, whose stiffness is the identity: 6 rows.

@@ -1,14 +1,17 @@
 //! The equations of a frame from its description.
 
+use std::collections::HashMap;
+
 use super::element::Element;
 use super::equations::{Chord, ELASTIC, Equations, GROUND, INERTIA, KINDS, Link};
 use super::error::FrameSolveError;
-use super::graph::{Branch, EdgeKind, Graph, Node};
+use super::graph::{Branch, Edge, EdgeKind, Graph, Node};
 use super::hinge::{Hinge, UNIT, spring};
-use super::recipe::FrameRecipe;
+use super::recipe::{FrameRecipe, Stretch};
 use super::rigid::{
     self, Motion, NONE, Vector, identity, product, rigid_transfer, transposed_product,
 };
+use super::statics::Tension;
 use crate::beam::MemberElement;
 use crate::space::{SpatialMatrix, add_scaled};
 use crate::tower::frame::{Frame, FrameMember, JointKind, MemberKind};
@@ -27,23 +30,53 @@ pub(super) struct Assembled {
     pub(super) transition: Node,
     /// The positions of the nodes, m.
     pub(super) positions_m: Vec<Vector>,
+    /// The elements of beams.
+    pub(super) elements: Vec<PlacedElement>,
 }
 
-/// Makes the equations of a frame.
+/// Where an element of a beam is in the equations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct PlacedElement {
+    /// Its edge in the graph, the same for each frame with the same members.
+    pub(super) edge: usize,
+    pub(super) member: usize,
+    /// Where it begins and ends, as fractions of the member.
+    pub(super) from: f64,
+    pub(super) to: f64,
+    pub(super) carrier: Carrier,
+    /// Whether the link runs from the end to the beginning.
+    pub(super) reversed: bool,
+}
+
+/// A link or a chord, by place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Carrier {
+    Link(usize),
+    Chord(usize),
+}
+
+/// Makes the equations of a frame, with the tension in its elements by edge.
 ///
 /// # Errors
 /// [`FrameSolveError`]: an impossible recipe, or rigid links in a loop that holds nothing.
-pub(super) fn assemble(frame: &Frame, recipe: FrameRecipe) -> Result<Assembled, FrameSolveError> {
+pub(super) fn assemble(
+    frame: &Frame,
+    recipe: FrameRecipe,
+    tensions: &[(usize, Tension)],
+) -> Result<Assembled, FrameSolveError> {
     recipe.check()?;
     let mut assembly = Assembly::new(frame, recipe);
+    assembly.tensions = tensions.iter().copied().collect();
     assembly.place_joints();
     assembly.place_members();
     let joints = assembly.joints.clone();
     let transition = assembly.transition;
     let positions_m = assembly.graph.positions_m.clone();
+    let (equations, elements) = assembly.equations()?;
     Ok(Assembled {
         positions_m,
-        equations: assembly.equations()?,
+        equations,
+        elements,
         joints,
         transition,
     })
@@ -60,6 +93,8 @@ struct Assembly<'a> {
     memory: MemberElement,
     /// Chords that are no elements, without bubbles.
     matrices: Vec<Chord>,
+    /// The tension in elements, by edge.
+    tensions: HashMap<usize, Tension>,
 }
 
 impl<'a> Assembly<'a> {
@@ -73,6 +108,7 @@ impl<'a> Assembly<'a> {
             ends: Vec::new(),
             memory: MemberElement::default(),
             matrices: Vec::new(),
+            tensions: HashMap::new(),
         }
     }
 
@@ -235,7 +271,7 @@ impl<'a> Assembly<'a> {
         let [from, to] = member
             .joints
             .map(|j| self.frame.description().joints[j].position_m);
-        let borders = self.recipe.borders();
+        let borders = self.recipe.borders(member);
         let parts = borders.len() - 1;
         let mut near = self.ends[index][0];
         for (k, fractions) in borders.windows(2).enumerate() {
@@ -274,7 +310,8 @@ impl<'a> Assembly<'a> {
     }
 
     /// The equations: what carries the nodes first, then what is left of the edges.
-    fn equations(mut self) -> Result<Equations, FrameSolveError> {
+    fn equations(mut self) -> Result<(Equations, Vec<PlacedElement>), FrameSolveError> {
+        let mut elements = Vec::new();
         let mut nodes = vec![[NONE; KINDS]; self.graph.positions_m.len()];
         let description = self.frame.description();
         for support in &description.supports {
@@ -286,6 +323,11 @@ impl<'a> Assembly<'a> {
         for (joint, body) in &description.masses {
             if let Some(node) = self.joints[*joint] {
                 add_scaled(&mut nodes[node][INERTIA], 1.0, &body_inertia(body));
+            }
+        }
+        for (joint, inertia) in &description.added_masses {
+            if let Some(node) = self.joints[*joint] {
+                add_scaled(&mut nodes[node][INERTIA], 1.0, inertia);
             }
         }
         let rotates = self.rotating();
@@ -306,6 +348,8 @@ impl<'a> Assembly<'a> {
         let mut is_branch = vec![false; self.graph.edges.len()];
         for branch in &branches {
             is_branch[branch.edge] = true;
+            let carrier = Carrier::Link(equations.links.len());
+            elements.extend(self.placed(branch.edge, carrier, branch.reversed));
             let link = self.link(*branch, equations.unknowns);
             equations.unknowns += link.coordinates;
             equations.links.push(link);
@@ -314,12 +358,29 @@ impl<'a> Assembly<'a> {
         for edge in others.collect::<Vec<_>>() {
             self.check_unused(edge)?;
             if let Some(chord) = self.chord(edge, equations.unknowns) {
+                let carrier = Carrier::Chord(equations.chords.len());
+                elements.extend(self.placed(edge, carrier, false));
                 equations.unknowns += chord.bubbles;
                 equations.chords.push(chord);
             }
         }
         equations.chords.append(&mut self.matrices);
-        Ok(equations)
+        Ok((equations, elements))
+    }
+
+    /// The element of an edge, if it is one.
+    fn placed(&self, edge: usize, carrier: Carrier, reversed: bool) -> Option<PlacedElement> {
+        match self.graph.edges[edge].kind {
+            EdgeKind::Element { member, from, to } => Some(PlacedElement {
+                edge,
+                member,
+                from,
+                to,
+                carrier,
+                reversed,
+            }),
+            EdgeKind::Rigid | EdgeKind::Hinge(_) | EdgeKind::Free(_) => None,
+        }
     }
 
     /// An edge that carries no node must be an element, or hold nothing that is not held already.
@@ -356,12 +417,8 @@ impl<'a> Assembly<'a> {
         rotates
     }
 
-    fn element(&mut self, member: usize, from: f64, to: f64) -> Option<Element> {
-        let member = &self.frame.description().members[member];
-        let MemberKind::Beam { ends, material } = &member.kind else {
-            return None;
-        };
-        let length_m = self.frame.length_m(member) * (to - from).abs();
+    fn element(&mut self, edge: usize, index: usize, from: f64, to: f64) -> Option<Element> {
+        let member = &self.frame.description().members[index];
         let [x, y, z] = self.frame.axes(member);
         // From the second joint to the first the axes are turned about x.
         let back = |axis: Vector| axis.map(|a| -a);
@@ -370,12 +427,23 @@ impl<'a> Assembly<'a> {
         } else {
             [x, back(y), back(z)]
         };
-        let element = self.recipe.element(
+        // Their axes as rows of the transposed matrix: from global axes into those of the stretch.
+        let into: [Vector; 3] = std::array::from_fn(|i| std::array::from_fn(|j| axes[j][i]));
+        let (low, high) = (from.min(to), from.max(to));
+        let is_here = |at: f64| low <= at && (at < high || high >= 1.0);
+        let riders = self.frame.description().riders.iter();
+        let riders = riders.filter(|rider| rider.member == index && is_here(rider.fraction));
+        let stretch = Stretch {
             member,
-            (ends, material),
-            (from, to, length_m),
-            &mut self.memory,
-        );
+            from,
+            to,
+            member_m: self.frame.length_m(member),
+            tension: self.tensions.get(&edge),
+            riders: riders
+                .map(|r| (r.fraction, rigid::matrix_out_of_axes(&into, &r.inertia)))
+                .collect(),
+        };
+        let element = self.recipe.element(&stretch, &mut self.memory)?;
         Some(element.out_of_axes(&axes))
     }
 
@@ -421,7 +489,7 @@ impl<'a> Assembly<'a> {
                 } else {
                     (from, to)
                 };
-                let Some(element) = self.element(member, from, to) else {
+                let Some(element) = self.element(branch.edge, member, from, to) else {
                     return link(identity(), Vec::new(), 0.0);
                 };
                 let [inertia, ground, geometric] = element.matrices;
@@ -437,12 +505,12 @@ impl<'a> Assembly<'a> {
     /// The chord of an edge that carries no node; none for a rigid one, which other rigid ones
     /// replace.
     fn chord(&mut self, edge: usize, first: usize) -> Option<Chord> {
-        let edge = self.graph.edges[edge].clone();
-        let EdgeKind::Element { member, from, to } = edge.kind else {
+        let Edge { ends, kind, .. } = self.graph.edges[edge].clone();
+        let EdgeKind::Element { member, from, to } = kind else {
             return None;
         };
-        let element = self.element(member, from, to)?;
-        Some(chord_of(&element, edge.ends, first))
+        let element = self.element(edge, member, from, to)?;
+        Some(chord_of(&element, ends, first))
     }
 }
 

@@ -11,12 +11,13 @@ use super::order::Order;
 use super::product::Sweep;
 use super::recipe::FrameRecipe;
 use super::rigid::{Motion, NONE, rigid_transfer};
+use super::statics::with_tensions;
 use crate::space::{SpatialMatrix, add_scaled};
 use crate::subsystem::{
     Branch, Coefficients, MatrixKind, Resultant, SegmentCurves, ShearFraction, Subsystem,
 };
 use crate::tower::frame::FrameFoundation;
-use crate::tower::{Motions, spatial_inertia};
+use crate::tower::{Motions, RigidBody, spatial_inertia};
 
 /// A tower of any kind of elements, in which all motions are coupled, on a frame.
 pub(crate) struct OnFrame {
@@ -50,33 +51,41 @@ impl OnFrame {
         (base_m, gravity_m_per_s2): (f64, f64),
         degree: usize,
     ) -> Result<Self, FrameSolveError> {
+        let [x, y, z] = foundation.reference_m();
+        let branch = tower.branch().unwrap_or_default();
+        let recipe = FrameRecipe::Spectral { degree };
+        let mut carried = None;
+        let members_n = if foundation.weight_on_members {
+            gravity_m_per_s2
+        } else {
+            0.0
+        };
         let Assembled {
-            mut equations,
-            transition,
+            equations,
             positions_m,
             ..
-        } = assemble(&foundation.frame, FrameRecipe::Spectral { degree })?;
-        let node = transition.ok_or(FrameSolveError::NoTransition)?;
-        let [x, y, z] = foundation.reference_m();
-        let body = &foundation.platform;
-        let nodes = &mut equations.nodes[node];
-        let inertia = spatial_inertia(body.mass_kg, body.center_m, &body.inertia_kg_m2);
-        add_scaled(&mut nodes[INERTIA], 1.0, &inertia);
-        let weight_n = body.mass_kg * gravity_m_per_s2;
-        add_scaled(
-            &mut nodes[GEOMETRIC],
-            weight_n,
-            &turning_over(body.center_m),
-        );
-        let branch = tower.branch().unwrap_or_default();
+        } = with_tensions(
+            &foundation.frame,
+            members_n,
+            |frame, tensions| assemble(frame, recipe, tensions),
+            |assembled| {
+                let on = assembled.transition.map(|node| {
+                    let equations = &mut assembled.equations;
+                    add_platform(equations, node, &foundation.platform, gravity_m_per_s2);
+                    let first = equations.links.len();
+                    let (foot, elements) = add_tower(equations, &branch, node, base_m - z);
+                    (foot, elements, first..equations.links.len())
+                });
+                carried = on;
+            },
+        )?;
+        let (foot, elements, branch_links) = carried.ok_or(FrameSolveError::NoTransition)?;
         let units = branch.units;
         let levers_m = positions_m.iter().map(|p| [p[0] - x, p[1] - y]).collect();
-        let first = equations.links.len();
-        let (foot, elements) = add_tower(&mut equations, branch, node, base_m - z);
         Ok(Self {
             tower,
             order: Order::new(&equations),
-            branch: first..equations.links.len(),
+            branch: branch_links,
             equations,
             elements,
             units,
@@ -134,11 +143,24 @@ impl OnFrame {
     }
 }
 
+/// Adds a rigid body to the transition piece, with its weight.
+fn add_platform(equations: &mut Equations, node: usize, body: &RigidBody, gravity_m_per_s2: f64) {
+    let matrices = &mut equations.nodes[node];
+    let inertia = spatial_inertia(body.mass_kg, body.center_m, &body.inertia_kg_m2);
+    add_scaled(&mut matrices[INERTIA], 1.0, &inertia);
+    let weight_n = body.mass_kg * gravity_m_per_s2;
+    add_scaled(
+        &mut matrices[GEOMETRIC],
+        weight_n,
+        &turning_over(body.center_m),
+    );
+}
+
 /// Adds a tower to a frame, with its base `rise_m` (m) above the transition piece. Returns the node
 /// of its base, and its elements in changed coordinates.
 fn add_tower(
     equations: &mut Equations,
-    branch: Branch,
+    branch: &Branch,
     node: usize,
     rise_m: f64,
 ) -> (usize, Vec<Element>) {
@@ -159,9 +181,9 @@ fn add_tower(
         matrices: [const { Vec::new() }; KINDS],
     });
     let (mut parent, mut elements) = (foot, Vec::with_capacity(branch.links.len()));
-    for link in branch.links {
+    for link in &branch.links {
         let child = carried(equations, &link.body);
-        let element = Element::new(link.transfer, link.tips, link.matrices);
+        let element = Element::new(link.transfer, link.tips.clone(), link.matrices.clone());
         let [inertia, ground, geometric] = element.matrices.clone();
         equations.links.push(Link {
             parent: Some(parent),
@@ -277,7 +299,7 @@ impl Subsystem for OnFrame {
     }
 
     fn start(&mut self, out: &mut [f64]) {
-        self.equations.start(&mut self.sweep, out);
+        self.equations.start(out);
     }
 
     fn curves<'a>(

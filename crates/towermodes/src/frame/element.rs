@@ -78,7 +78,7 @@ impl Element {
         }
     }
 
-    /// The same without its bubbles, and with an inertia given for the motions of both ends (12
+    /// The same without its bubbles, and with more inertia, given for the motions of both ends (12
     /// rows).
     pub(super) fn with_nodal_inertia(&self, inertia: &[[f64; 12]; 12]) -> Self {
         let moving = self.tip.len();
@@ -89,20 +89,21 @@ impl Element {
             (false, true) => self.transfer[i - 6][j],
             (false, false) => self.tip[j - 6][i - 6],
         };
-        let mut sum = vec![0.0; rows * rows];
+        let old = 6 + self.coordinates;
+        let leading = |matrix: &Vec<f64>| -> Vec<f64> {
+            let rows_of = matrix.chunks_exact(old).take(rows);
+            rows_of.flat_map(|row| row[..rows].to_vec()).collect()
+        };
+        let [carried, ground, geometric] = &self.matrices;
+        let mut sum = leading(carried);
+        sum.resize(rows * rows, 0.0);
         for i in 0..rows {
             let left: [f64; 12] =
                 std::array::from_fn(|b| (0..12).map(|a| ends(a, i) * inertia[a][b]).sum());
             for j in 0..rows {
-                sum[i * rows + j] = (0..12).map(|b| left[b] * ends(b, j)).sum();
+                sum[i * rows + j] += (0..12).map(|b| left[b] * ends(b, j)).sum::<f64>();
             }
         }
-        let old = 6 + self.coordinates;
-        let leading = |matrix: &Vec<f64>| {
-            let rows_of = matrix.chunks_exact(old).take(rows);
-            rows_of.flat_map(|row| row[..rows].to_vec()).collect()
-        };
-        let [_, ground, geometric] = &self.matrices;
         Self {
             transfer: self.transfer,
             tip: self.tip.clone(),

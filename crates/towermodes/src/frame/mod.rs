@@ -14,6 +14,7 @@ mod product;
 mod recipe;
 mod rigid;
 mod solve;
+mod statics;
 
 pub(crate) use carrying::OnFrame;
 pub use error::FrameSolveError;
@@ -21,7 +22,7 @@ pub use recipe::FrameRecipe;
 pub use solve::{FrameMode, FrameOptions, FrameSolution, count_frame_modes, solve_frame};
 
 pub use crate::tower::frame::{
-    Frame, FrameDescription, FrameError, FrameFoundation, FrameJoint, FrameMember, FramePlace,
-    FrameProblem, FrameSpring, FrameSupport, GivenSection, JointKind, MemberKind, Rectangle,
-    SectionEnds, Transition,
+    CoatKind, Frame, FrameCoat, FrameDescription, FrameError, FrameFoundation, FrameJoint,
+    FrameMember, FramePlace, FrameProblem, FrameRider, FrameSpring, FrameSupport, GivenSection,
+    JointKind, MemberKind, Rectangle, SectionEnds, Transition,
 };

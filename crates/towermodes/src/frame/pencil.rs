@@ -117,7 +117,7 @@ impl Pencil for FramePencil {
     }
 
     fn start(&mut self, out: &mut [f64]) {
-        self.equations.start(&mut self.sweep, out);
+        self.equations.start(out);
     }
 }
 

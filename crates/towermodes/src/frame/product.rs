@@ -1,6 +1,6 @@
 //! Products with the matrices of a frame: motions from the ground outwards, forces back.
 
-use super::equations::{Equations, KINDS, add_force, motion_of};
+use super::equations::{Equations, INERTIA, KINDS, add_force};
 use super::rigid::{Motion, add_transposed, moved};
 
 /// Memory of a product.
@@ -8,6 +8,8 @@ use super::rigid::{Motion, add_transposed, moved};
 pub(super) struct Sweep {
     pub(super) motions: Vec<Motion>,
     forces: Vec<Motion>,
+    /// The motion of the ground.
+    ground: Motion,
     at: Vec<f64>,
     load: Vec<f64>,
 }
@@ -63,9 +65,11 @@ impl Equations {
         let Sweep {
             motions,
             forces,
+            ground,
             at,
             load,
         } = sweep;
+        let motion_of = |node: Option<usize>| node.map_or(*ground, |node| motions[node]);
         for ((matrices, motion), force) in self.nodes.iter().zip(&*motions).zip(&mut *forces) {
             for (factor, matrix) in factors.iter().zip(matrices) {
                 if *factor != 0.0 {
@@ -80,7 +84,7 @@ impl Equations {
         for link in &self.links {
             let (own, rows) = (&x[link.first..][..link.coordinates], link.rows());
             at.clear();
-            at.extend(motion_of(motions, link.parent));
+            at.extend(motion_of(link.parent));
             at.extend(own);
             times(factors, &link.matrices, rows, at, load);
             add_force(forces, link.parent, &load[..6]);
@@ -89,8 +93,8 @@ impl Equations {
         for chord in &self.chords {
             let (own, rows) = (&x[chord.first..][..chord.bubbles], chord.rows());
             at.clear();
-            at.extend(motion_of(motions, chord.ends[0]));
-            at.extend(motion_of(motions, chord.ends[1]));
+            at.extend(motion_of(chord.ends[0]));
+            at.extend(motion_of(chord.ends[1]));
             at.extend(own);
             times(factors, &chord.matrices, rows, at, load);
             add_force(forces, chord.ends[0], &load[..6]);
@@ -112,20 +116,28 @@ impl Equations {
         }
     }
 
-    /// out = Jᵀ f for a force on each node.
-    pub(super) fn start(&self, sweep: &mut Sweep, out: &mut [f64]) {
-        // Inertia forces of the rigid motion that is 1 in every component at every node.
-        sweep.motions.clear();
-        sweep.motions.resize(self.nodes.len(), [1.0; 6]);
-        sweep.forces.clear();
-        sweep.forces.resize(self.nodes.len(), [0.0; 6]);
-        let still = vec![0.0; self.unknowns];
+    /// Inertia forces of a motion that is 1 in every component at every node: a start vector.
+    pub(super) fn start(&self, out: &mut [f64]) {
         let mut factors = [0.0; KINDS];
-        factors[super::equations::INERTIA] = 1.0;
-        self.load(&factors, sweep, &still, out);
-        let mut forces = std::mem::take(&mut sweep.forces);
-        self.gather(&mut forces, out);
-        sweep.forces = forces;
+        factors[INERTIA] = 1.0;
+        self.loads_of_rigid_motion(&factors, [1.0; 6], out);
+    }
+
+    /// out = Jᵀ A r for the same motion r of every node, without deformations.
+    pub(super) fn loads_of_rigid_motion(
+        &self,
+        factors: &[f64; KINDS],
+        motion: Motion,
+        out: &mut [f64],
+    ) {
+        let mut sweep = Sweep {
+            motions: vec![motion; self.nodes.len()],
+            forces: vec![[0.0; 6]; self.nodes.len()],
+            ground: motion,
+            ..Sweep::default()
+        };
+        self.load(factors, &mut sweep, &vec![0.0; self.unknowns], out);
+        self.gather(&mut sweep.forces, out);
     }
 }
 

@@ -2,9 +2,16 @@
 
 use super::element::Element;
 use super::error::FrameSolveError;
+use super::statics::{Tension, tension_at};
 use crate::beam::{MemberElement, MemberStrains};
-use crate::tower::Section;
-use crate::tower::frame::{FrameMember, SectionEnds};
+use crate::space::SpatialMatrix;
+use crate::tower::frame::{FrameMember, MemberKind};
+use crate::tower::{Section, SectionMasses};
+
+/// Fractions of a member that are closer than this are one.
+const CLOSE: f64 = 1e-9;
+/// By how much a fraction is inside an element at least.
+const TINY: f64 = 1e-12;
 
 /// How members are made into elements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,44 +49,124 @@ impl FrameRecipe {
         }
     }
 
-    /// The fractions of a member at which its elements begin and end.
-    pub(super) fn borders(self) -> Vec<f64> {
+    /// The fractions of a member at which its elements begin and end: parts of equal length, or
+    /// where its water and growth begin and end.
+    pub(super) fn borders(self, member: &FrameMember) -> Vec<f64> {
         let parts = match self {
             Self::Spectral { .. } => 1,
             Self::Subdyn { divisions } => divisions,
         };
-        (0..=parts).map(|k| k as f64 / parts as f64).collect()
+        let mut borders: Vec<f64> = (0..=parts).map(|k| k as f64 / parts as f64).collect();
+        if let Self::Spectral { .. } = self {
+            borders.extend(member.coats.iter().flat_map(|coat| coat.range));
+            borders.sort_by(f64::total_cmp);
+            borders.dedup_by(|a, b| *a - *b <= CLOSE);
+            // Of two that are close the lower one is kept: the end is exact.
+            if let Some(last) = borders.last_mut() {
+                *last = 1.0;
+            }
+        }
+        borders
     }
 
-    /// The element between two fractions of a member, which may fall.
+    /// The element between two fractions of a member, which may fall; none if it is no beam.
     pub(super) fn element(
         self,
-        member: &FrameMember,
-        beam: (&SectionEnds, &crate::tower::Material),
-        (from, to, length_m): (f64, f64, f64),
+        stretch: &Stretch<'_>,
         memory: &mut MemberElement,
-    ) -> Element {
-        let (ends, material) = beam;
+    ) -> Option<Element> {
+        let Stretch { member, .. } = *stretch;
+        let MemberKind::Beam { ends, material } = &member.kind else {
+            return None;
+        };
+        let length_m = stretch.length_m();
+        let bare = |at: f64| ends.at(at, material);
+        let coated = |at: f64| {
+            let section = member.section_at(at, stretch.member_m);
+            section.unwrap_or_else(|| bare(at))
+        };
         match self {
             Self::Spectral { degree } => {
                 let strains = MemberStrains::of_degree(degree, member.shears);
-                let at =
-                    |distance_m: f64| ends.at(from + (to - from) * distance_m / length_m, material);
-                memory.make(strains, length_m, at, None);
-                Element::of(memory, length_m)
+                let compression = stretch.compression();
+                memory.make(
+                    strains,
+                    length_m,
+                    |z| coated(stretch.fraction(z)),
+                    compression.as_deref(),
+                );
+                stretch.add_riders(memory);
+                Some(Element::of(memory, length_m))
             }
             Self::Subdyn { .. } => {
-                let section = ends.at(0.5 * (from + to), material);
+                let section = bare(0.5 * (stretch.from + stretch.to));
                 let strains = MemberStrains {
                     curvature: 2,
                     shear: usize::from(member.shears),
                     torsion: 1,
                     axial: 1,
                 };
-                memory.make(strains, length_m, |_| section, None);
+                // Its own inertia is given for its ends: here only what moves with it.
+                let carried = |z: f64| {
+                    let at = stretch.fraction(z);
+                    let (own, all) = (bare(at).masses, coated(at).masses);
+                    let masses = SectionMasses {
+                        mass_kg_per_m: all.mass_kg_per_m - own.mass_kg_per_m,
+                        water_kg_per_m: all.water_kg_per_m,
+                        ..SectionMasses::NONE
+                    };
+                    Section { masses, ..section }
+                };
+                let compression = stretch.compression();
+                memory.make(strains, length_m, carried, compression.as_deref());
+                stretch.add_riders(memory);
                 let inertia = nodal_inertia(&section, length_m);
-                Element::of(memory, length_m).with_nodal_inertia(&inertia)
+                Some(Element::of(memory, length_m).with_nodal_inertia(&inertia))
             }
+        }
+    }
+}
+
+/// A stretch of a member, seen from its near end.
+pub(super) struct Stretch<'a> {
+    pub(super) member: &'a FrameMember,
+    /// Where it begins and ends, as fractions of the member, which may fall.
+    pub(super) from: f64,
+    pub(super) to: f64,
+    /// Length of the member, m.
+    pub(super) member_m: f64,
+    /// The tension at rest, from where it is lower on the member to where it is higher.
+    pub(super) tension: Option<&'a Tension>,
+    /// What rides on it, with its axes as those of the stretch.
+    pub(super) riders: Vec<(f64, SpatialMatrix)>,
+}
+
+impl Stretch<'_> {
+    fn length_m(&self) -> f64 {
+        self.member_m * (self.to - self.from).abs()
+    }
+
+    /// The fraction of the member at a distance (m) from the near end. What ends at a border
+    /// belongs to one side of it, so that it is never the border itself.
+    fn fraction(&self, distance_m: f64) -> f64 {
+        let (low, high) = (self.from.min(self.to), self.from.max(self.to));
+        let at = self.from + (self.to - self.from) * distance_m / self.length_m();
+        at.clamp(low + TINY, high - TINY)
+    }
+
+    /// The compression (N) at a distance (m) from the near end, if it is known.
+    fn compression(&self) -> Option<Box<dyn Fn(f64) -> f64 + '_>> {
+        let tension = self.tension?;
+        let (low, size) = (self.from.min(self.to), (self.to - self.from).abs());
+        Some(Box::new(move |distance_m| {
+            -tension_at(tension, (self.fraction(distance_m) - low) / size)
+        }))
+    }
+
+    fn add_riders(&self, memory: &mut MemberElement) {
+        for (fraction, inertia) in &self.riders {
+            let distance_m = (fraction - self.from).abs() * self.member_m;
+            memory.add_inertia(distance_m, inertia);
         }
     }
 }

@@ -7,6 +7,7 @@ use super::error::FrameSolveError;
 use super::pencil::FramePencil;
 use super::recipe::FrameRecipe;
 use super::rigid::Motion;
+use super::statics::with_tensions;
 use crate::eigen::{EigenWorkspace, lowest};
 use crate::tower::frame::Frame;
 
@@ -20,13 +21,15 @@ const LAST_DEGREE: usize = 16;
 const CONVERGED: f64 = 1e-10;
 
 /// How a frame is solved.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct FrameOptions {
     /// Number of modes.
     pub modes: usize,
     /// How members are made into elements; none: spectral elements whose degree rises until the
     /// frequencies have converged.
     pub recipe: Option<FrameRecipe>,
+    /// Gravity, m/s², for the geometric stiffness of the weight of the frame; 0 for none.
+    pub gravity_m_per_s2: f64,
 }
 
 impl Default for FrameOptions {
@@ -34,6 +37,7 @@ impl Default for FrameOptions {
         Self {
             modes: 8,
             recipe: None,
+            gravity_m_per_s2: 0.0,
         }
     }
 }
@@ -77,9 +81,9 @@ pub fn solve_frame(
     options: &FrameOptions,
 ) -> Result<FrameSolution, FrameSolveError> {
     if let Some(recipe) = options.recipe {
-        return solve_once(frame, options.modes, recipe);
+        return solve_once(frame, options, recipe);
     }
-    let at = |degree| solve_once(frame, options.modes, FrameRecipe::Spectral { degree });
+    let at = |degree| solve_once(frame, options, FrameRecipe::Spectral { degree });
     let mut degree = FIRST_DEGREE;
     let mut coarse = at(degree)?;
     loop {
@@ -107,22 +111,28 @@ pub fn count_frame_modes(
     recipe: FrameRecipe,
     below_hz: f64,
 ) -> Result<usize, FrameSolveError> {
-    let assembled = assemble(frame, recipe)?;
+    let assembled = assemble(frame, recipe, &[])?;
     let omega = TAU * below_hz;
     Ok(FramePencil::new(assembled.equations).count_below_lambda(omega * omega))
 }
 
 fn solve_once(
     frame: &Frame,
-    wanted: usize,
+    options: &FrameOptions,
     recipe: FrameRecipe,
 ) -> Result<FrameSolution, FrameSolveError> {
+    let (wanted, gravity_m_per_s2) = (options.modes, options.gravity_m_per_s2);
     let Assembled {
         equations,
         joints,
         transition,
         ..
-    } = assemble(frame, recipe)?;
+    } = with_tensions(
+        frame,
+        gravity_m_per_s2,
+        |frame, tensions| assemble(frame, recipe, tensions),
+        |_| {},
+    )?;
     let available = equations.unknowns;
     if wanted == 0 || wanted > available {
         return Err(FrameSolveError::Modes {

@@ -40,8 +40,26 @@ pub struct FrameDescription {
     /// Rigid bodies on joints: the number of the joint from 0, and the body with its centre from
     /// the joint.
     pub masses: Vec<(usize, RigidBody)>,
+    /// Inertia that moves with joints and has no weight, such as the added mass of the ends of
+    /// members: the number of the joint from 0, and the matrix, kg, kg m, kg m².
+    pub added_masses: Vec<(usize, SpatialMatrix)>,
+    /// Inertia that moves with points of members and has no weight, such as added mass of
+    /// members of a coarser description.
+    pub riders: Vec<FrameRider>,
     /// The rigid transition piece, if there is one.
     pub transition: Option<Transition>,
+}
+
+/// Inertia that moves with a section of a beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrameRider {
+    /// The member, from 0; a beam.
+    pub member: usize,
+    /// Where it is, as a fraction of the length from the first joint.
+    pub fraction: f64,
+    /// Inertia for the motion (x, y, z, rotation about x, y, z) of the point of the member's axis,
+    /// kg, kg m, kg m².
+    pub inertia: SpatialMatrix,
 }
 
 /// A joint.

@@ -32,6 +32,8 @@ pub enum FramePlace {
     Support(usize, String),
     /// A mass, from 0, and the name of its joint.
     Mass(usize, String),
+    /// An added mass, from 0, and the name of its joint.
+    AddedMass(usize, String),
     /// The transition piece.
     Transition,
 }
@@ -44,6 +46,7 @@ impl fmt::Display for FramePlace {
             Self::Member(_, name) => write!(f, "member {name}"),
             Self::Support(_, name) => write!(f, "support of joint {name}"),
             Self::Mass(_, name) => write!(f, "mass on joint {name}"),
+            Self::AddedMass(_, name) => write!(f, "added mass on joint {name}"),
             Self::Transition => write!(f, "transition piece"),
         }
     }
@@ -66,6 +69,14 @@ pub enum FrameProblem {
         joint: usize,
         /// How many there are.
         joints: usize,
+    },
+    /// A member number that does not exist.
+    #[error("member number {member} does not exist; there are {members} members, numbered from 0")]
+    NoMemberNumber {
+        /// The number.
+        member: usize,
+        /// How many there are.
+        members: usize,
     },
     /// Two joints with the same name.
     #[error("the name stands twice; each joint needs its own")]
@@ -143,6 +154,18 @@ pub enum FrameProblem {
         "a frame under a tower needs a transition piece that moves; give its reference point and joints"
     )]
     NoTransition,
+    /// A rider that is on no beam.
+    #[error("added mass at {} of its length; the place must be from 0 to 1 on a beam", Plain(*.fraction))]
+    RiderPlace {
+        /// The fraction.
+        fraction: f64,
+    },
+    /// A coat outside its member.
+    #[error("its water or growth is from {} to {} of its length; the range must rise within 0 to 1", Plain(.range[0]), Plain(.range[1]))]
+    CoatRange {
+        /// The range.
+        range: [f64; 2],
+    },
     /// Joints that rigid links connect although they are held differently.
     #[error(
         "rigid links connect two supported joints, which then cannot move; remove the links or one support"

@@ -11,6 +11,9 @@ pub struct FrameFoundation {
     pub frame: Frame,
     /// The transition piece itself as a rigid body, with its centre from the reference point.
     pub platform: RigidBody,
+    /// Whether the weight of the structure changes the stiffness of the members (geometric
+    /// stiffness of their forces at rest). OpenFAST's SubDyn leaves it out.
+    pub weight_on_members: bool,
     reference_m: [f64; 3],
 }
 
@@ -26,6 +29,7 @@ impl FrameFoundation {
                 reference_m: transition.position_m,
                 frame,
                 platform,
+                weight_on_members: true,
             }),
             None => Err(FrameError {
                 place: FramePlace::Transition,

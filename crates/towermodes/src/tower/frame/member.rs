@@ -4,6 +4,7 @@ use super::super::parts::material::Material;
 use super::super::parts::surroundings::SoilStiffness;
 use super::super::pieces::planes::Planes;
 use super::super::pieces::section::{Section, SectionMasses, Tube};
+use super::coat::FrameCoat;
 use crate::space::SpatialMatrix;
 
 /// A member between two joints.
@@ -20,6 +21,8 @@ pub struct FrameMember {
     pub shears: bool,
     /// Rotation of the section about the axis of the member, degrees.
     pub spin_deg: f64,
+    /// Water and growth that move with it, if it is a beam.
+    pub coats: Vec<FrameCoat>,
 }
 
 impl FrameMember {
@@ -45,7 +48,20 @@ impl FrameMember {
             kind,
             shears: true,
             spin_deg: 0.0,
+            coats: Vec::new(),
         }
+    }
+
+    /// The section at a fraction of its length (m), with what moves with it; none if it is no beam.
+    pub(crate) fn section_at(&self, fraction: f64, length_m: f64) -> Option<Section> {
+        let MemberKind::Beam { ends, material } = &self.kind else {
+            return None;
+        };
+        let mut section = ends.at(fraction, material);
+        for coat in &self.coats {
+            coat.add(fraction, length_m, &mut section.masses);
+        }
+        Some(section)
     }
 }
 

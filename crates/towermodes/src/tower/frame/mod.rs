@@ -1,13 +1,17 @@
 //! Space frames: joints and members of a jacket, tripod or monopile, as a user describes them.
 
 mod axes;
+mod coat;
 mod description;
 mod error;
 mod foundation;
 mod member;
 mod validate;
 
-pub use description::{FrameDescription, FrameJoint, FrameSupport, JointKind, Transition};
+pub use coat::{CoatKind, FrameCoat};
+pub use description::{
+    FrameDescription, FrameJoint, FrameRider, FrameSupport, JointKind, Transition,
+};
 pub use error::{FrameError, FramePlace, FrameProblem};
 pub use foundation::FrameFoundation;
 pub use member::{FrameMember, FrameSpring, GivenSection, MemberKind, Rectangle, SectionEnds};

@@ -5,7 +5,8 @@ use super::super::parts::material::Material;
 use super::super::parts::rigid_body::RigidBody;
 use super::super::pieces::section::Tube;
 use super::axes::{Axes, difference, member_axes, norm};
-use super::description::{FrameDescription, FrameSupport, JointKind};
+use super::coat::{CoatKind, FrameCoat};
+use super::description::{FrameDescription, FrameRider, FrameSupport, JointKind};
 use super::error::{FrameError, FramePlace, FrameProblem};
 use super::member::{FrameMember, MemberKind, Rectangle, SectionEnds};
 use crate::space::SpatialMatrix;
@@ -31,6 +32,11 @@ impl Frame {
     pub fn new(description: FrameDescription) -> Result<Self, FrameError> {
         check(&description)?;
         Ok(Self { description })
+    }
+
+    /// A frame near one that was checked.
+    pub(crate) fn unchecked(description: FrameDescription) -> Self {
+        Self { description }
     }
 
     /// The description that was checked.
@@ -73,14 +79,16 @@ impl Frame {
         }
     }
 
-    /// Mass of a member, kg.
+    /// Mass of a member with growth and water in it, kg.
     pub fn member_mass_kg(&self, member: &FrameMember) -> f64 {
         let length_m = self.length_m(member);
         match &member.kind {
             MemberKind::Beam { ends, material } => {
                 // A = π t (d − t) is quadratic along the member: Simpson's rule is exact.
                 let at = |s| ends.at(s, material).masses.mass_kg_per_m;
-                length_m * (at(0.0) + 4.0 * at(0.5) + at(1.0)) / 6.0
+                let own_kg = length_m * (at(0.0) + 4.0 * at(0.5) + at(1.0)) / 6.0;
+                let coats = member.coats.iter().map(|coat| coat.mass_kg(length_m));
+                own_kg + coats.sum::<f64>()
             }
             MemberKind::Cable {
                 axial_n,
@@ -110,6 +118,14 @@ fn check(description: &FrameDescription) -> Result<(), FrameError> {
         let name = joint_name(description, *joint);
         let place = || FramePlace::Mass(index, name.clone());
         check_mass(description, *joint, body).map_err(|problem| at(place(), problem))?;
+    }
+    for (index, (joint, matrix)) in description.added_masses.iter().enumerate() {
+        let place = || FramePlace::AddedMass(index, joint_name(description, *joint));
+        let checked = existing(description, *joint).and_then(|()| check_matrix("inertia", matrix));
+        checked.map_err(|problem| at(place(), problem))?;
+    }
+    for rider in &description.riders {
+        check_rider(description, rider)?;
     }
     check_transition(description).map_err(|problem| at(FramePlace::Transition, problem))?;
     check_connected(description)
@@ -227,6 +243,7 @@ fn check_member(description: &FrameDescription, member: &FrameMember) -> Result<
     let [from, to] = member.joints.map(|j| description.joints[j].position_m);
     let length_m = norm(difference(to, from));
     finite("spin", member.spin_deg)?;
+    member.coats.iter().try_for_each(check_coat)?;
     let may_be_short = match &member.kind {
         MemberKind::Beam { ends, material } => {
             check_material(material)?;
@@ -263,6 +280,44 @@ fn check_member(description: &FrameDescription, member: &FrameMember) -> Result<
         true => Ok(()),
         false => Err(FrameProblem::NoLength { length_m }),
     }
+}
+
+fn check_rider(description: &FrameDescription, rider: &FrameRider) -> Result<(), FrameError> {
+    let Some(member) = description.members.get(rider.member) else {
+        let (member, members) = (rider.member, description.members.len());
+        let problem = FrameProblem::NoMemberNumber { member, members };
+        return Err(at(FramePlace::Frame, problem));
+    };
+    let is_beam = matches!(member.kind, MemberKind::Beam { .. });
+    let fraction = rider.fraction;
+    let checked = match is_beam && (0.0..=1.0).contains(&fraction) {
+        true => check_matrix("inertia", &rider.inertia),
+        false => Err(FrameProblem::RiderPlace { fraction }),
+    };
+    let place = || FramePlace::Member(rider.member, member.name.clone());
+    checked.map_err(|problem| at(place(), problem))
+}
+
+fn check_coat(coat: &FrameCoat) -> Result<(), FrameProblem> {
+    let [from, to] = coat.range;
+    if !(from >= 0.0 && from < to && to <= 1.0) {
+        return Err(FrameProblem::CoatRange { range: coat.range });
+    }
+    let pairs = match coat.kind {
+        CoatKind::Solid {
+            density_kg_per_m3,
+            outer_radius_m,
+            inner_radius_m,
+        } => vec![density_kg_per_m3, outer_radius_m, inner_radius_m],
+        CoatKind::AddedMass {
+            density_kg_per_m3,
+            radius_m,
+            across,
+            along,
+        } => vec![[density_kg_per_m3; 2], radius_m, across, along],
+    };
+    let mut values = pairs.into_iter().flatten();
+    values.try_for_each(|value| not_negative("value of water or growth", "", value))
 }
 
 fn check_material(material: &Material) -> Result<(), FrameProblem> {

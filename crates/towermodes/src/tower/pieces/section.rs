@@ -78,6 +78,17 @@ pub struct SectionMasses {
 }
 
 impl SectionMasses {
+    /// No mass.
+    pub(crate) const NONE: Self = Self {
+        mass_kg_per_m: 0.0,
+        water_kg_per_m: 0.0,
+        rotary_inertia_kg_m: Planes {
+            fore_aft: 0.0,
+            side_side: 0.0,
+        },
+        polar_inertia_kg_m: 0.0,
+    };
+
     /// The masses of a tube.
     #[inline]
     pub fn of_tube(tube: &Tube, material: &Material) -> Self {

@@ -1,0 +1,188 @@
+//! The axial forces of members at rest under weight, for their geometric stiffness.
+//!
+//! K u = f with the weights f; the force in a beam follows from its elongation, less what its own
+//! distributed weight elongates. Water around members has no weight here, and buoyancy is left out.
+
+use super::assembly::{Assembled, Carrier, PlacedElement};
+use super::elimination::Factors;
+use super::equations::{ELASTIC, Equations, GROUND, INERTIA, KINDS, motion_of};
+use super::order::Order;
+use super::rigid::{Motion, Vector};
+use crate::tower::frame::{CoatKind, Frame, FrameDescription};
+
+/// The tension at five equally spaced points of an element, N, from where it begins on its member.
+pub(super) type Tension = [f64; 5];
+
+/// Points of Gauss's rule on [0, 1] and their weights: exact for degree 7.
+const GAUSS: [(f64, f64); 4] = [
+    (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
+    (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
+    (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
+    (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
+];
+
+/// The tension at a fraction of an element: the polynomial through its five points.
+pub(super) fn tension_at(tension: &Tension, s: f64) -> f64 {
+    let point = |k: usize| k as f64 / 4.0;
+    let weight = |k: usize| {
+        let others = (0..5).filter(|other| *other != k);
+        others
+            .map(|other| (s - point(other)) / (point(k) - point(other)))
+            .product::<f64>()
+    };
+    tension.iter().enumerate().map(|(k, n)| n * weight(k)).sum()
+}
+
+/// A frame whose masses are those that have weight.
+pub(super) fn weighed(frame: &Frame) -> FrameDescription {
+    let mut description = frame.description().clone();
+    description.added_masses.clear();
+    description.riders.clear();
+    for coat in description
+        .members
+        .iter_mut()
+        .flat_map(|member| &mut member.coats)
+    {
+        if let CoatKind::AddedMass {
+            density_kg_per_m3, ..
+        } = &mut coat.kind
+        {
+            *density_kg_per_m3 = 0.0;
+        }
+    }
+    description
+}
+
+/// The tension in each element of the members of a frame, by edge; none where the stiffness does
+/// not hold the frame.
+pub(super) fn tensions(
+    frame: &Frame,
+    equations: &Equations,
+    elements: &[PlacedElement],
+    gravity_m_per_s2: f64,
+) -> Vec<(usize, Tension)> {
+    let order = Order::new(equations);
+    let mut factors = Factors::default();
+    let mut stiffness = [0.0; KINDS];
+    (stiffness[GROUND], stiffness[ELASTIC]) = (1.0, 1.0);
+    if equations.factorize(&order, (&stiffness, 1.0), &mut factors) != 0 {
+        return Vec::new();
+    }
+    let mut x = equations.weight(gravity_m_per_s2);
+    equations.solve(&order, &mut factors, &mut x);
+    let mut motions = Vec::new();
+    equations.set_motions(&x, &mut motions);
+    let tension = |element: &PlacedElement| {
+        let elongation_m = elongation_m(equations, &motions, &x, element, frame);
+        (
+            element.edge,
+            tension_of(frame, element, elongation_m, gravity_m_per_s2),
+        )
+    };
+    elements.iter().map(tension).collect()
+}
+
+impl Equations {
+    /// Jᵀ f for the weights of everything.
+    fn weight(&self, gravity_m_per_s2: f64) -> Vec<f64> {
+        let mut out = vec![0.0; self.unknowns];
+        let mut factors = [0.0; KINDS];
+        factors[INERTIA] = -gravity_m_per_s2;
+        self.loads_of_rigid_motion(&factors, [0.0, 0.0, 1.0, 0.0, 0.0, 0.0], &mut out);
+        out
+    }
+}
+
+/// The axis of the member of an element, from its first joint to its second.
+fn axis(frame: &Frame, element: &PlacedElement) -> Vector {
+    let [_, _, z] = frame.axes(&frame.description().members[element.member]);
+    z
+}
+
+/// By how much an element is longer than without forces, m.
+fn elongation_m(
+    equations: &Equations,
+    motions: &[Motion],
+    x: &[f64],
+    element: &PlacedElement,
+    frame: &Frame,
+) -> f64 {
+    let axis = axis(frame, element);
+    let along = |motion: &Motion| axis.iter().zip(motion).map(|(a, m)| a * m).sum::<f64>();
+    match element.carrier {
+        Carrier::Link(index) => {
+            let link = &equations.links[index];
+            let own = &x[link.first..];
+            let moved = link
+                .tip
+                .iter()
+                .zip(own)
+                .map(|(column, y)| along(column) * y);
+            // From the second joint to the first the far end moves against the axis.
+            let sign = if element.reversed { -1.0 } else { 1.0 };
+            sign * moved.sum::<f64>()
+        }
+        Carrier::Chord(index) => {
+            let [near, far] = equations.chords[index]
+                .ends
+                .map(|end| motion_of(motions, end));
+            // A rigid motion does not elongate: the rotation moves the far end across the axis.
+            along(&far) - along(&near)
+        }
+    }
+}
+
+fn tension_of(
+    frame: &Frame,
+    element: &PlacedElement,
+    elongation_m: f64,
+    gravity_m_per_s2: f64,
+) -> Tension {
+    let member = &frame.description().members[element.member];
+    let member_m = frame.length_m(member);
+    let (from, to) = (element.from, element.to);
+    let length_m = member_m * (to - from);
+    let section = |s: f64| {
+        let inside = s.clamp(1e-12, 1.0 - 1e-12);
+        member.section_at(from + inside * (to - from), member_m)
+    };
+    let axial_n = |s: f64| section(s).map_or(f64::INFINITY, |section| section.axial_n);
+    let mass = |s: f64| section(s).map_or(0.0, |section| section.masses.mass_kg_per_m);
+    let [_, _, rise] = axis(frame, element);
+    // The weight beyond a point, along the axis towards the second joint.
+    let beyond_n = |s: f64| {
+        let beyond = GAUSS.map(|(at, weight)| weight * mass(s + at * (1.0 - s)));
+        -gravity_m_per_s2 * rise * (1.0 - s) * length_m * beyond.iter().sum::<f64>()
+    };
+    let flexibility: f64 = GAUSS.iter().map(|(s, weight)| weight / axial_n(*s)).sum();
+    let by_weight: f64 = GAUSS
+        .iter()
+        .map(|(s, weight)| weight * beyond_n(*s) / axial_n(*s))
+        .sum();
+    let at_end_n = (elongation_m / length_m - by_weight) / flexibility;
+    std::array::from_fn(|k| at_end_n + beyond_n(k as f64 / 4.0))
+}
+
+/// The equations of a frame and of what it carries, with the geometric stiffness of its weight.
+pub(super) fn with_tensions<E>(
+    frame: &Frame,
+    gravity_m_per_s2: f64,
+    assemble: impl Fn(&Frame, &[(usize, Tension)]) -> Result<Assembled, E>,
+    mut carry: impl FnMut(&mut Assembled),
+) -> Result<Assembled, E> {
+    let mut forces = Vec::new();
+    if gravity_m_per_s2 != 0.0 {
+        let heavy = Frame::unchecked(weighed(frame));
+        let mut at_rest = assemble(&heavy, &[])?;
+        carry(&mut at_rest);
+        forces = tensions(
+            &heavy,
+            &at_rest.equations,
+            &at_rest.elements,
+            gravity_m_per_s2,
+        );
+    }
+    let mut assembled = assemble(frame, &forces)?;
+    carry(&mut assembled);
+    Ok(assembled)
+}
