@@ -11,7 +11,7 @@ use super::recipe::{FrameRecipe, Stretch};
 use super::rigid::{
     self, Motion, NONE, Vector, identity, product, rigid_transfer, transposed_product,
 };
-use super::statics::Tension;
+use super::tension::Tension;
 use crate::beam::MemberElement;
 use crate::space::{SpatialMatrix, add_scaled};
 use crate::tower::frame::{Frame, FrameMember, JointKind, MemberKind};

@@ -15,6 +15,7 @@ mod recipe;
 mod rigid;
 mod solve;
 mod statics;
+mod tension;
 
 pub(crate) use carrying::OnFrame;
 pub use error::FrameSolveError;

@@ -2,7 +2,7 @@
 
 use super::element::Element;
 use super::error::FrameSolveError;
-use super::statics::{Tension, tension_at};
+use super::tension::{Tension, tension_at};
 use crate::beam::{MemberElement, MemberStrains};
 use crate::space::SpatialMatrix;
 use crate::tower::frame::{FrameMember, MemberKind};

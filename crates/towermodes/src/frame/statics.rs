@@ -8,10 +8,8 @@ use super::elimination::Factors;
 use super::equations::{ELASTIC, Equations, GROUND, INERTIA, KINDS, motion_of};
 use super::order::Order;
 use super::rigid::{Motion, Vector};
+use super::tension::Tension;
 use crate::tower::frame::{CoatKind, Frame, FrameDescription};
-
-/// The tension at five equally spaced points of an element, N, from where it begins on its member.
-pub(super) type Tension = [f64; 5];
 
 /// Points of Gauss's rule on [0, 1] and their weights: exact for degree 7.
 const GAUSS: [(f64, f64); 4] = [
@@ -20,18 +18,6 @@ const GAUSS: [(f64, f64); 4] = [
     (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
     (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
 ];
-
-/// The tension at a fraction of an element: the polynomial through its five points.
-pub(super) fn tension_at(tension: &Tension, s: f64) -> f64 {
-    let point = |k: usize| k as f64 / 4.0;
-    let weight = |k: usize| {
-        let others = (0..5).filter(|other| *other != k);
-        others
-            .map(|other| (s - point(other)) / (point(k) - point(other)))
-            .product::<f64>()
-    };
-    tension.iter().enumerate().map(|(k, n)| n * weight(k)).sum()
-}
 
 /// A frame whose masses are those that have weight.
 pub(super) fn weighed(frame: &Frame) -> FrameDescription {
