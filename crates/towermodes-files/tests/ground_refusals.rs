@@ -291,7 +291,6 @@ fn strata_caissons_and_springs_that_cannot_be() {
         r#"
         20.0 | 1.5 | 13:13 | the underside of the footing is 2 m below the surface of the soil, and the stratum ends at 1.5 m | soil_thickness is the depth of the rock
         soil_thickness = 20.0 | soil_thickness = 20.0\nlower_shear_modulus = 5e8 | 14:13 | the footing is embedded by 2 m in a stratum over another stratum | write embedment = 0, or omit lower_shear_modulus
-        soil_thickness = 20.0 | lower_shear_modulus = 5e8 | 12:23 | `lower_shear_modulus` has no effect without `soil_thickness` | add the thickness of the stratum
         embedment = 2.0 | coupled = 1 | 13:11 | coupled
         "#,
     );

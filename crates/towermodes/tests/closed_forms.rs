@@ -420,7 +420,7 @@ fn impossible_piles_are_refused() {
         tower.expect_err("an impossible pile").problem
     };
     let wall = problem(|pile| pile.tube.wall_thickness_m = 5.0);
-    assert_matches!(wall, Problem::OutOfRange { most: 4.5, .. });
+    assert_matches!(wall, Problem::TooLarge { most: 4.5, .. });
     let length = problem(|pile| pile.tube.embedded_length_m = 0.0);
     assert!(matches!(length, Problem::NotPositive { .. }), "{length:?}");
     let soil = problem(|pile| pile.soil_youngs_modulus_pa = -3e7);

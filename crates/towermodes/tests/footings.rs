@@ -345,6 +345,11 @@ fn footings_and_caissons_outside_their_range_are_told_with_the_numbers() {
         &["is 5", "at most 1"],
     );
     warned(
+        of_circular(|footing| footing.lower_shear_modulus_pa = 1e7),
+        "lower_shear_modulus",
+        &["lower_shear_modulus has no effect without soil_thickness; add the thickness"],
+    );
+    warned(
         of_circular(|footing| {
             footing.stratum_thickness_m = 20.0;
             footing.embedment_m = 12.0;

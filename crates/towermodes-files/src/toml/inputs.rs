@@ -116,12 +116,6 @@ fn value(
             None => return Some(blank),
         },
     };
-    if let Some((needed, remedy)) = input.needs
-        && !table.has(needed)
-    {
-        let because = format!("without `{needed}`");
-        table.refuse_unused(input.key, because, remedy, reading)?;
-    }
     reading.remember(place, value.span());
     match blank {
         Given::Number(_) | Given::Optional(_) if input.may_be_infinite => {

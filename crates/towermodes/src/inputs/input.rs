@@ -1,6 +1,6 @@
 //! The facts about one value.
 
-use super::{Limit, Nature, Quantity};
+use super::{Given, Limit, Nature, Quantity};
 
 /// The facts about one value of the tower file, made by constant functions beside the field that
 /// holds it.
@@ -36,8 +36,8 @@ pub struct Input {
     pub is_of_soil: bool,
     /// The usual range of towers.
     pub usual: Option<(Quantity, [f64; 2])>,
-    /// Its symbol, the factor to the unit in which a short list has it, and that unit; none if it
-    /// is not in such a list.
+    /// Its symbol, the factor to the unit in which a short list has it, and that unit; without one
+    /// the list has its name.
     pub symbol: Option<(&'static str, f64, &'static str)>,
     /// A key beside which it has no effect.
     pub yields_to: Option<&'static str>,
@@ -192,7 +192,8 @@ impl Input {
         self
     }
 
-    /// It has no effect without another key; `remedy` is what to do then.
+    /// It has no effect where another key is absent; `remedy` is what to do then. A tower with such
+    /// a value has a warning.
     #[must_use]
     pub const fn needs(mut self, key: &'static str, remedy: &'static str) -> Self {
         self.needs = Some((key, remedy));
@@ -204,6 +205,19 @@ impl Input {
     pub const fn yields_to(mut self, key: &'static str) -> Self {
         self.yields_to = Some(key);
         self
+    }
+
+    /// Whether a value is what stands for the key where it is left out. The first of several names
+    /// is the default of a choice that is always there.
+    pub fn is_default(&self, given: Given) -> bool {
+        match given {
+            Given::Number(value) => value == self.default,
+            Given::Triple(triple) => triple == [self.default; 3],
+            Given::Flag(flag) => !flag,
+            Given::Name(place, _) => place.unwrap_or(0) == 0,
+            Given::Optional(None) | Given::Pair(None) => true,
+            Given::Optional(Some(_)) | Given::Pair(Some(_)) | Given::Count(_) => false,
+        }
     }
 
     /// The key of the table of the tower file that it stands in: its own, or that of a table in the

@@ -6,18 +6,20 @@
 //! no lists of their own. Facts about two values are in the checks of the struct that has both.
 
 mod dimension;
+mod given;
 mod input;
 mod limit;
 mod quantity;
 mod value;
 
 pub use dimension::Dimension;
+pub use given::Given;
 pub use input::Input;
 pub use limit::{Limit, Nature};
 pub use quantity::Quantity;
 pub(crate) use towermodes_derive::Inputs;
 pub(crate) use value::names;
-pub use value::{Given, Named, Value};
+pub use value::{Named, Value};
 
 /// A table of the tower file, or a part of one.
 ///
@@ -77,6 +79,26 @@ pub fn given_inputs(inputs: &dyn Inputs) -> Vec<(&'static Input, Given)> {
     let mut all = Vec::new();
     inputs.visit(&mut |input, given| all.push((input, given)));
     all
+}
+
+/// The given values without effect because the one that each needs is absent: its description, the
+/// needed key and what to do.
+pub(crate) fn without_needed(
+    inputs: &dyn Inputs,
+) -> Vec<(&'static Input, &'static str, &'static str)> {
+    let all = given_inputs(inputs);
+    let is_there = |key: &str| {
+        let mut values = all.iter().filter(|(input, _)| input.key == key);
+        values.any(|(input, given)| match given {
+            Given::Name(place, _) => place.is_some(),
+            other => !input.is_default(*other),
+        })
+    };
+    let given = all
+        .iter()
+        .filter(|(input, given)| !input.is_default(*given));
+    let needing = given.filter_map(|(input, _)| Some((*input, input.needs?.0, input.needs?.1)));
+    needing.filter(|(_, needed, _)| !is_there(needed)).collect()
 }
 
 /// Multiplies the values that softer soil has smaller.

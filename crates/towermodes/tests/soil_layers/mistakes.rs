@@ -87,6 +87,11 @@ fn each_mistake_is_refused_at_its_place_with_its_numbers() {
         ground_of(d).layers[1].soil = LayerSoil::Sand(with!(Sand, relative_density = Some(75.0)));
     })
     .says("the relative density is 75; it must be from 0 to 1");
+    refused(of(1, "friction_angle"), |d| {
+        let sand = with!(Sand, friction_angle_deg = Some(75.0));
+        ground_of(d).layers[1].soil = LayerSoil::Sand(sand);
+    })
+    .says("the friction angle is 75 degrees; it must be above 0 and at most 60 degrees");
     refused(of(0, "shear_modulus"), |d| {
         ground_of(d).axial = Some(AxialModel::Kraft);
     })
@@ -302,6 +307,20 @@ fn no_number_makes_the_ground_panic() {
             }
         }
     }
+}
+
+/// Who gives a model for the wrong soil reads which models every soil has.
+#[test]
+fn a_model_of_another_soil_is_answered_with_the_models_of_each_soil() {
+    let mut description = oc3(SoilModel::Api);
+    ground_of(&mut description).layers[1].model = SoilModel::WeakRock;
+    let error = Tower::new(description).expect_err("sand is no rock");
+    let hint = error.hint().expect("the models");
+    let soils: Vec<&str> = hint.split("; ").collect();
+    assert_eq!(soils.len(), 4, "{hint}");
+    assert_eq!(soils[2..], ["elastic: winkler, vesic", "rock: weak-rock"]);
+    soils[0].says_all("sand: & pisa-dunkirk");
+    soils[1].says_all("clay: & reese-stiff-clay & pisa-cowden");
 }
 
 /// Numbers that give springs, but not those of the soil that was meant.

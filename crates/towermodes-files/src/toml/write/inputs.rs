@@ -5,32 +5,17 @@ use towermodes::inputs::{Given, Input, Inputs, given_inputs};
 use super::text::{number, triple};
 use super::writing::Writing;
 
-/// The values of a table. Quiet ones are left out where they have their default, unless another
-/// value that is written needs them.
+/// The values of a table. Quiet ones are left out where they have their default.
 pub(super) fn values(inputs: &dyn Inputs, writing: &mut Writing) {
     let all = given_inputs(inputs);
-    let is_written = |(input, given): &(&Input, Given)| match *given {
-        Given::Count(_) => true,
-        Given::Triple(triple) => !input.is_quiet || triple != [input.default; 3],
-        Given::Number(value) => !input.is_quiet || value != input.default,
-        Given::Optional(value) => value.is_some(),
-        Given::Pair(pair) => pair.is_some(),
-        Given::Flag(flag) => flag || !input.is_quiet,
-        Given::Name(place, _) => place.is_some_and(|place| place != 0 || !input.is_quiet),
-    };
-    let written = all.iter().filter(|value| is_written(value));
-    let needed: Vec<&str> = written
-        .filter_map(|(input, _)| Some(input.needs?.0))
-        .collect();
+    let is_written =
+        |(input, given): &&(&Input, Given)| !input.is_quiet || !input.is_default(*given);
     let group = |input: &Input| Some(input.key.split_once('.')?.0);
     let same = |a: &(&Input, Given), b: &(&Input, Given)| {
         group(a.0).is_some_and(|one| Some(one) == group(b.0))
     };
     for values in all.chunk_by(same) {
-        let is_needed = |(input, _): &(&Input, Given)| needed.contains(&input.key);
-        let written = values
-            .iter()
-            .filter(|value| is_written(value) || is_needed(value));
+        let written = values.iter().filter(is_written);
         let texts = written.filter_map(|(input, given)| Some((input.key, text(*given)?)));
         match group(values[0].0) {
             None => texts.for_each(|(key, text)| writing.value(key, &text)),

@@ -1,10 +1,9 @@
 //! The layers of soil around the pile, in a table.
 
-use towermodes::number::four_digits;
-use towermodes::{Ground, GroundLayer, HeadStiffness, Scour, Tower};
+use towermodes::{Ground, GroundLayer, HeadStiffness, Tower};
 
 use super::super::table::Table;
-use super::inputs::in_short;
+use super::inputs::{in_short, of_inputs};
 use crate::number::{NOTHING, given, length};
 
 /// More layers are not shown.
@@ -12,7 +11,11 @@ const MOST_LAYERS: usize = 50;
 
 /// The ground as a whole, its layers, and the springs that follow from them.
 pub(super) fn ground(ground: &Ground, names: &[String], tower: &Tower) -> Vec<Table> {
-    let mut tables = vec![whole(ground), layers(ground, names), springs(tower)];
+    let mut tables = vec![
+        of_inputs("Soil in layers", ground, []),
+        layers(ground, names),
+        springs(tower),
+    ];
     tables.extend(tower.pile_head().map(|head| pile_head(tower, &head)));
     tables
 }
@@ -55,24 +58,6 @@ fn pile_head(tower: &Tower, head: &HeadStiffness) -> Table {
     )
 }
 
-fn whole(ground: &Ground) -> Table {
-    let Scour { general_m, local_m } = ground.scour;
-    let submerged = if ground.submerged { "yes" } else { "no" };
-    let axial = ground.axial.map_or(NOTHING, |model| model.name());
-    Table::of_facts(
-        "Soil in layers",
-        [
-            ("surface before scour z (m)", length(ground.surface_m)),
-            ("general scour (m)", length(general_m)),
-            ("local scour (m)", length(local_m)),
-            ("under water", submerged.to_owned()),
-            ("factor on all springs (−)", given(ground.factor)),
-            ("model of the axial springs", axial.to_owned()),
-            ("edition of API", ground.edition.title().to_owned()),
-        ],
-    )
-}
-
 fn layers(ground: &Ground, names: &[String]) -> Table {
     let columns = [
         "layer",
@@ -80,20 +65,17 @@ fn layers(ground: &Ground, names: &[String]) -> Table {
         "#bottom z (m)",
         "soil",
         "model",
-        "#γ′ (kN/m³)",
         "values",
     ];
     let mut table = Table::new("Layers of soil from the surface down", columns);
     for (index, layer) in ground.layers.iter().enumerate().take(MOST_LAYERS) {
         let name = names.get(index).filter(|name| !name.trim().is_empty());
-        let weight = layer.effective_unit_weight_n_per_m3;
         table.push([
             name.cloned().unwrap_or_else(|| (index + 1).to_string()),
             length(layer.top_m),
             length(layer.bottom_m),
             layer.soil.noun().to_owned(),
             layer.model.name().to_owned(),
-            weight.map_or(NOTHING.to_owned(), |weight| four_digits(1e-3 * weight)),
             values(layer).join("; "),
         ]);
     }

@@ -43,11 +43,16 @@ pub(super) fn of_list(caption: &str, all: &[impl Inputs], names: &[String]) -> T
     table.named(names).shortened()
 }
 
-/// The values of a table in a few words, each with its symbol: "φ′ 35°".
+/// The numbers of a table in a few words, each with its symbol, or with its name where it has none:
+/// "φ′ 35°". Heights, which a table has in columns of their own, and names are not among them.
 pub(super) fn in_short(inputs: &dyn Inputs) -> Vec<String> {
     let values = given_inputs(inputs).into_iter();
     let texts = values.filter_map(|(input, given)| {
-        let (symbol, factor, unit) = input.symbol?;
+        if input.is_height() {
+            return None;
+        }
+        let (meaning, unit) = (input.meaning(), input.spaced_unit);
+        let (symbol, factor, unit) = input.symbol.unwrap_or((meaning, 1.0, unit));
         let text = match given {
             Given::Number(value) if input.is_quiet && value == input.default => return None,
             Given::Number(value) | Given::Optional(Some(value)) => {

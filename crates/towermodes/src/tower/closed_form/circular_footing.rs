@@ -237,6 +237,9 @@ impl CircularFooting {
     }
 
     fn stratum_on_softer_soil(&self) -> Option<Warning> {
+        if !self.is_over_stratum() {
+            return None;
+        }
         outside(
             "lower_shear_modulus",
             Self::FORMULA,

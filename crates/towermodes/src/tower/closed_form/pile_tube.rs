@@ -35,11 +35,10 @@ impl PileTube {
         if value <= most {
             return Ok(());
         }
-        let problem = Problem::OutOfRange {
+        let problem = Problem::TooLarge {
             quantity: "the wall thickness of the pile",
             value,
             unit: " m",
-            least: 0.0,
             most,
         };
         error("wall_thickness", problem)

@@ -68,7 +68,7 @@ impl Problem {
             Self::EmbeddedBelowStratum { .. } => {
                 "soil_thickness is the depth of the rock below the surface of the soil, in m"
             }
-            Self::OutOfRange { .. } => "check value and unit",
+            Self::OutOfRange { .. } | Self::TooLarge { .. } => "check value and unit",
             Self::TooFew { remedy, .. } => remedy,
             Self::Slope { .. } => "for a wire at 45 degrees write angle_deg = 45",
             Self::LossFactor { .. } => {
@@ -110,10 +110,7 @@ impl Problem {
             Self::SoilValueMissing { .. } => {
                 "give the value in [[ground.layer]], or choose another model"
             }
-            Self::ModelOfOtherSoil { .. } => {
-                "sand: api, dnv, kallehave, sorensen, pisa-dunkirk, winkler, vesic; clay: api, dnv, reese-stiff-clay, pisa-cowden, pisa-bothkennar, winkler, vesic; \
-                 elastic: winkler, vesic; rock: weak-rock"
-            }
+            Self::ModelOfOtherSoil { suited, .. } => suited,
             Self::AxialOfOtherSoil { .. } => {
                 "the t-z curves of API are for sand and clay; axial = \"kraft\" or \"randolph-wroth\" takes every soil: by its shear modulus, rock by youngs_modulus and poissons_ratio"
             }

@@ -262,6 +262,21 @@ pub enum Problem {
         /// The largest possible value.
         most: f64,
     },
+    /// A positive number beyond its largest possible value.
+    #[error(
+        "{quantity} is {}{unit}; it must be above 0 and at most {}{unit}",
+        Plain(*.value), Plain(*.most)
+    )]
+    TooLarge {
+        /// The quantity.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// Its unit after a space.
+        unit: &'static str,
+        /// The largest possible value.
+        most: f64,
+    },
     /// Fewer than are needed.
     #[error("{quantity} is {count}; it must be at least {least}")]
     TooFew {
@@ -470,6 +485,8 @@ pub enum Problem {
         model: &'static str,
         /// The kind of soil.
         soil: &'static str,
+        /// The models that have a formula for each kind of soil.
+        suited: &'static str,
     },
     /// A model of axial springs that has no formula for the kind of soil.
     #[error("{model} has no formula for {soil}")]

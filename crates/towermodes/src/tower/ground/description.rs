@@ -90,7 +90,7 @@ pub struct Ground {
         .note("model of the axial springs: api, kraft or randolph-wroth"))]
     pub axial: Option<AxialModel>,
     /// The edition of the standard of API that its models follow.
-    #[input(Input::choice("edition", "the edition")
+    #[input(Input::choice("edition", "the edition of API")
         .optional()
         .note("of the standard of API: rp-2geo or rp-2a"))]
     pub edition: ApiEdition,

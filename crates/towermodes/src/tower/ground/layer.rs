@@ -24,6 +24,7 @@ pub struct GroundLayer {
     /// stiffness depend on the weight of the soil above, in this layer or in one below.
     #[input(Input::new("effective_unit_weight", " N/m3", Limit::Positive, "the effective unit weight")
         .optional()
+        .symbol("γ′", 1e-3, " kN/m³")
         .note("under water the buoyant one"))]
     pub effective_unit_weight_n_per_m3: Option<f64>,
     /// Multiplies every spring of the layer, those under the tip too; 1 for the springs of the

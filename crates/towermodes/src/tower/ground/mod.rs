@@ -26,6 +26,7 @@ pub use description::{ApiEdition, AxialModel, Ground, Scour};
 pub use layer::{Clay, GroundLayer, LayerSoil, PyRow, Rock, Sand};
 pub(in crate::tower) use layer_springs::Piles;
 pub use model::SoilModel;
+pub(in crate::tower) use models::models_by_soil;
 pub(in crate::tower) use modulus::{ConeBelowStress, cone_below_stress};
 pub(in crate::tower) use plan::Plan;
 pub(in crate::tower) use reaction::{Models, Refused};

@@ -200,6 +200,7 @@ static DENSITY: Input = Input::new(
 .optional()
 .note("of the soil with its water")
 .hint("density of the soil with its water in kg/m3, about 1900")
+.symbol("ρ", 1.0, " kg/m³")
 .usual(
     [1000.0, 3000.0],
     "soil with its water has 1600 to 2200; the unit is kg/m3",

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::Given;
-use super::usual::Usual;
+use super::usual::{Usual, check_inputs};
 use crate::tower::Warning;
 use crate::tower::{Ineffective, Quantity, Site};
 use crate::tower::{Inertia, Place, PointMass, Tower};
@@ -37,6 +37,7 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
 fn rna(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
     let rna = tower.rna();
     let at = |key| Site::at(Place::Rna { key });
+    check_inputs(rna, |key| Place::Rna { key }, warnings);
     if rna.mass_kg == 0.0 {
         if rna.center_m != [0.0; 3] {
             let (site, what) = (at("center"), Ineffective::CentreOfNothing);
@@ -73,6 +74,7 @@ fn rna(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
 
 fn point_mass(tower: &Tower, index: usize, mass: &PointMass, warnings: &mut Vec<Warning>) {
     let at = |key| Site::at(Place::PointMass { index, key });
+    check_inputs(mass, |key| Place::PointMass { index, key }, warnings);
     let has_inertia = mass.inertia_kg_m2 != Inertia::default();
     let moves = &tower.base().moves;
     let moves = if has_inertia { &moves[..] } else { &moves[..3] };

@@ -37,7 +37,8 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
             form.doubt(base.map(|station| station.outer_diameter_m), warnings);
         }
         Support::Floating(platform) => floating::check(tower, platform, warnings),
-        Support::Springs(_) => {
+        Support::Springs(own) => {
+            check_inputs(own, |key| Place::Foundation { key }, warnings);
             let keys = ["lateral", "rocking", "vertical", "torsion"];
             springs(tower, given, keys, warnings);
             coupling(tower, "springs", "coupling", warnings);

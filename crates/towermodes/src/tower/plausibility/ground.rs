@@ -13,6 +13,7 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
     let Some(ground) = given.ground else {
         return;
     };
+    check_inputs(ground, |key| Place::Ground { key }, warnings);
     for (index, layer) in ground.layers.iter().enumerate() {
         let at = |key| Site::at(Place::GroundLayer { index, key });
         weight(ground, layer, at("effective_unit_weight"), warnings);

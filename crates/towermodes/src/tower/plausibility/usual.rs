@@ -1,8 +1,8 @@
 //! A quantity with the usual range of towers.
 
-use crate::inputs::{Inputs, given_inputs};
+use crate::inputs::{Input, Inputs, given_inputs, without_needed};
 use crate::tower::Warning;
-use crate::tower::{Place, Quantity, Site};
+use crate::tower::{Ineffective, Place, Quantity, Site};
 
 /// A quantity with the usual range of towers; an infinite limit means no limit.
 #[derive(Debug, Clone, Copy)]
@@ -65,7 +65,8 @@ impl Usual {
     }
 }
 
-/// Warns of each number of a table that is outside its usual range; infinity has none.
+/// Warns of each number of a table that is outside its usual range, infinity has none; and of each
+/// value without effect because the one that it needs is absent.
 pub(super) fn check_inputs(
     inputs: &dyn Inputs,
     at: impl Fn(&'static str) -> Place,
@@ -80,6 +81,17 @@ pub(super) fn check_inputs(
             let usual = Usual::new(quantity, least, most);
             usual.check(value, Site::at(at(input.key)), warnings);
         }
+    }
+    for (Input { key, .. }, needed, remedy) in without_needed(inputs) {
+        let (site, what) = (
+            Site::at(at(key)),
+            Ineffective::Without {
+                key,
+                needed,
+                remedy,
+            },
+        );
+        warnings.push(Warning::NoEffect { site, what });
     }
 }
 

@@ -49,7 +49,18 @@ pub(super) fn check_input(input: &Input, value: f64, place: Place) -> Result<(),
         Limit::Stiffness => stiffness(place, name, value, unit),
         Limit::UpTo(most) => {
             positive(place, name, value, unit)?;
-            within(place, input, value, [0.0, most])
+            let (quantity, is_possible) = (name, value <= most);
+            let problem = Problem::TooLarge {
+                quantity,
+                value,
+                unit,
+                most,
+            };
+            if is_possible {
+                Ok(())
+            } else {
+                error(place, problem)
+            }
         }
         Limit::Within(range) => within(place, input, value, range),
         Limit::Slope if (0.0..=90.0).contains(&value) => Ok(()),

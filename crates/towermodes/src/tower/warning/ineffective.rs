@@ -6,6 +6,15 @@ use std::fmt;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Ineffective {
+    /// A value without another one that it needs.
+    Without {
+        /// Its key in the tower file.
+        key: &'static str,
+        /// The key that is absent.
+        needed: &'static str,
+        /// What to do.
+        remedy: &'static str,
+    },
     /// A mass at a clamped base.
     MassAtClampedBase,
     /// Guy wires at a clamped base.
@@ -46,6 +55,11 @@ impl fmt::Display for Ineffective {
             Self::SandAboveWater => {
                 "submerged = false has no effect on the modulus of this sand: the table of API RP 2GEO is for sand under water and is used above it too; edition = \"rp-2a\" has a figure for sand above water"
             }
+            Self::Without {
+                key,
+                needed,
+                remedy,
+            } => return write!(f, "{key} has no effect without {needed}; {remedy}"),
             Self::KeyOfOtherModel(key) => {
                 return write!(f, "{key} has no effect, because the models of this layer do not use it");
             }

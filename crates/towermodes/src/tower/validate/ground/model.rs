@@ -2,7 +2,7 @@
 
 use super::{Checked, Layer};
 use crate::tower::error::Problem;
-use crate::tower::ground::{Ground, Models, NoSprings, Refused};
+use crate::tower::ground::{Ground, Models, NoSprings, Refused, models_by_soil};
 use crate::tower::validate::scale::error;
 
 impl<'a> Layer<'a> {
@@ -17,6 +17,7 @@ impl<'a> Layer<'a> {
                 let problem = Problem::ModelOfOtherSoil {
                     model: across,
                     soil,
+                    suited: models_by_soil(),
                 };
                 error(self.at("model"), problem)
             }
