@@ -248,7 +248,7 @@ fn footings_that_cannot_be() {
         r#"
         shadlou-bhattacharya | gazetas | 9:11 | there is no formula `gazetas` | names: shadlou-bhattacharya, randolph, en-1998-5, carter-kulhawy
         "homogeneous" | 3 | 14:16 | profile of Young's modulus over the depth
-        0.08 | 80 | 11:18 | the wall thickness of the pile is 80 m; it must be from 0 to 3.5 m | check value and unit
+        0.08 | 80 | 11:18 | the wall thickness of the pile is 80 m; it must be above 0 and at most 3.5 m | check value and unit
         3e7 | 0 | 15:23 | Young's modulus of the soil at the depth of one diameter is 0 Pa
         soil_youngs_modulus = 3e7\n | soil_shear_modulus = 3e7\n | 15:1 | `soil_shear_modulus` is not a key | belongs to type = "half-space"
         "#,

@@ -56,10 +56,16 @@ fn of_text(text: &str) -> TowerInput {
 
 #[track_caller]
 fn read_with(text: &str, files: &InMemory) -> TowerInput {
+    read_or_refused(text, files).unwrap_or_else(|why| panic!("the text is no tower file: {why}"))
+}
+
+/// The tower of a text, or why the reader refuses it.
+fn read_or_refused(text: &str, files: &InMemory) -> Result<TowerInput, String> {
     let source = source("tower.toml", text);
-    match read_source(source, files, &ReadOptions::default()).expect("a file") {
-        Input::Tower(input) => *input,
-        Input::Blade(_) => panic!("a blade"),
+    match read_source(source, files, &ReadOptions::default()) {
+        Ok(Input::Tower(input)) => Ok(*input),
+        Ok(Input::Blade(_)) => Err("it is a blade".to_owned()),
+        Err(error) => Err(error.to_string()),
     }
 }
 
@@ -104,9 +110,15 @@ fn every_number_is_changed_where_it_is_written_and_nowhere_else() {
             let changed = with(&input, parameter);
             let file = rewritten(&input, &changed);
             // An RNA with an inertia is no point in the file, whatever the description calls it.
-            let mut read = of_text_beside(&input, &file.text);
+            let mut read = of_text_beside(&input, &file.text).unwrap_or_else(|why| {
+                panic!("{parameter} has a new value, and the reader refuses the file that the writer wrote: {why}")
+            });
             read.rna_is_point = changed.rna_is_point;
-            assert_eq!(read, changed, "{parameter}");
+            assert!(
+                read == changed,
+                "{parameter} has a new value, and the file that the writer wrote is read as another tower: {}",
+                first_difference(&read, &changed)
+            );
             match file.anew {
                 None => {
                     let words = changed_words(&old, &file.text);
@@ -134,15 +146,30 @@ fn every_number_is_changed_where_it_is_written_and_nowhere_else() {
     assert_eq!(absent, []);
 }
 
-/// The description in a text, with the files that the tower has beside its own.
-#[track_caller]
-fn of_text_beside(input: &TowerInput, text: &str) -> TowerDescription {
+/// The first number that two towers have with different values.
+fn first_difference(read: &TowerDescription, written: &TowerDescription) -> String {
+    let mut numbers = Parameter::all(written).into_iter();
+    let is_there = |name: &Parameter| Parameter::all(read).contains(name);
+    let different = numbers.find_map(|number| {
+        let wanted = number.value(written);
+        if !is_there(&number) {
+            return Some(format!("{number} is missing"));
+        }
+        let found = number.value(read);
+        (found != wanted).then(|| format!("{number} is {found} in place of {wanted}"))
+    });
+    different.unwrap_or_else(|| "all numbers are the same, a name or a choice is not".to_owned())
+}
+
+/// The description in a text, with the files that the tower has beside its own; or why the reader
+/// refuses it.
+fn of_text_beside(input: &TowerInput, text: &str) -> Result<TowerDescription, String> {
     let others = input.sources().iter().skip(1);
     let named = others.map(|source| ("cans.csv".to_owned(), source.text.clone()));
     let files = InMemory {
         files: named.collect(),
     };
-    read_with(text, &files).description
+    Ok(read_or_refused(text, &files)?.description)
 }
 
 #[test]

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use ValueKind::{Matrix, Number, Numbers, Rows};
-use towermodes::{Parameter, TowerDescription};
+use towermodes::inputs::Named;
+use towermodes::{AxialModel, LayerSoil, Parameter, TowerDescription};
 use towermodes_files::{
     KeySchema, TableSchema, ValueKind, description_from_toml, tower_file_schema,
 };
@@ -13,9 +14,9 @@ fn text(path: &str) -> String {
     std::fs::read_to_string(root.join(path)).expect("a file of the project")
 }
 
-/// Whether a key is in a text as a word.
+/// Whether a key or a name is in a text as a word: `side` is not in "side-side".
 fn names(text: &str, key: &str) -> bool {
-    let is_part = |c: char| c.is_alphanumeric() || c == '_';
+    let is_part = |c: char| c.is_alphanumeric() || c == '_' || c == '-';
     text.match_indices(key).any(|(at, _)| {
         let before = text[..at].chars().next_back();
         let after = text[at + key.len()..].chars().next();
@@ -23,18 +24,79 @@ fn names(text: &str, key: &str) -> bool {
     })
 }
 
-#[test]
-fn the_help_and_the_book_name_each_key() {
-    let help = text("crates/towermodes-cli/src/commands/solve/tower-file.txt");
-    let book = text("book/src/tower-file.md");
-    for table in tower_file_schema() {
-        for key in table.keys {
-            let is_in_help = names(&help, key.name) || SHORT.contains(&key.name);
-            assert!(is_in_help, "the help: {} {}", table.name, key.name);
-            let holds = names(&book, key.name);
-            assert!(holds, "the book: {} {}", table.name, key.name);
+/// The parts of a page in code marks: blocks, and words in lines.
+fn in_code_marks(page: &str) -> String {
+    let mut code = String::new();
+    for (index, part) in page.split("```").enumerate() {
+        let marked = part.split('`').skip(1).step_by(2);
+        match index % 2 {
+            1 => code += part,
+            _ => marked.for_each(|words| code += &format!("{words}\n")),
         }
     }
+    code
+}
+
+const HELP: &str = "crates/towermodes-cli/src/commands/solve/tower-file.txt";
+const BOOK: &str = "book/src/tower-file.md";
+
+#[test]
+fn the_help_and_the_book_name_each_key_and_each_choice() {
+    let (help, book) = (text(HELP), in_code_marks(&text(BOOK)));
+    let mut missing = Vec::new();
+    let mut check = |name: &str, what: &str| {
+        if !names(&help, name) && !SHORT.contains(&name) {
+            missing.push(format!("{HELP} lacks `{name}`, {what}"));
+        }
+        if !names(&book, name) {
+            missing.push(format!("{BOOK} lacks `{name}` in code marks, {what}"));
+        }
+    };
+    for table in tower_file_schema() {
+        for key in table.keys {
+            check(key.name, &format!("a key of {}", table.name));
+        }
+        if let Some((head, kind)) = table.name.split_once(" of type ") {
+            check(kind.trim_matches('"'), &format!("a type of {head}"));
+        }
+    }
+    for (name, what) in models() {
+        check(name, what);
+    }
+    assert!(missing.is_empty(), "{}", missing.join("\n"));
+}
+
+/// The models of springs by soil, and what they are.
+fn models() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let across = LayerSoil::models().map(|model| (model.name(), "a model of soil"));
+    let axial = AxialModel::CHOICES.iter();
+    across.chain(axial.map(|model| (model.name(), "a model of axial springs")))
+}
+
+/// Recorded runs compare the outputs of two builds for each foundation, soil and model.
+#[test]
+fn the_recorded_runs_have_a_tower_of_each_kind() {
+    const KINDS: &str = "recorded-runs/kinds";
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../..")
+        .join(KINDS);
+    let files = std::fs::read_dir(folder).expect("the folder");
+    let texts = files.map(|file| std::fs::read_to_string(file.expect("a file").path()));
+    let texts: Vec<String> = texts.map(|text| text.expect("a tower file")).collect();
+    let types = tower_file_schema().into_iter();
+    let types = types.filter_map(|table| table.name.split_once(" of type "));
+    let types = types.map(|(head, kind)| (kind.trim_matches('"'), head));
+    let has = |name: &str| {
+        texts
+            .iter()
+            .any(|text| text.contains(&format!("\"{name}\"")))
+    };
+    // The base of examples/nrel-5mw.toml is clamped.
+    let mut missing = types
+        .chain(models())
+        .filter(|(name, _)| *name != "clamped" && !has(name));
+    let missing = missing.next();
+    assert_eq!(missing, None, "add a tower with it to {KINDS}");
 }
 
 /// Keys that the help describes with a similar one.
@@ -188,7 +250,9 @@ fn every_number_of_the_tower_file_is_a_parameter() {
                         Some(every[0].unit())
                     })
                 });
-                let unit = found.unwrap_or_else(|| panic!("{} {name}: no parameter", table.name));
+                let unit = found.unwrap_or_else(|| {
+                    panic!("no tower of this test has a parameter {name}: add a file with `{}` in {} to the list `files` of this test; if one has it, `parameter/` of the library lacks the name", key.name, table.name)
+                });
                 if key.kind != Rows {
                     assert_eq!(unit, key.unit, "{} {name}", table.name);
                 }

@@ -33,7 +33,8 @@ impl ResultKind {
     }
 }
 
-/// Type, name, command and title of each result; its schema is `schemas/NAME.json`.
+/// Type, name, command and title of each result; its schema is `schemas/NAME.json`. The file of a
+/// new result may be empty: the test of the schemas writes it with `TOWERMODES_BLESS=1`.
 macro_rules! results {
     ($($document:ty: $name:literal, $command:literal, $title:literal;)*) => {
         /// All results.
