@@ -1,5 +1,6 @@
 //! Which runs there are: commands and options for each tower.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// What of an output must stay the same.
@@ -62,7 +63,7 @@ const METHODS: [&str; 7] = [
 ];
 
 /// Options of every tower that is solved.
-const SOLVES: [(Kind, &str); 32] = [
+const SOLVES: &[(Kind, &str)] = &[
     (Kind::Json, "solve --format json --points 21"),
     (Kind::Json, "solve --format json --points 5 --modes 20"),
     (
@@ -128,7 +129,7 @@ const PICTURES: [&str; 4] = ["shapes", "convergence", "campbell", "error"];
 
 /// Options of each tower of the folder `kinds`: one foundation, soil model or attachment each, in
 /// every output that depends on it.
-const KINDS: [(Kind, &str); 14] = [
+const KINDS: &[(Kind, &str)] = &[
     (Kind::Json, "solve --format json --points 5"),
     (Kind::Words, "solve"),
     (Kind::Json, "check --format json"),
@@ -155,7 +156,7 @@ const PAIRS: [(&str, &str); 5] = [
 ];
 
 /// Runs on files of their own; those of `explore`, a server, are left out.
-const OTHERS: [(Kind, &str); 11] = [
+const OTHERS: &[(Kind, &str)] = &[
     (Kind::Json, "verify --format json"),
     (
         Kind::Json,
@@ -191,29 +192,7 @@ const OTHERS: [(Kind, &str); 11] = [
 ];
 
 /// Commands that are not run: they serve a page until they are ended.
-#[allow(dead_code, reason = "a test of the program reads it")]
-pub const NOT_RUN: [&str; 1] = ["explore"];
-
-/// Commands whose help is recorded.
-const HELPS: [&str; 17] = [
-    "solve",
-    "parameters",
-    "sensitivities",
-    "sweep",
-    "design",
-    "calibrate",
-    "compare",
-    "converge",
-    "campbell",
-    "damping",
-    "plot",
-    "report",
-    "explore",
-    "convert",
-    "check",
-    "elastodyn",
-    "verify",
-];
+pub const NOT_RUN: &[&str] = &["explore"];
 
 /// The folder of the project.
 pub fn root() -> PathBuf {
@@ -227,7 +206,11 @@ pub fn runs(root: &Path) -> Vec<Run> {
     let peers = peers();
     let mut runs = Vec::new();
     for tower in examples.iter().chain(&peers) {
-        runs.extend(SOLVES.map(|(kind, arguments)| Run::new(kind, arguments, tower)));
+        runs.extend(
+            SOLVES
+                .iter()
+                .map(|&(kind, arguments)| Run::new(kind, arguments, tower)),
+        );
         for method in METHODS {
             let arguments = format!("solve --format json --points 5 --method {method}");
             runs.push(Run::new(Kind::Json, &arguments, tower));
@@ -253,7 +236,11 @@ pub fn runs(root: &Path) -> Vec<Run> {
         }
     }
     for tower in &files(root, "recorded-runs/kinds") {
-        runs.extend(KINDS.map(|(kind, arguments)| Run::new(kind, arguments, tower)));
+        runs.extend(
+            KINDS
+                .iter()
+                .map(|&(kind, arguments)| Run::new(kind, arguments, tower)),
+        );
     }
     for tower in &examples {
         let picture = |what| Run::new(Kind::Words, &format!("plot --what {what}"), tower);
@@ -275,10 +262,16 @@ pub fn runs(root: &Path) -> Vec<Run> {
         ));
         runs.push(Run::new(Kind::Words, &format!("check {first}"), second));
     }
-    runs.extend(OTHERS.map(|(kind, arguments)| Run::new(kind, arguments, "")));
-    for command in HELPS {
-        runs.push(Run::new(Kind::Words, &format!("{command} --help"), ""));
-    }
+    runs.extend(
+        OTHERS
+            .iter()
+            .map(|&(kind, arguments)| Run::new(kind, arguments, "")),
+    );
+    let names = runs.iter().filter_map(|run| run.arguments.first().cloned());
+    let mut commands: BTreeSet<String> = names.collect();
+    commands.extend(NOT_RUN.iter().map(|name| (*name).to_owned()));
+    let help = |command: &String| Run::new(Kind::Words, &format!("{command} --help"), "");
+    runs.extend(commands.iter().map(help));
     runs
 }
 

@@ -1,6 +1,6 @@
 //! Files of other programs, written and mended: what changes, what stays, what is refused.
 
-use crate::program::{Folder, done, json, root, run};
+use crate::program::{Folder, blade, done, json, root, run};
 use std::fs;
 
 use serde_json::Value;
@@ -189,24 +189,9 @@ fn companions_are_never_overwritten() {
 #[test]
 fn a_rotating_blade_is_solved_in_every_format() {
     let folder = Folder::new("blade");
-    let deck = done(&[
-        "convert",
-        "examples/nrel-5mw-table.toml",
-        "--to",
-        "bmodes",
-        "--output",
-        &folder.path("b.bmi"),
-    ]);
-    assert!(deck.is_empty());
-    let text = folder.text("b.bmi");
-    let words = "2                      beam_type";
-    let text = text.replacen(words, "1                      beam_type", 1);
-    let words = "0.0                    rot_rpm";
-    let text = text.replacen(words, "6.0                    rot_rpm", 1);
-    fs::write(folder.0.join("b.bmi"), text).expect("written");
-    let path = folder.path("b.bmi");
-    let blade = json(&["solve", &path, "--format", "json"]);
-    let modes = blade["modes"].as_array().expect("modes");
+    let path = blade(&folder);
+    let solved = json(&["solve", &path, "--format", "json"]);
+    let modes = solved["modes"].as_array().expect("modes");
     assert_eq!(modes.len(), 20);
     assert_eq!(modes[0]["family"], "lag");
     // Round sections: ω² in lag is lower than in flap by Ω².

@@ -1,6 +1,6 @@
 //! What other programs read: JSON and CSV, standard input, files, pipes.
 
-use crate::program::{json, root, run as output, towermodes};
+use crate::program::{Folder, blade, json, root, run as output, towermodes};
 use std::io::{Read, Write};
 use std::path::PathBuf;
 use std::process::Stdio;
@@ -140,16 +140,14 @@ fn json_gives_shapes_at_equal_heights_and_at_the_stations() {
     );
 }
 
-/// The commands whose results have schemas, with arguments that make a result.
-const RESULTS: &str = "
-    solve examples/reference-tower.toml
-    compare examples/reference-tower.toml --modes 2
-    converge examples/reference-tower.toml --segments 4,8
-    verify paper
-";
-
-/// The other results with a schema, by its name, and commands that give them.
-const OTHERS: &str = "
+/// Command lines of results by the names of their schemas. A result that is not listed is that of
+/// its command with one tower.
+const LINES: &str = "
+    compare | compare examples/reference-tower.toml --modes 2
+    converge | converge examples/reference-tower.toml --segments 4,8
+    verify | verify paper
+    solve-several | solve examples/nrel-5mw.toml examples/reference-tower.toml
+    blade | solve BLADE
     design | design examples/nrel-5mw.toml crates/towermodes-cli/tests/inputs/design/mass.toml
     calibrate | calibrate examples/monopile.toml crates/towermodes-cli/tests/inputs/measured/pairing.toml
     first-order | sweep examples/studies/uncertainty.toml --first-order
@@ -325,16 +323,22 @@ fn check_keys(value: &Value, schema: &Value, definitions: &Value, path: &str) {
 
 #[test]
 fn the_schemas_name_every_key() {
-    for [line] in rows(RESULTS) {
-        let command = arguments(line);
-        let schema = json(&["schema", command[0]]);
-        let result = json(&[&command[..], &["--format", "json"]].concat());
-        check_keys(&result, &schema, &schema["$defs"], command[0]);
-    }
-    for [name, line] in rows(OTHERS) {
+    let folder = Folder::new("blade-schema");
+    let blade = blade(&folder);
+    let lines: Vec<[&str; 2]> = rows(LINES).collect();
+    let names = towermodes_files::RESULTS
+        .iter()
+        .map(|kind| (kind.name, kind.command));
+    for (name, command) in names.chain([("verify", "verify")]) {
+        let line = lines.iter().find(|[of, _]| *of == name);
+        let with_tower = || format!("{command} examples/reference-tower.toml");
+        let line = line.map_or_else(with_tower, |[_, line]| line.replace("BLADE", &blade));
         let schema = json(&["schema", name]);
         let result = output(&arguments(&format!("{line} --format json")));
-        let result: Value = serde_json::from_slice(&result.stdout).expect("JSON");
+        let result = serde_json::from_slice(&result.stdout);
+        let result: Value = result.unwrap_or_else(|error| {
+            panic!("`{line}` gives no JSON ({error}): write a command line that gives `{name}` into LINES")
+        });
         check_keys(&result, &schema, &schema["$defs"], name);
     }
 }
@@ -448,11 +452,15 @@ fn csv_and_json_say_the_same() {
     for (line, mode) in lines.zip(modes) {
         for (key, field) in header.iter().zip(line.split(',')) {
             let value = key.split('.').fold(mode, |object, key| &object[key]);
-            match value {
-                Value::Null => assert_eq!(field, ""),
-                Value::String(text) => assert_eq!(field, text),
-                number => assert_eq!(field.parse::<f64>().ok(), number.as_f64(), "{key}"),
-            }
+            let is_same = match value {
+                Value::Null => field.is_empty(),
+                Value::String(text) => field == text,
+                number => field.parse::<f64>().ok() == number.as_f64(),
+            };
+            assert!(
+                is_same,
+                "{key} is {field} in the CSV and {value} in the JSON; the keys of the JSON are in crates/towermodes/src/solve/results/mode_keys.rs"
+            );
         }
     }
 }

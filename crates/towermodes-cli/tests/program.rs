@@ -1,5 +1,6 @@
 //! The program as tests call it, and folders that are gone when the test is.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output};
@@ -31,6 +32,32 @@ pub fn done(arguments: &[&str]) -> String {
 #[track_caller]
 pub fn json(arguments: &[&str]) -> Value {
     serde_json::from_str(&done(arguments)).expect("JSON")
+}
+
+/// The commands that the help lists.
+pub fn commands() -> BTreeSet<String> {
+    let help = done(&["--help"]);
+    let list = help.split("Commands:\n").nth(1).expect("a list");
+    let list = list.split("\n\n").next().expect("a list");
+    // Names are two blanks from the left, the rest of a description is further to the right.
+    let names = list.lines().filter_map(|line| line.strip_prefix("  "));
+    let names = names.filter(|line| !line.starts_with(' '));
+    let names = names.filter_map(|line| line.split(' ').next());
+    names.map(str::to_owned).filter(|n| n != "help").collect()
+}
+
+/// A rotating blade: the tower of an example as a blade of BModes. Its path.
+pub fn blade(folder: &Folder) -> String {
+    let (tower, path) = ("examples/nrel-5mw-table.toml", folder.path("b.bmi"));
+    let deck = done(&["convert", tower, "--to", "bmodes", "--output", &path]);
+    assert!(deck.is_empty());
+    let text = folder.text("b.bmi");
+    let words = "2                      beam_type";
+    let text = text.replacen(words, "1                      beam_type", 1);
+    let words = "0.0                    rot_rpm";
+    let text = text.replacen(words, "6.0                    rot_rpm", 1);
+    folder.write("b.bmi", &text);
+    path
 }
 
 /// Standard output and standard error.

@@ -83,7 +83,7 @@ fn the_recorded_runs_have_a_tower_of_each_kind() {
     let files = std::fs::read_dir(folder).expect("the folder");
     let texts = files.map(|file| std::fs::read_to_string(file.expect("a file").path()));
     let texts: Vec<String> = texts.map(|text| text.expect("a tower file")).collect();
-    let types = tower_file_schema().into_iter();
+    let types = tower_file_schema().iter();
     let types = types.filter_map(|table| table.name.split_once(" of type "));
     let types = types.map(|(head, kind)| (kind.trim_matches('"'), head));
     let has = |name: &str| {

@@ -103,7 +103,7 @@ impl Solution {
     #[getter]
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let columns = PyDict::new(py);
-        for column in &MODE_COLUMNS {
+        for column in MODE_COLUMNS {
             columns.set_item(column.key, self.values(py, column)?)?;
         }
         Ok(columns.into_any())

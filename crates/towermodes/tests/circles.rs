@@ -95,13 +95,20 @@ impl House {
                 module = child;
                 continue;
             }
-            let origin = self.names.get(&module).and_then(|names| names.get(part));
+            let origin = self.origin(&module, part);
             if let Some(origin) = origin.filter(|origin| depth < 8 && **origin != path) {
                 return self.home(&[origin, &path[index + 1..]].concat(), depth + 1);
             }
             break;
         }
         module
+    }
+
+    /// What a name of a module stands for, by itself or as one of all names of a folder.
+    fn origin(&self, module: &ModulePath, name: &str) -> Option<&ModulePath> {
+        let names = self.names.get(module)?;
+        let of_folder = || self.names.get(names.get("*")?)?.get(name);
+        names.get(name).or_else(of_folder)
     }
 
     /// The files that each file imports. What a folder only hands on is no import of its `mod.rs`.
@@ -159,7 +166,13 @@ fn open<'t>(
         let path = &prefix[..prefix.len() - usize::from(own)];
         let alias = rest.trim_start().strip_prefix("as ");
         let alias = alias.and_then(|alias| alias.split(|c| !is_of_name(c)).next());
-        each(path, alias.unwrap_or(path.last().map_or("", |name| name)));
+        let every = rest.starts_with('*').then_some("*");
+        each(
+            path,
+            alias
+                .or(every)
+                .unwrap_or(path.last().map_or("", |name| name)),
+        );
     }
     prefix.truncate(length);
     rest

@@ -11,7 +11,7 @@ use super::columns::{Column, record};
 
 /// The quantities of a mode: the columns of the CSV and of `Solution.column` in Python.
 #[rustfmt::skip]
-pub static MODE_COLUMNS: [Column<Mode>; 28] = [
+pub static MODE_COLUMNS: &[Column<Mode>] = &[
     Column { key: "number", unit: "", meaning: "place in the list, from 1", value: |m| Count(m.number) },
     Column { key: "family", unit: "", meaning: "type of motion", value: |m| name(m.family) },
     Column { key: "order", unit: "", meaning: "order within the family, from 1", value: |m| Count(m.order) },
@@ -69,7 +69,7 @@ pub(super) fn header() -> impl Iterator<Item = &'static str> {
 pub(super) fn records(solution: &Solution) -> impl Iterator<Item = Vec<String>> {
     let parts = missing_parts(solution);
     let modes = solution.modes.iter();
-    modes.map(move |mode| record(&MODE_COLUMNS, mode).chain([parts.clone()]).collect())
+    modes.map(move |mode| record(MODE_COLUMNS, mode).chain([parts.clone()]).collect())
 }
 
 /// Writes the modes of a solution as CSV with a header.

@@ -21,11 +21,7 @@ mod warning;
 
 pub use attachment::Attachment;
 pub(crate) use attachment::spatial_inertia;
-pub use closed_form::{
-    BeamFormula, Buried, CircularFooting, ClosedForm, FootingFormula, FormKind, HalfSpace,
-    HeadStiffness, Monopile, PileBehaviour, PileFormula, PileTube, RectangularFooting, Slenderness,
-    SoilBelow, SoilProfile, SoilSpring, SuctionCaisson, WinklerPile,
-};
+pub use closed_form::*;
 pub use description::{PointMass, PropertyStation, Rna, Station, TowerDescription};
 pub use error::{FreeMotions, Place, Problem, TowerError};
 pub use foundation::{FloatingPlatform, Foundation, ReferredMatrix, StiffnessFoundation, Support};

@@ -25,12 +25,14 @@ pub(crate) use bodies::inertia as inertia_plausibility;
 use super::Place;
 use super::foundation::Foundation;
 use super::ground::Ground;
+use super::parts::damping::Damping;
+use super::parts::drivetrain::Drivetrain;
 use super::parts::material::Material;
 use super::{AddedMassRow, SoilRow, Tower, TowerDescription, Water, Wires};
 use crate::tower::Rotor;
 use crate::tower::Warning;
 use crate::tower::{Quantity, Site};
-use usual::Usual;
+use usual::{Usual, check_inputs};
 
 /// The parts of a description that a tower does not keep in their original form.
 pub(super) struct Given<'a> {
@@ -41,6 +43,8 @@ pub(super) struct Given<'a> {
     pub(super) added_mass: &'a [Vec<AddedMassRow>],
     pub(super) water: Option<&'a Water>,
     pub(super) wires: &'a [Wires],
+    pub(super) damping: &'a Damping,
+    pub(super) drivetrain: Option<&'a Drivetrain>,
     /// Whether the user confirmed that the rotor-nacelle assembly has no inertia.
     pub(super) rna_is_point: bool,
 }
@@ -55,6 +59,8 @@ impl<'a> Given<'a> {
             added_mass: &description.added_mass,
             water: description.water.as_ref(),
             wires: &description.wires,
+            damping: &description.damping,
+            drivetrain: description.drivetrain.as_ref(),
             rna_is_point: description.rna_is_point,
         }
     }
@@ -73,6 +79,10 @@ pub(super) fn plausibility(tower: &Tower, given: &Given<'_>) -> Vec<Warning> {
     soil::check(tower, given, &mut warnings);
     wires::check(tower, given.wires, &mut warnings);
     water::check(tower, given, &mut warnings);
+    check_inputs(given.damping, |key| Place::Damping { key }, &mut warnings);
+    if let Some(drivetrain) = given.drivetrain {
+        check_inputs(drivetrain, |key| Place::Drivetrain { key }, &mut warnings);
+    }
     if tower.gravity_m_per_s2() != 0.0 {
         let site = Site::at(Place::Gravity);
         GRAVITY.check(tower.gravity_m_per_s2(), site, &mut warnings);
