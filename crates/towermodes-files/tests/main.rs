@@ -31,6 +31,7 @@ mod settings;
 mod soil_profiles;
 mod sources;
 mod station_tables;
+mod subdyn;
 mod sweep_studies;
 mod toml_write;
 mod tower_file_schema;

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use thiserror::Error;
+use towermodes::frame::FrameError;
 use towermodes::turbine::TurbineError;
 use towermodes::{ModeNameError, ParameterError, Problem};
 
@@ -207,6 +208,9 @@ pub enum DiagnosticKind {
     /// A turbine that the checks of the library refuse.
     #[error(transparent)]
     Turbine(Box<TurbineError>),
+    /// A frame that the checks of the library refuse.
+    #[error(transparent)]
+    Frame(Box<FrameError>),
 }
 
 /// A number in a message with all the digits it needs, with an exponent where that is shorter.

@@ -25,5 +25,5 @@ pub use solve::{FrameMode, FrameOptions, FrameSolution, count_frame_modes, solve
 pub use crate::tower::frame::{
     CoatKind, Frame, FrameCoat, FrameDescription, FrameError, FrameFoundation, FrameJoint,
     FrameMember, FramePlace, FrameProblem, FrameRider, FrameSpring, FrameSupport, GivenSection,
-    JointKind, MemberKind, Rectangle, SectionEnds, Transition,
+    JointKind, MemberKind, Rectangle, SectionEnds, Transition, spin_of_axes,
 };

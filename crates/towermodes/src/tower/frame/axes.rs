@@ -45,3 +45,32 @@ pub(crate) fn member_axes(from: Vector, to: Vector, spin_deg: f64) -> Axes {
     let turned = |a: f64, b: f64| std::array::from_fn(|i| a * x[i] + b * y[i]);
     [turned(cos, sin), turned(-sin, cos), z]
 }
+
+/// How far axes may be from orthonormal or from the direction of a member: files give them with a
+/// few digits.
+pub(super) const AXES: f64 = 1e-3;
+
+/// The spin about its axis, degrees, with which a member between two points has given axes (rows x,
+/// y, z); none if these are not three unit vectors at right angles with z along the member.
+pub fn spin_of_axes(from_m: [f64; 3], to_m: [f64; 3], axes: &[[f64; 3]; 3]) -> Option<f64> {
+    let [x, y, z] = member_axes(from_m, to_m, 0.0);
+    let along = norm(difference(axes[2], z)) <= AXES;
+    let spin = dot(axes[0], y).atan2(dot(axes[0], x));
+    (along && are_orthonormal(axes)).then_some(spin * 180.0 / PI)
+}
+
+/// Whether axes are a right-handed system of unit vectors at right angles.
+pub(super) fn are_orthonormal(axes: &Axes) -> bool {
+    let [x, y, z] = *axes;
+    let cross = [
+        x[1] * y[2] - x[2] * y[1],
+        x[2] * y[0] - x[0] * y[2],
+        x[0] * y[1] - x[1] * y[0],
+    ];
+    let units = axes.iter().all(|a| (dot(*a, *a) - 1.0).abs() <= AXES);
+    units && dot(x, y).abs() <= AXES && (dot(cross, z) - 1.0).abs() <= AXES
+}
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

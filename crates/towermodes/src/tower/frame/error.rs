@@ -98,9 +98,9 @@ pub enum FrameProblem {
         /// Diameter or shorter side, m.
         width_m: f64,
     },
-    /// A cable without tension.
+    /// A cable that is compressed.
     #[error(
-        "pretension {} N: without tension a cable has no stiffness; give a positive pretension, or remove the cable",
+        "pretension {} N: a cable cannot be compressed; give a pretension of 0 or more, or a beam",
         Plain(*.pretension_n)
     )]
     SlackCable {

@@ -75,13 +75,14 @@ pub enum MemberKind {
         /// Its material.
         material: Material,
     },
-    /// A straight cable with pretension T₀. Its length without tension is L₀ = L/(1 + T₀/EA).
+    /// A straight cable with pretension T₀. Its length without tension is L₀ = L/(1 + T₀/EA), its
+    /// stiffness EA/L₀ along and T₀/L across the axis.
     Cable {
         /// Axial stiffness EA, N.
         axial_n: f64,
         /// Mass per length without tension, kg/m.
         mass_kg_per_m: f64,
-        /// Pretension T₀, N.
+        /// Pretension T₀, N; 0: only the stiffness along the axis.
         pretension_n: f64,
     },
     /// A rigid link.

@@ -8,6 +8,7 @@ mod foundation;
 mod member;
 mod validate;
 
+pub use axes::spin_of_axes;
 pub use coat::{CoatKind, FrameCoat};
 pub use description::{
     FrameDescription, FrameJoint, FrameRider, FrameSupport, JointKind, Transition,

@@ -4,7 +4,7 @@ use super::super::error::Problem;
 use super::super::parts::material::Material;
 use super::super::parts::rigid_body::RigidBody;
 use super::super::pieces::section::Tube;
-use super::axes::{Axes, difference, member_axes, norm};
+use super::axes::{Axes, are_orthonormal, difference, member_axes, norm};
 use super::coat::{CoatKind, FrameCoat};
 use super::description::{FrameDescription, FrameRider, FrameSupport, JointKind};
 use super::error::{FrameError, FramePlace, FrameProblem};
@@ -13,8 +13,6 @@ use crate::space::SpatialMatrix;
 
 /// The largest size of a coordinate, m: beyond it no digit of a wall's thickness is left.
 const FARTHEST_M: f64 = 1e5;
-/// How far axes may be from orthonormal: files give them with a few digits.
-const AXES: f64 = 1e-3;
 /// Relative difference of the entries of a matrix that is symmetric but for rounding.
 const SYMMETRIC: f64 = 1e-6;
 
@@ -258,7 +256,7 @@ fn check_member(description: &FrameDescription, member: &FrameMember) -> Result<
             positive("axial stiffness", " N", *axial_n)?;
             not_negative("mass per length", " kg/m", *mass_kg_per_m)?;
             finite("pretension", *pretension_n)?;
-            if *pretension_n <= 0.0 {
+            if *pretension_n < 0.0 {
                 let pretension_n = *pretension_n;
                 return Err(FrameProblem::SlackCable { pretension_n });
             }
@@ -389,15 +387,7 @@ fn check_matrix(name: &'static str, matrix: &SpatialMatrix) -> Result<(), FrameP
 }
 
 fn check_axes(axes: &Axes) -> Result<(), FrameProblem> {
-    let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let [x, y, z] = *axes;
-    let cross = [
-        x[1] * y[2] - x[2] * y[1],
-        x[2] * y[0] - x[0] * y[2],
-        x[0] * y[1] - x[1] * y[0],
-    ];
-    let units = axes.iter().all(|a| (dot(*a, *a) - 1.0).abs() <= AXES);
-    match units && dot(x, y).abs() <= AXES && (dot(cross, z) - 1.0).abs() <= AXES {
+    match are_orthonormal(axes) {
         true => Ok(()),
         false => Err(FrameProblem::Axes),
     }

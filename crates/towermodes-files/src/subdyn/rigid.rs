@@ -1,0 +1,42 @@
+//! Assemblies of rigid links, which may contain only one joint of the interface.
+
+use towermodes::frame::{FrameMember, MemberKind};
+
+/// A rigid link by its index, and two interface joints that it connects with others, if there are
+/// such ones.
+pub(super) fn two_interfaces(
+    members: &[FrameMember],
+    joints: usize,
+    interfaces: &[usize],
+) -> Option<(usize, [usize; 2])> {
+    let mut groups: Vec<usize> = (0..joints).collect();
+    let mut owner: Vec<Option<usize>> = vec![None; joints];
+    interfaces
+        .iter()
+        .for_each(|joint| owner[*joint] = Some(*joint));
+    for (index, member) in members.iter().enumerate() {
+        if !matches!(member.kind, MemberKind::Rigid { .. }) {
+            continue;
+        }
+        let [a, b] = member.joints.map(|joint| root(&mut groups, joint));
+        if a == b {
+            continue;
+        }
+        if let (Some(first), Some(second)) = (owner[a], owner[b]) {
+            return Some((index, [first, second]));
+        }
+        owner[b] = owner[b].or(owner[a]);
+        groups[a] = b;
+    }
+    None
+}
+
+/// The joint that stands for the group of a joint; the path to it becomes shorter.
+fn root(groups: &mut [usize], joint: usize) -> usize {
+    let mut at = joint;
+    while groups[at] != at {
+        groups[at] = groups[groups[at]];
+        at = groups[at];
+    }
+    at
+}
