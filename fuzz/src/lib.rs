@@ -47,6 +47,7 @@ pub fn look_at_input(result: Result<Input, ReadError>) {
     match result {
         Ok(Input::Tower(tower)) => look_at_tower(Ok(*tower)),
         Ok(Input::Blade(blade)) => look_at_notes(&blade.notes),
+        Ok(Input::Substructure(input)) => look_at_notes(&input.notes),
         Err(error) => look_at_error(&error),
     }
 }

@@ -5,6 +5,7 @@ use std::fmt::{self, Display};
 use std::io;
 use std::path::Path;
 
+use towermodes::frame::FrameSolveError;
 use towermodes::{BladeError, ParameterError, SensitivityError, SolveError, TowerError};
 use towermodes_analysis::damping::GivenDampingError;
 use towermodes_analysis::elastodyn::{MakeError, ShapesError};
@@ -181,6 +182,16 @@ impl From<SolveError> for Failure {
 /// The exit code of a tower that cannot be solved.
 fn code_of(error: &SolveError) -> u8 {
     if error.is_usage() { USAGE } else { FAILED }
+}
+
+impl From<FrameSolveError> for Failure {
+    fn from(error: FrameSolveError) -> Self {
+        let is_usage = matches!(
+            error,
+            FrameSolveError::Modes { .. } | FrameSolveError::Degree { .. }
+        );
+        Self::new(error, if is_usage { USAGE } else { FAILED })
+    }
 }
 
 impl From<TowerError> for Failure {

@@ -45,6 +45,10 @@ pub(crate) fn tower_input(arguments: &InputArguments) -> Result<TowerInput, Fail
 pub(crate) fn input_of(file: &Path, reading: &ReadingArguments) -> Result<TowerInput, Failure> {
     match input(file, reading)? {
         Input::Tower(tower) => Ok(*tower),
+        Input::Substructure(_) => Err(Failure::usage(
+            "this is a SubDyn file, which describes a substructure without a tower; it can be used only with solve",
+        )
+        .hint("for the tower, give the main file of ElastoDyn or the .fst file")),
         Input::Blade(_) => Err(Failure::usage(
             "this is a deck of a rotating blade; it can be used only with solve",
         )),

@@ -10,7 +10,7 @@ use crate::places::Places;
 use crate::prescribed::Prescribed;
 use crate::source::Source;
 
-/// The kinds of file that describe a tower.
+/// The kinds of file that describe a tower, a blade or a substructure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileFormat {
     /// This program's own.
@@ -25,6 +25,8 @@ pub enum FileFormat {
     WindIo,
     /// A structural file of HAWC2.
     Hawc2,
+    /// An input file of SubDyn.
+    SubDyn,
 }
 
 impl FileFormat {
@@ -37,6 +39,7 @@ impl FileFormat {
             Self::ElastoDynTower => "ElastoDyn tower",
             Self::WindIo => "windIO",
             Self::Hawc2 => "HAWC2",
+            Self::SubDyn => "SubDyn",
         }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! [`read_tower`] reads the tower of any file: the TOML of this program, decks of BModes, main and
 //! tower files of ElastoDyn, turbines in windIO, structural files of HAWC2. [`read()`] reads
-//! rotating blades too and takes options.
+//! rotating blades and substructures too and takes options.
 //!
 //! A mistake in a file is a [`Diagnostic`]: its place, its [kind](DiagnosticKind) with the numbers,
 //! and a suggestion. [`ReadError`] contains all of them and is a [`std::error::Error`]. An
@@ -83,14 +83,15 @@ pub use result::generated_schema_of;
 pub use result::{
     CalibrationDocument, Cell, Column, CorrelatedInputs, DesignDocument, DesignedFrequency,
     DesignedLimit, DesignedOther, DesignedVariable, FirstOrderDocument, FittedDirection,
-    FittedFrequency, FittedNumber, FittedShare, InputEffect, MODE_COLUMNS, MarginProbability,
-    RESULTS, ResultError, ResultKind, ScatteredInput, ScatteredMode, SolvedFile, write_blade_csv,
-    write_blade_json, write_calibration_json, write_campbell_csv, write_campbell_json,
-    write_comparison_csv, write_convergence_csv, write_coupled_campbell_csv,
-    write_coupled_campbell_json, write_csv, write_damping_csv, write_damping_json,
-    write_design_json, write_first_order_json, write_json, write_json_with_sensitivities,
-    write_parameters_csv, write_parameters_json, write_records_csv, write_result_json,
-    write_sensitivities_csv, write_sensitivities_json, write_several_csv, write_several_json,
+    FittedFrequency, FittedNumber, FittedShare, InputEffect, LargestMotion, MODE_COLUMNS,
+    MarginProbability, RESULTS, ResultError, ResultKind, ScatteredInput, ScatteredMode, SolvedFile,
+    SolvedSubstructure, write_blade_csv, write_blade_json, write_calibration_json,
+    write_campbell_csv, write_campbell_json, write_comparison_csv, write_convergence_csv,
+    write_coupled_campbell_csv, write_coupled_campbell_json, write_csv, write_damping_csv,
+    write_damping_json, write_design_json, write_first_order_json, write_json,
+    write_json_with_sensitivities, write_parameters_csv, write_parameters_json, write_records_csv,
+    write_result_json, write_sensitivities_csv, write_sensitivities_json, write_several_csv,
+    write_several_json, write_substructure_csv, write_substructure_json,
 };
 pub use sampling::{
     Correlation, CorrelationError, Distribution, MAX_CORRELATED, MAX_ROWS, MAX_SOBOL_DIMENSIONS,

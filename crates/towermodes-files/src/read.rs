@@ -15,6 +15,7 @@ use crate::note::Note;
 use crate::recognize::{recognize, unknown_file};
 use crate::resolver::{FileResolver, SiblingFiles};
 use crate::source::Source;
+use crate::subdyn::{SubdynInput, read_subdyn};
 use crate::toml::read_toml;
 use crate::turbine::as_rigid_body;
 use crate::windio::read_windio;
@@ -29,6 +30,8 @@ pub enum Input {
     Tower(Box<TowerInput>),
     /// A rotating blade.
     Blade(Box<BladeInput>),
+    /// A jacket, tripod or monopile without a tower.
+    Substructure(Box<SubdynInput>),
 }
 
 /// A tower that is ready to be solved, and the input it was made of.
@@ -62,6 +65,7 @@ pub fn read_tower(path: impl AsRef<Path>) -> Result<Reading, ReadError> {
     match read_source(source.clone(), &files, &ReadOptions::default())? {
         Input::Tower(input) => input.check(),
         Input::Blade(_) => Err(ReadError::mistake(&source, wrong_file_of_blade())),
+        Input::Substructure(_) => Err(ReadError::mistake(&source, wrong_file_of_substructure())),
     }
 }
 
@@ -69,6 +73,12 @@ fn wrong_file_of_blade() -> Diagnostic {
     let found = "a deck of a rotating blade, not of a tower".to_owned();
     Diagnostic::new(0..0, DiagnosticKind::WrongFile { found })
         .with_hint("beam_type = 2 is a tower; `read` reads blades too")
+}
+
+fn wrong_file_of_substructure() -> Diagnostic {
+    let found = "a SubDyn file, which describes a substructure without a tower".to_owned();
+    Diagnostic::new(0..0, DiagnosticKind::WrongFile { found })
+        .with_hint("`read_subdyn` reads it; for the tower give the main file of ElastoDyn")
 }
 
 impl TowerInput {
@@ -110,6 +120,9 @@ pub fn read_source(
         Some(FileFormat::ElastoDynTower) => read_elastodyn_tower(source, options)?,
         Some(FileFormat::WindIo) => read_windio(source, options)?,
         Some(FileFormat::Hawc2) => read_hawc2(source, options)?,
+        Some(FileFormat::SubDyn) => {
+            return Ok(Input::Substructure(Box::new(read_subdyn(source, files)?)));
+        }
         None => return Err(unknown_file(&source)),
     };
     if options.without_rna {

@@ -4,7 +4,7 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::input::FileFormat;
 use crate::source::Source;
-use crate::{bmodes, elastodyn, hawc2, windio};
+use crate::{bmodes, elastodyn, hawc2, subdyn, windio};
 
 /// The endings of names that show the format.
 const ENDINGS: [(&str, FileFormat); 4] = [
@@ -14,7 +14,7 @@ const ENDINGS: [(&str, FileFormat); 4] = [
     (".yml", FileFormat::WindIo),
 ];
 
-/// The format of a file, if it is one that describes a tower or a blade.
+/// The format of a file, if it is one that describes a tower, a blade or a substructure.
 pub fn recognize(source: &Source) -> Option<FileFormat> {
     let (name, text) = (source.name.as_str(), source.text.as_str());
     let ends_with = |ending: &str| {
@@ -30,6 +30,7 @@ pub fn recognize(source: &Source) -> Option<FileFormat> {
         (elastodyn::is_main_file(text), FileFormat::ElastoDyn),
         (elastodyn::is_fst(text), FileFormat::ElastoDyn),
         (elastodyn::is_tower_file(text), FileFormat::ElastoDynTower),
+        (subdyn::is_subdyn(text), FileFormat::SubDyn),
         (hawc2::is_hawc2(text, name), FileFormat::Hawc2),
         (bmodes::is_deck(text), FileFormat::Bmodes),
         (windio::is_windio(text, name), FileFormat::WindIo),
@@ -90,7 +91,7 @@ const PARTS: [(&str, &str, &str); 6] = [
     (
         "subdyn",
         "a file of SubDyn",
-        "the main file of ElastoDyn: foundations of OpenFAST are not read",
+        "its input file for the substructure alone, or the main file of ElastoDyn for the tower",
     ),
     (
         "hydrodyn",

@@ -25,6 +25,9 @@ pub fn input_of_text(text: String, name: String) -> PyResult<TowerInput> {
 pub fn tower_input(input: Input) -> PyResult<TowerInput> {
     match input {
         Input::Tower(input) => Ok(*input),
+        Input::Substructure(_) => Err(usage(
+            "this is a SubDyn file, a substructure without a tower; the program solves it: towermodes solve FILE",
+        )),
         Input::Blade(_) => Err(usage(
             "this is a deck of a rotating blade, not of a tower; the program solves it: towermodes solve FILE",
         )),

@@ -44,13 +44,14 @@ type State = (
     Option<String>,
 );
 
-const FORMATS: [FileFormat; 6] = [
+const FORMATS: [FileFormat; 7] = [
     FileFormat::Toml,
     FileFormat::Bmodes,
     FileFormat::ElastoDyn,
     FileFormat::ElastoDynTower,
     FileFormat::WindIo,
     FileFormat::Hawc2,
+    FileFormat::SubDyn,
 ];
 
 const KINDS: [NoteKind; 8] = [

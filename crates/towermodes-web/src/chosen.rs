@@ -71,7 +71,8 @@ impl ChosenFiles {
         };
         let tower = match read_source(main.clone(), &siblings, &ReadOptions::default()) {
             Ok(Input::Tower(input)) => input.check().map(|of| of.input),
-            Ok(Input::Blade(_)) => Err(blade(main)),
+            Ok(Input::Blade(_)) => Err(only_for_solve(main, "a deck of a rotating blade")),
+            Ok(Input::Substructure(_)) => Err(only_for_solve(main, "a SubDyn file")),
             Err(error) => Err(error),
         };
         let tower = tower.map_err(|error| error.to_string() + &siblings.remedy(&main.name));
@@ -91,8 +92,8 @@ struct ReadAsMain {
     tower: Result<TowerInput, String>,
 }
 
-fn blade(main: &Source) -> ReadError {
-    let found = "a deck of a rotating blade, which only the command solve reads".to_owned();
+fn only_for_solve(main: &Source, what: &str) -> ReadError {
+    let found = format!("{what}, which only the command solve reads");
     ReadError::mistake(
         main,
         Diagnostic::new(0..0, DiagnosticKind::WrongFile { found }),

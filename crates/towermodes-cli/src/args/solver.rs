@@ -49,9 +49,7 @@ impl SolverArguments {
     /// # Errors
     /// The message for an option that does not apply to the method.
     pub(crate) fn options(&self, input: &TowerInput) -> Result<Options, &'static str> {
-        let of_file = input.prescribed.options(self.method, self.segments);
-        self.model.check(of_file.method)?;
-        Ok(self.model.in_place_of(of_file))
+        self.model.options(input, self.method, self.segments)
     }
 
     /// The same without mode shapes.
@@ -112,6 +110,38 @@ impl ModelArguments {
             flag("--no-limits", self.no_limits),
         ]
         .concat()
+    }
+
+    /// The options of the library with a method and a number of segments, if they are given; the
+    /// command line has priority over the file.
+    ///
+    /// # Errors
+    /// The message for an option that does not apply to the method.
+    pub(crate) fn options(
+        &self,
+        input: &TowerInput,
+        method: Option<Method>,
+        segments: Option<usize>,
+    ) -> Result<Options, &'static str> {
+        let of_file = input.prescribed.options(method, segments);
+        self.check(of_file.method)?;
+        Ok(self.in_place_of(of_file))
+    }
+
+    /// Checks that the options apply to a substructure.
+    ///
+    /// # Errors
+    /// The message for an option that does not.
+    pub(crate) fn check_for_substructure(&self) -> Result<(), &'static str> {
+        if self.no_rotary_inertia {
+            return Err(
+                "--no-rotary-inertia applies only to towers; members have rotary inertia, as in SubDyn",
+            );
+        }
+        if self.no_limits {
+            return Err("--no-limits applies only to towers");
+        }
+        self.check(Method::Spectral)
     }
 
     /// Checks that the options apply to the method.

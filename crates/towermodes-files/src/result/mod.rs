@@ -21,6 +21,7 @@ mod several;
 mod solution;
 mod solution_csv;
 mod study_csv;
+mod substructure;
 
 pub use blade::{write_blade_csv, write_blade_json};
 pub use calibration::{
@@ -49,6 +50,9 @@ pub use several::{SolvedFile, write_several_csv, write_several_json};
 pub use solution::{write_json, write_json_with_sensitivities};
 pub use solution_csv::{MODE_COLUMNS, write_csv};
 pub use study_csv::{write_comparison_csv, write_convergence_csv};
+pub use substructure::{
+    LargestMotion, SolvedSubstructure, write_substructure_csv, write_substructure_json,
+};
 
 use std::io::Write;
 

@@ -19,3 +19,5 @@ mod supports;
 
 pub use input::{Interface, SubdynInput};
 pub use read::read_subdyn;
+
+pub(crate) use settings::is_subdyn;

@@ -20,6 +20,14 @@ pub(super) struct Settings {
     pub(super) divisions: usize,
 }
 
+/// Whether a text is an input file of SubDyn.
+pub(crate) fn is_subdyn(text: &str) -> bool {
+    let names = ["FEMMod", "NDiv"];
+    let mut lines = Lines::new(text);
+    names.iter().all(|name| parameter(text, name).is_some())
+        && lines.any(|line| name_of(&line).is_some_and(|name| name.eq_ignore_ascii_case("NJoints")))
+}
+
 /// The name on a line, after one or more values.
 fn name_of<'a>(line: &Line<'a>) -> Option<&'a str> {
     let mut tokens = line.tokens();

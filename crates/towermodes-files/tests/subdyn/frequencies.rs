@@ -17,7 +17,14 @@ pub fn solved(input: &SubdynInput, interface: Interface, subdyn: bool, modes: us
         .frame(interface)
         .unwrap_or_else(|error| panic!("{error}"));
     let recipe = subdyn.then_some(input.recipe());
-    let solution = solve_frame(&frame, &FrameOptions { modes, recipe, ..FrameOptions::default() });
+    let solution = solve_frame(
+        &frame,
+        &FrameOptions {
+            modes,
+            recipe,
+            ..FrameOptions::default()
+        },
+    );
     let solution = solution.unwrap_or_else(|error| panic!("{error}"));
     solution
         .modes

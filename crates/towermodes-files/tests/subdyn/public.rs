@@ -179,7 +179,7 @@ fn public_substructures_have_the_frequencies_of_an_independent_program() {
             file,
             &solved(&input, Interface::Free, false, 6),
             &exact,
-            7e-9,
+            2e-8,
         );
     }
     for (file, expected) in HELD {

@@ -89,7 +89,7 @@ pub fn deck(changes: &[(&str, &str)]) -> String {
         let is_it = |rows: &&(&str, &str)| rows.0 == count;
         let rows = changes.iter().find(is_it).or(TUBES.iter().find(is_it));
         let rows = rows.map_or("", |(_, rows)| rows.trim());
-        let number = rows.lines().count();
+        let number = rows.lines().filter(|row| !row.is_empty()).count();
         let units = "(-) ".repeat(names.split(' ').count());
         text += &format!("------- {heading} -------\n{number} {count} - rows\n{names}\n{units}\n");
         rows.lines()

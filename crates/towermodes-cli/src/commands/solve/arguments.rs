@@ -2,12 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
-use towermodes::{DEFAULT_POINTS, MAX_DEGREE, MAX_POINTS, Method, Options};
-use towermodes_files::TowerInput;
+use towermodes::frame::{FrameOptions, FrameRecipe};
+use towermodes::{DEFAULT_POINTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS, Method, Options};
+use towermodes_files::{Interface, SubdynInput, TowerInput};
 
 use crate::args::parsers::number_parser;
-use crate::args::{Destination, Ending, ReadingArguments, SolverArguments};
+use crate::args::{Destination, Ending, ModelArguments, ReadingArguments};
 
 macro_rules! examples {
     () => {
@@ -21,6 +23,7 @@ macro_rules! examples {
   towermodes solve deck.bmi --format bmodes --output deck.out
   towermodes solve IEA-15-240-RWT.yaml --part tower --no-rna
   towermodes solve examples/*.toml --output frequencies.csv
+  towermodes solve Jacket_SubDyn.dat --method subdyn
 
 Exit codes: 0 done, 1 the computation or the output failed, 2 wrong usage or wrong input."
     };
@@ -33,20 +36,28 @@ const SEGMENTS: &str = "Number of segments (bmodes and spectral: elements) [defa
 
 /// The arguments of `solve`.
 #[derive(Debug, Args)]
-#[command(allow_negative_numbers = true, after_help = examples!(), after_long_help = LONG_HELP, mut_arg("segments", |of| of.help(SEGMENTS)))]
+#[command(allow_negative_numbers = true, after_help = examples!(), after_long_help = LONG_HELP)]
 pub(crate) struct SolveArguments {
     /// Tower file (.toml), BModes deck (.bmi), ElastoDyn main or tower file (.dat, or the .fst that
-    /// refers to it), windIO turbine (.yaml) or HAWC2 _st.dat; the format is detected from content
-    /// and name; use - for standard input. Several files give one table of frequencies, with a
-    /// column for each file
+    /// refers to it), windIO turbine (.yaml), HAWC2 _st.dat or SubDyn file; the format is detected
+    /// from content and name; use - for standard input. Several files give one table of
+    /// frequencies, with a column for each file
     #[arg(required = true, value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
 
     #[command(flatten)]
     pub(crate) reading: ReadingArguments,
 
+    /// Method of computation [default: rmje-exact; bmodes for BModes decks; spectral for SubDyn
+    /// files]
+    #[arg(long, value_parser = computation_parser())]
+    method: Option<Computation>,
+
+    #[arg(long, value_name = "N", help = SEGMENTS, value_parser = number_parser(1, MAX_SEGMENTS))]
+    segments: Option<usize>,
+
     #[command(flatten)]
-    pub(crate) solver: SolverArguments,
+    pub(crate) model: ModelArguments,
 
     /// Polynomial degree of the elements of --method spectral
     /// [default: raised until the frequencies converge]
@@ -57,6 +68,11 @@ pub(crate) struct SolveArguments {
     /// [default: 101; BModes output for a BModes deck: the element boundaries of the deck]
     #[arg(long, value_name = "COUNT", value_parser = number_parser(2, MAX_POINTS))]
     points: Option<usize>,
+
+    /// Hold the interface joints of a SubDyn file, as a clamped transition piece does [default: they
+    /// are free]
+    #[arg(long)]
+    clamped: bool,
 
     /// Add the derivatives of the frequencies with respect to every number of the tower to the JSON
     /// result; towermodes sensitivities shows them as a table
@@ -70,6 +86,33 @@ pub(crate) struct SolveArguments {
 
     #[command(flatten)]
     pub(crate) destination: Destination<SolveFormat>,
+}
+
+const ONLY_SUBDYN: &str = "--method subdyn applies only to SubDyn files";
+const ONLY_CLAMPED: &str =
+    "--clamped applies only to SubDyn files; [foundation] type = \"clamped\" clamps a tower";
+
+/// A method for towers, or the element of SubDyn for the members of a substructure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Computation {
+    /// A method of the library.
+    Tower(Method),
+    /// SubDyn's element.
+    Subdyn,
+}
+
+/// The name of the method that is only for substructures.
+const SUBDYN: &str = "subdyn";
+
+fn computation_parser() -> impl TypedValueParser<Value = Computation> {
+    let value = |method: Method| PossibleValue::new(method.name()).help(method.description());
+    let subdyn = "the element of SubDyn, only for SubDyn files: NDiv parts of each member";
+    let subdyn = PossibleValue::new(SUBDYN).help(subdyn);
+    let values = Method::ALL.map(value).into_iter().chain([subdyn]);
+    PossibleValuesParser::new(values).map(|name| match name.as_str() {
+        SUBDYN => Computation::Subdyn,
+        name => Computation::Tower(Method::named(name).unwrap_or_default()),
+    })
 }
 
 /// The format of the modes.
@@ -171,13 +214,12 @@ impl SolveArguments {
     /// The message for an option that does not apply.
     pub(crate) fn check_for_blade(&self) -> Result<(), &'static str> {
         if self
-            .solver
             .method
-            .is_some_and(|method| method != Method::Bmodes)
+            .is_some_and(|method| method != Computation::Tower(Method::Bmodes))
         {
             return Err("a rotating blade can be solved only with --method bmodes");
         }
-        if self.solver.segments.is_some() || self.degree.is_some() {
+        if self.segments.is_some() || self.degree.is_some() {
             return Err(
                 "--segments and --degree do not apply to a rotating blade: its elements are given in the deck",
             );
@@ -190,6 +232,9 @@ impl SolveArguments {
         if self.sensitivities {
             return Err("--sensitivities applies only to towers");
         }
+        if self.clamped {
+            return Err(ONLY_CLAMPED);
+        }
         if !self.reading.settings.is_empty() {
             return Err("--set applies only to towers; change the deck of a rotating blade itself");
         }
@@ -198,7 +243,91 @@ impl SolveArguments {
                 "--no-rna does not apply to a rotating blade; its tip body is given in the deck",
             );
         }
-        self.solver.model.check_for_blade()
+        self.model.check_for_blade()
+    }
+
+    /// Checks that the options apply to a substructure.
+    ///
+    /// # Errors
+    /// The message for an option that does not apply.
+    pub(crate) fn check_for_substructure(&self, format: SolveFormat) -> Result<(), &'static str> {
+        let given = self.reading.options();
+        let only_for_towers = [
+            (
+                self.segments.is_some(),
+                "--segments applies only to towers; the elements of a substructure are its members",
+            ),
+            (
+                self.points.is_some(),
+                "--points applies only to towers; mode shapes of a substructure are at its joints",
+            ),
+            (self.sensitivities, "--sensitivities applies only to towers"),
+            (
+                self.plot,
+                "--plot applies only to towers and rotating blades",
+            ),
+            (
+                format == SolveFormat::Bmodes,
+                "--format bmodes applies only to towers and rotating blades; its layout has no joints",
+            ),
+            (
+                !self.reading.settings.is_empty(),
+                "--set applies only to towers; change the SubDyn file itself",
+            ),
+            (
+                given.without_rna,
+                "--no-rna does not apply to a SubDyn file, which has no rotor-nacelle assembly",
+            ),
+            (
+                given.without_gravity,
+                "--no-gravity does not apply to a SubDyn file, which is solved without gravity",
+            ),
+        ];
+        if let Some((_, message)) = only_for_towers.into_iter().find(|(given, _)| *given) {
+            return Err(message);
+        }
+        self.model.check_for_substructure()
+    }
+
+    /// The options for a substructure, and how its interface joints are held.
+    ///
+    /// # Errors
+    /// The message for a method that does not apply.
+    pub(crate) fn for_substructure(
+        &self,
+        input: &SubdynInput,
+    ) -> Result<(FrameOptions, Interface), &'static str> {
+        let recipe = match (self.method, self.degree) {
+            (Some(Computation::Subdyn), None) => Some(input.recipe()),
+            (Some(Computation::Subdyn), Some(_)) => {
+                return Err("--degree does not apply to --method subdyn, whose elements are given");
+            }
+            (None | Some(Computation::Tower(Method::Spectral)), degree) => {
+                degree.map(|degree| FrameRecipe::Spectral { degree })
+            }
+            (Some(Computation::Tower(_)), _) => {
+                return Err(
+                    "a SubDyn file can be solved only with --method spectral or --method subdyn",
+                );
+            }
+        };
+        let interface = match (self.clamped, input.interface_joints.is_empty()) {
+            (false, _) => Interface::Free,
+            (true, false) => Interface::Held,
+            (true, true) => {
+                return Err(
+                    "--clamped holds the interface joints, but the file has none (NInterf is 0)",
+                );
+            }
+        };
+        let default = FrameOptions::default();
+        let modes = self.model.modes.unwrap_or(default.modes);
+        let options = FrameOptions {
+            modes,
+            recipe,
+            ..default
+        };
+        Ok((options, interface))
     }
 
     /// The options of the library.
@@ -210,7 +339,15 @@ impl SolveArguments {
         input: &TowerInput,
         format: SolveFormat,
     ) -> Result<Options, &'static str> {
-        let options = self.solver.options(input)?;
+        let method = match self.method {
+            Some(Computation::Subdyn) => return Err(ONLY_SUBDYN),
+            Some(Computation::Tower(method)) => Some(method),
+            None => None,
+        };
+        if self.clamped {
+            return Err(ONLY_CLAMPED);
+        }
+        let options = self.model.options(input, method, self.segments)?;
         if self.degree.is_some() && options.method != Method::Spectral {
             return Err(
                 "--degree applies only to --method spectral; use --segments for the other methods",

@@ -5,10 +5,12 @@ mod several;
 
 pub(crate) use arguments::{SolveArguments, SolveFormat};
 
+use towermodes::frame::solve_frame;
 use towermodes::{Blade, BladeMode, BladeSolution, Solution, Solver, Tower, Warning};
 use towermodes_files::{
-    BladeInput, FileFormat, Input, Note, OutNodes, TowerInput, write_blade_csv, write_blade_json,
-    write_csv, write_json, write_json_with_sensitivities,
+    BladeInput, FileFormat, Input, Note, OutNodes, SolvedSubstructure, SubdynInput, TowerInput,
+    write_blade_csv, write_blade_json, write_csv, write_json, write_json_with_sensitivities,
+    write_substructure_csv, write_substructure_json,
 };
 use towermodes_report::terminal::{blade_shapes, shapes};
 
@@ -22,7 +24,7 @@ use crate::progress::solve;
 use crate::table;
 use crate::terminal;
 
-/// Reads and solves the tower or the blade and prints the result; warnings go to standard error.
+/// Reads and solves the tower, the blade or the substructure and prints the result; warnings go to standard error.
 pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     for file in &arguments.files {
         check_not_input(file, arguments.destination.output())?;
@@ -35,6 +37,7 @@ pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let result = match input(file, &arguments.reading)? {
         Input::Tower(tower) => of_tower(&tower, arguments, format)?,
         Input::Blade(blade) => of_blade(&blade, arguments, format)?,
+        Input::Substructure(input) => of_substructure(&input, arguments, format)?,
     };
     deliver(&result, arguments.destination.output())
 }
@@ -91,7 +94,7 @@ fn of_blade(
         SolveFormat::Table if arguments.plot => nodes.heights_m(),
         _ => nodes.borders_m().to_vec(),
     };
-    let modes = arguments.solver.model.modes.unwrap_or(input.modes);
+    let modes = arguments.model.modes.unwrap_or(input.modes);
     let of_tip = |warning: &Warning| Note::new(format!("tip body: {warning}"));
     let mut notes = input.notes.clone();
     notes.extend(blade.warnings().iter().map(of_tip));
@@ -110,6 +113,39 @@ fn of_blade(
     }
     note(&notes);
     note(&coarse(&solution));
+    Ok(result)
+}
+
+fn of_substructure(
+    input: &SubdynInput,
+    arguments: &SolveArguments,
+    format: SolveFormat,
+) -> Result<Vec<u8>, Failure> {
+    check_not_inputs(input.files(), arguments.destination.output())?;
+    arguments.reading.check(&[FileFormat::SubDyn])?;
+    arguments.check_for_substructure(format)?;
+    let (options, interface) = arguments.for_substructure(input)?;
+    let frame = input.frame(interface)?;
+    let mut notes = input.notes.clone();
+    notes.push(input.note_on_parts());
+    let solution = solve_frame(&frame, &options).map_err(|error| {
+        note(&notes);
+        Failure::from(error)
+    })?;
+    let solved = SolvedSubstructure {
+        name: &input.title,
+        frame: &frame,
+        solution: &solution,
+    };
+    let mut result = Vec::new();
+    match format {
+        SolveFormat::Table | SolveFormat::Bmodes => {
+            result.extend(table::substructure(&solved).into_bytes());
+        }
+        SolveFormat::Json => write_substructure_json(&solved, &notes, &mut result)?,
+        SolveFormat::Csv => write_substructure_csv(&solved, &mut result)?,
+    }
+    note(&notes);
     Ok(result)
 }
 

@@ -69,6 +69,11 @@ fn name_of(file: &Path) -> String {
 fn tower_of(file: &Path, arguments: &SolveArguments) -> Result<TowerInput, Failure> {
     let tower = match input(file, &arguments.reading)? {
         Input::Tower(tower) => *tower,
+        Input::Substructure(_) => {
+            return Err(Failure::usage(
+                "this is a SubDyn file, whose modes are those of a substructure and not of a tower; solve it in its own command",
+            ));
+        }
         Input::Blade(_) => {
             return Err(Failure::usage(
                 "this is a deck of a rotating blade, whose modes are not those of a tower; solve it in its own command",

@@ -1,0 +1,239 @@
+//! The modes of a substructure as JSON and CSV.
+
+use std::io::Write;
+
+use serde::Serialize;
+use towermodes::frame::{Frame, FrameMode, FrameSolution};
+
+use super::columns::Cell::{Count, Number, Small, Text};
+use super::columns::{Column, write_columns_csv};
+use super::{ResultError, write_result_json};
+use crate::input::Note;
+
+/// The directions of motions.
+const DIRECTIONS: [&str; 6] = ["x", "y", "z", "rotation_x", "rotation_y", "rotation_z"];
+
+/// The joint of a mode that moves most, and how.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct LargestMotion {
+    /// The joint, by its name in the file.
+    pub joint: String,
+    /// The direction: `x`, `y`, `z`; `rotation_x`, `rotation_y` or `rotation_z` where no joint
+    /// moves as far as it rotates.
+    pub direction: &'static str,
+    /// The motion of the joint in this direction, m or rad, for a modal mass of 1 kg.
+    pub motion: f64,
+}
+
+/// Metres per radian above which a motion is a rotation: no substructure is larger.
+const LARGEST_M: f64 = 1e-3;
+
+impl LargestMotion {
+    /// The largest motion of a mode: the largest translation of a joint, or the largest rotation if
+    /// all joints stay where they are.
+    pub fn of(mode: &FrameMode, frame: &Frame) -> Self {
+        let largest = |components: std::ops::Range<usize>| {
+            let motions = mode.joints.iter().enumerate();
+            let all = motions.flat_map(|(joint, motion)| {
+                let own = components.clone();
+                own.map(move |component| (joint, component, motion[component]))
+            });
+            // Of equal motions the first: mirror images differ by rounding.
+            all.fold((0, components.start, 0.0_f64), |most, next| {
+                match next.2.abs() > most.2.abs() * (1.0 + 1e-6) {
+                    true => next,
+                    false => most,
+                }
+            })
+        };
+        let (translation, rotation) = (largest(0..3), largest(3..6));
+        let is_rotation = translation.2.abs() < LARGEST_M * rotation.2.abs();
+        let (joint, component, motion) = if is_rotation { rotation } else { translation };
+        let joints = &frame.description().joints;
+        Self {
+            joint: joints
+                .get(joint)
+                .map_or_else(String::new, |joint| joint.name.clone()),
+            direction: DIRECTIONS[component],
+            motion,
+        }
+    }
+}
+
+/// The result of `towermodes solve` for a file of SubDyn.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(super) struct SubstructureDocument<'a> {
+    /// How members are made into elements: `spectral`, beams whose degree rises until the
+    /// frequencies have converged, or `subdyn`, the element of SubDyn with the divisions of the
+    /// file.
+    method: &'static str,
+    /// Degree of the elements of `spectral`; null for `subdyn`.
+    degree: Option<usize>,
+    /// Degrees of freedom.
+    degrees_of_freedom: usize,
+    /// The substructure that was solved.
+    substructure: SubstructureSummary<'a>,
+    /// The lowest modes by frequency.
+    modes: Vec<SubstructureMode<'a>>,
+    /// Up to this frequency, Hz, no mode is missing: an eigenvalue count proves it.
+    complete_below_hz: f64,
+    /// Assumptions of the reader and data that it omits.
+    warnings: Vec<String>,
+}
+
+/// The substructure that was solved.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct SubstructureSummary<'a> {
+    /// The second line of the file; may be empty.
+    name: &'a str,
+    /// Whether the interface joints are held (`--clamped`); otherwise they are free.
+    clamped: bool,
+    /// Mass of members, masses on joints and soil mass at the supports, kg.
+    mass_kg: f64,
+    /// Number of members.
+    members: usize,
+    /// The joints in the order of the file.
+    joints: Vec<SubstructureJoint<'a>>,
+}
+
+/// A joint.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct SubstructureJoint<'a> {
+    /// Its number in the file.
+    name: &'a str,
+    /// Its position, m: x fore-aft (downwind), y side-side, z up.
+    position_m: [f64; 3],
+}
+
+/// A mode.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct SubstructureMode<'a> {
+    /// Place in the list, from 1.
+    number: usize,
+    /// Natural frequency, Hz.
+    frequency_hz: f64,
+    /// Bound on the error of the eigenvalue computation, Hz.
+    algebraic_error_hz: f64,
+    /// Estimate of the discretization error, Hz; 0 for `subdyn`, whose elements are given.
+    discretization_error_hz: f64,
+    /// The joint that moves most, and how.
+    largest: LargestMotion,
+    /// Motion of each joint (x, y, z, rotation about x, y, z; m and rad) for a modal mass of 1 kg,
+    /// in the order of the joints.
+    motions: &'a [[f64; 6]],
+}
+
+/// A substructure with its solution.
+#[derive(Debug, Clone, Copy)]
+pub struct SolvedSubstructure<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// The frame that was solved.
+    pub frame: &'a Frame,
+    /// Its modes.
+    pub solution: &'a FrameSolution,
+}
+
+impl SolvedSubstructure<'_> {
+    /// Whether the interface joints are held.
+    pub fn is_clamped(&self) -> bool {
+        let transition = self.frame.description().transition.as_ref();
+        transition.is_some_and(|transition| transition.is_held)
+    }
+
+    /// How members are made into elements.
+    pub fn method(&self) -> &'static str {
+        match self.solution.degree {
+            Some(_) => "spectral",
+            None => "subdyn",
+        }
+    }
+}
+
+/// Writes the modes of a substructure as indented JSON with a newline at the end.
+///
+/// # Errors
+/// [`ResultError`] if the writer refuses.
+pub fn write_substructure_json(
+    solved: &SolvedSubstructure<'_>,
+    notes: &[Note],
+    writer: impl Write,
+) -> Result<(), ResultError> {
+    let SolvedSubstructure {
+        name,
+        frame,
+        solution,
+    } = *solved;
+    let description = frame.description();
+    let joints = description.joints.iter().map(|joint| SubstructureJoint {
+        name: &joint.name,
+        position_m: joint.position_m,
+    });
+    let modes = solution.modes.iter().enumerate();
+    let modes = modes.map(|(index, mode)| SubstructureMode {
+        number: index + 1,
+        frequency_hz: mode.frequency_hz,
+        algebraic_error_hz: mode.error_hz,
+        discretization_error_hz: mode.discretization_error_hz,
+        largest: LargestMotion::of(mode, frame),
+        motions: &mode.joints,
+    });
+    let document = SubstructureDocument {
+        method: solved.method(),
+        degree: solution.degree,
+        degrees_of_freedom: solution.degrees_of_freedom,
+        substructure: SubstructureSummary {
+            name,
+            clamped: solved.is_clamped(),
+            mass_kg: frame.mass_kg(),
+            members: description.members.len(),
+            joints: joints.collect(),
+        },
+        modes: modes.collect(),
+        complete_below_hz: solution.complete_below_hz,
+        warnings: notes.iter().map(ToString::to_string).collect(),
+    };
+    write_result_json(&document, writer)
+}
+
+/// A line of the CSV.
+struct Line {
+    number: usize,
+    mode: FrameMode,
+    largest: LargestMotion,
+}
+
+/// Writes the modes of a substructure as CSV with a header.
+///
+/// # Errors
+/// [`ResultError`] if the writer refuses.
+pub fn write_substructure_csv(
+    solved: &SolvedSubstructure<'_>,
+    writer: impl Write,
+) -> Result<(), ResultError> {
+    let modes = solved.solution.modes.iter().enumerate();
+    let lines = modes.map(|(index, mode)| Line {
+        number: index + 1,
+        mode: mode.clone(),
+        largest: LargestMotion::of(mode, solved.frame),
+    });
+    let lines: Vec<Line> = lines.collect();
+    write_columns_csv(&COLUMNS, &lines, writer)
+}
+
+/// The quantities of a mode of a substructure: the columns of the CSV.
+#[rustfmt::skip]
+static COLUMNS: [Column<Line>; 7] = [
+    Column { key: "number", unit: "", meaning: "place in the list, from 1", value: |l| Count(l.number) },
+    Column { key: "frequency_hz", unit: "Hz", meaning: "natural frequency", value: |l| Number(l.mode.frequency_hz) },
+    Column { key: "algebraic_error_hz", unit: "Hz", meaning: "bound on the error of the eigenvalue computation", value: |l| Small(l.mode.error_hz) },
+    Column { key: "discretization_error_hz", unit: "Hz", meaning: "estimate of the discretization error", value: |l| Small(l.mode.discretization_error_hz) },
+    Column { key: "largest.joint", unit: "", meaning: "joint that moves most", value: |l| Text(l.largest.joint.clone()) },
+    Column { key: "largest.direction", unit: "", meaning: "direction of its motion", value: |l| Text(l.largest.direction.to_owned()) },
+    Column { key: "largest.motion", unit: "m or rad", meaning: "its motion for a modal mass of 1 kg", value: |l| Small(l.largest.motion) },
+];
