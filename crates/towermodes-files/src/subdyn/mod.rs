@@ -1,8 +1,8 @@
 //! The input file of SubDyn, the OpenFAST module for jackets, tripods and monopiles, with the files
 //! of soil stiffness that it names.
 //!
-//! Source: `SD_Input` in `SubDyn.f90` (OpenFAST) reads it by position; the layouts are those of FAST
-//! 8 to OpenFAST 5.
+//! Source: `SD_Input` in `SubDyn.f90` (OpenFAST) reads it by position; the layouts are those of
+//! FAST 8 to OpenFAST 5.
 
 mod input;
 mod joints;

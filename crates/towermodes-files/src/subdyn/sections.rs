@@ -22,8 +22,8 @@ pub(super) enum Kind {
     Masses,
 }
 
-/// A table: its kind, its heading in messages, words of its heading in files, and the names that the
-/// number of its rows has had.
+/// A table: its kind, its heading in messages, words of its heading in files, and the names that
+/// the number of its rows has had.
 struct Known {
     kind: Kind,
     heading: &'static str,

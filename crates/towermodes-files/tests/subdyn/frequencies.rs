@@ -307,8 +307,8 @@ fn rigid_links_and_springs_connect_their_joints() {
     );
 }
 
-/// A rectangle that lies on its side is the rectangle with the sides exchanged; a cosine matrix says
-/// the same as a spin.
+/// A rectangle that lies on its side is the rectangle with the sides exchanged; a cosine matrix
+/// says the same as a spin.
 #[test]
 fn sections_turn_with_the_spin() {
     let members = |spin: &'static str| format!("1 1 2 1 1 1r {spin}\n2 2 3 1 1 1r {spin}");

@@ -69,8 +69,8 @@ pub(crate) struct SolveArguments {
     #[arg(long, value_name = "COUNT", value_parser = number_parser(2, MAX_POINTS))]
     points: Option<usize>,
 
-    /// Hold the interface joints of a SubDyn file, as a clamped transition piece does [default: they
-    /// are free]
+    /// Hold the interface joints of a SubDyn file, as a clamped transition piece does
+    /// [default: they are free]
     #[arg(long)]
     clamped: bool,
 

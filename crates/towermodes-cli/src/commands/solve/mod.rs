@@ -24,7 +24,8 @@ use crate::progress::solve;
 use crate::table;
 use crate::terminal;
 
-/// Reads and solves the tower, the blade or the substructure and prints the result; warnings go to standard error.
+/// Reads and solves the tower, the blade or the substructure and prints the result; warnings go to
+/// standard error.
 pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     for file in &arguments.files {
         check_not_input(file, arguments.destination.output())?;
