@@ -143,8 +143,8 @@ const FREE: [(&str, f64, [f64; 6], [f64; 6]); 5] = [
     ),
 ];
 
-/// The exact beam with the interface held. Ours are lower by up to 1e-7 in the jacket, where those of
-/// degree 8 to 16 agree to ten digits.
+/// The exact beam with the interface held. Ours are lower by up to 1e-7 in the jacket, where those
+/// of degree 8 to 16 agree to ten digits.
 const HELD: [(&str, &[f64]); 4] = [
     (
         JACKET,
