@@ -113,7 +113,10 @@ impl FrameRecipe {
                     let masses = SectionMasses {
                         mass_kg_per_m: all.mass_kg_per_m - own.mass_kg_per_m,
                         water_kg_per_m: all.water_kg_per_m,
-                        ..SectionMasses::NONE
+                        rotary_inertia_kg_m: all
+                            .rotary_inertia_kg_m
+                            .zip(own.rotary_inertia_kg_m, |all, own| all - own),
+                        polar_inertia_kg_m: all.polar_inertia_kg_m - own.polar_inertia_kg_m,
                     };
                     Section { masses, ..section }
                 };

@@ -18,6 +18,11 @@ pub enum TurbineError {
     /// The tower.
     #[error(transparent)]
     Tower(#[from] TowerError),
+    /// A tower on a frame.
+    #[error(
+        "the tower stands on a space frame, with which a turning rotor is not solved yet; solve the tower with the rotor as a rigid body, or clamp the tower"
+    )]
+    OnFrame,
     /// The blade.
     #[error("a blade of the rotor: {0}")]
     Blade(#[from] BladeError),

@@ -50,6 +50,13 @@ pub(crate) fn energy_parts(
             set(parts, part, spring, whole.mass - rest.mass);
         }
     }
+    if tower.frame().is_some() {
+        for (parts, whole) in all.iter_mut().zip(&whole) {
+            // What is not in the tower's materials bends the members of the frame.
+            let of_tower: f64 = parts.strain.materials.iter().sum();
+            parts.strain.foundation += whole.elastic - of_tower;
+        }
+    }
     let fractions = |parts: EnergyParts| EnergyParts {
         strain: parts.strain.into_fractions(),
         kinetic: parts.kinetic.into_fractions(),

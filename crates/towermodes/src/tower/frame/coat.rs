@@ -16,8 +16,9 @@ pub struct FrameCoat {
 /// A kind of mass that moves with a member.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CoatKind {
-    /// Mass that moves with the member in all directions, such as marine growth or water inside:
-    /// ρ π (R² − r²) per length.
+    /// Mass that moves with the member in all directions and rotations, such as marine growth or
+    /// water inside: ρ π (R² − r²) per length, with the rotary inertia ρ π (R⁴ − r⁴)/4. HydroDyn
+    /// takes water inside a member as rigid too.
     Solid {
         /// Density ρ, kg/m³.
         density_kg_per_m3: [f64; 2],
@@ -60,7 +61,12 @@ impl FrameCoat {
             } => {
                 let (outer, inner) = (blend(outer_radius_m), blend(inner_radius_m));
                 let squares = (outer - inner) * (outer + inner);
-                masses.mass_kg_per_m += blend(density_kg_per_m3) * PI * squares;
+                let per_m = blend(density_kg_per_m3) * PI * squares;
+                let rotary = 0.25 * per_m * (outer * outer + inner * inner);
+                masses.mass_kg_per_m += per_m;
+                masses.rotary_inertia_kg_m.fore_aft += rotary;
+                masses.rotary_inertia_kg_m.side_side += rotary;
+                masses.polar_inertia_kg_m += 2.0 * rotary;
             }
             CoatKind::AddedMass {
                 density_kg_per_m3,
@@ -76,6 +82,18 @@ impl FrameCoat {
                 // What moves in all directions, less across.
                 masses.mass_kg_per_m += along;
             }
+        }
+    }
+
+    /// Makes it as light as nothing, where it is.
+    pub(super) fn remove_mass(&mut self) {
+        match &mut self.kind {
+            CoatKind::Solid {
+                density_kg_per_m3, ..
+            } => *density_kg_per_m3 = [0.0; 2],
+            CoatKind::AddedMass {
+                density_kg_per_m3, ..
+            } => *density_kg_per_m3 = 0.0,
         }
     }
 

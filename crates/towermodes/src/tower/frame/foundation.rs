@@ -38,6 +38,12 @@ impl FrameFoundation {
         }
     }
 
+    /// Removes everything but the elastic members, whose elements stay as they are.
+    pub(crate) fn remove_masses_and_springs(&mut self) {
+        self.platform = RigidBody::default();
+        self.frame.remove_masses_and_springs();
+    }
+
     /// The reference point of the transition piece, m; the axis of the tower goes through it.
     pub fn reference_m(&self) -> [f64; 3] {
         self.reference_m

@@ -5,7 +5,7 @@ use super::super::model::Tower;
 /// A part of a tower that has springs to the ground, masses or both, and does not bend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Strippable {
-    /// The springs and the inertia of the base.
+    /// The springs and the inertia of the base, or those of the frame that carries it.
     Base,
     /// Soil springs and water.
     Surroundings,
@@ -35,6 +35,9 @@ impl Tower {
             Strippable::Base => {
                 stripped.base.stiffness = [[0.0; 6]; 6];
                 stripped.base.inertia = [[0.0; 6]; 6];
+                if let Some(frame) = &mut stripped.frame {
+                    frame.remove_masses_and_springs();
+                }
             }
             Strippable::Surroundings => {
                 for piece in &mut stripped.pieces {
