@@ -4,6 +4,7 @@ use std::fmt;
 
 use thiserror::Error;
 use towermodes::frame::FrameError;
+use towermodes::mooring::MooringError;
 use towermodes::turbine::TurbineError;
 use towermodes::{ModeNameError, ParameterError, Problem};
 
@@ -211,6 +212,9 @@ pub enum DiagnosticKind {
     /// A frame that the checks of the library refuse.
     #[error(transparent)]
     Frame(Box<FrameError>),
+    /// A mooring system that the checks of the library refuse.
+    #[error(transparent)]
+    Mooring(MooringError),
 }
 
 /// A number in a message with all the digits it needs, with an exponent where that is shorter.

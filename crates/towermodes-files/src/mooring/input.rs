@@ -1,0 +1,139 @@
+//! What a file of a mooring system describes.
+
+use std::ops::Range;
+
+use towermodes::mooring::{
+    Mooring, MooringDescription, MooringError, MooringItem, MooringState, MooringWarning, Pose,
+};
+
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::error::ReadError;
+use crate::note::Note;
+use crate::source::Source;
+
+/// Depth, density of the water and gravity where a file of a mooring system does not give them: a
+/// `.fst` file has them for all its modules.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct MooringSite {
+    /// Depth of the seabed below still water, m.
+    pub depth_m: Option<f64>,
+    /// Density of the water, kg/m³.
+    pub water_density_kg_per_m3: Option<f64>,
+    /// Acceleration of gravity, m/s².
+    pub gravity_m_per_s2: Option<f64>,
+}
+
+/// A mooring system as its file describes it.
+#[derive(Debug, Clone)]
+pub struct MooringInput {
+    /// The content of the file. Its reference point is the origin; it may be changed.
+    pub description: MooringDescription,
+    /// Notes on what the reader decided or left out.
+    pub notes: Vec<Note>,
+    pub(crate) source: Source,
+    pub(super) spans: Spans,
+}
+
+/// The bytes of the rows of a file.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Spans {
+    pub(super) site: Range<usize>,
+    pub(super) line_types: Vec<Range<usize>>,
+    pub(super) points: Vec<Range<usize>>,
+    pub(super) lines: Vec<Range<usize>>,
+    pub(super) bodies: Vec<Range<usize>>,
+    pub(super) rods: Vec<Range<usize>>,
+    /// The heading of the lines.
+    pub(super) heading: Range<usize>,
+    /// Whether rows were copied, so that parts have other numbers than their rows.
+    pub(super) is_repeated: bool,
+}
+
+impl MooringInput {
+    /// The mooring system.
+    ///
+    /// # Errors
+    /// [`ReadError::Mistakes`] at the line of what no mooring system can have.
+    pub fn mooring(&self) -> Result<Mooring, ReadError> {
+        Mooring::new(self.description.clone()).map_err(|error| self.mistake(error))
+    }
+
+    /// The mooring system at the reference pose of the platform.
+    ///
+    /// # Errors
+    /// [`ReadError::Mistakes`] at the line of a line that cannot reach, or of a free part without
+    /// an equilibrium.
+    pub fn at_rest(&self, mooring: &Mooring) -> Result<MooringState, ReadError> {
+        let state = mooring.at(&Pose::default());
+        state.map_err(|error| self.mistake(error))
+    }
+
+    /// An error of the mooring system at its line of the file.
+    pub fn mistake(&self, error: MooringError) -> ReadError {
+        let span = self.span(&error).unwrap_or(0..0);
+        let mut mistake = Diagnostic::new(span, DiagnosticKind::Mooring(error));
+        if self.spans.is_repeated {
+            let hint = "points and lines are counted with the copies that `repeat` makes";
+            mistake = mistake.with_hint(hint);
+        }
+        ReadError::mistake(&self.source, mistake)
+    }
+
+    /// What is possible but probably a mistake, at its line of the file.
+    pub fn warnings(&self, mooring: &Mooring, state: &MooringState) -> Vec<Note> {
+        let warnings = mooring.warnings(state).into_iter();
+        let notes = warnings.map(|warning| {
+            let item = match warning {
+                MooringWarning::AnchorAboveSeabed { point, .. } => MooringItem::Point(point),
+                MooringWarning::Slack { line, .. } | MooringWarning::AboveWater { line, .. } => {
+                    MooringItem::Line(line)
+                }
+                _ => MooringItem::Site,
+            };
+            let place = self.row(item).unwrap_or(0..0);
+            Note::suspicious(warning.to_string()).at(&self.source, place.start)
+        });
+        notes.collect()
+    }
+
+    /// The file it was read from.
+    pub fn file(&self) -> &str {
+        &self.source.name
+    }
+
+    /// The bytes of what an error is about.
+    fn span(&self, error: &MooringError) -> Option<Range<usize>> {
+        match error {
+            MooringError::NotFinite { item, .. }
+            | MooringError::TooLarge { item, .. }
+            | MooringError::NotPositive { item, .. }
+            | MooringError::Negative { item, .. }
+            | MooringError::Unknown { item, .. }
+            | MooringError::Unconnected { item }
+            | MooringError::UnderSeabed { item, .. }
+            | MooringError::Sinks { item, .. }
+            | MooringError::NoEquilibrium { item, .. }
+            | MooringError::Unstable { item } => self.row(*item),
+            MooringError::SamePoint { line, .. }
+            | MooringError::TooShort { line, .. }
+            | MooringError::NoTension { line, .. } => self.row(MooringItem::Line(*line)),
+            MooringError::RodWithoutLength { rod } => self.row(MooringItem::Rod(*rod)),
+            MooringError::NoLines | MooringError::NotAtPlatform => Some(self.spans.heading.clone()),
+            _ => None,
+        }
+    }
+
+    /// The bytes of the row of a part.
+    fn row(&self, item: MooringItem) -> Option<Range<usize>> {
+        let spans = &self.spans;
+        let (rows, index) = match item {
+            MooringItem::Site => return Some(spans.site.clone()),
+            MooringItem::LineType(index) => (&spans.line_types, index),
+            MooringItem::Point(index) => (&spans.points, index),
+            MooringItem::Line(index) => (&spans.lines, index),
+            MooringItem::Body(index) => (&spans.bodies, index),
+            MooringItem::Rod(index) => (&spans.rods, index),
+        };
+        rows.get(index).cloned()
+    }
+}

@@ -1,0 +1,91 @@
+//! What is assumed and left out is noted with its line.
+
+use towermodes_files::{MooringSite, Note};
+use towermodes_testing::rows;
+
+use super::texts::{MAP, MOORDYN_2, SITE, changed, map, moordyn};
+
+fn lines(notes: &[Note]) -> String {
+    let notes = notes
+        .iter()
+        .map(|note| note.to_string().replace("Mooring.dat:", "") + "\n");
+    notes.collect()
+}
+
+#[test]
+fn a_plain_file_has_notes_on_columns_and_options() {
+    let input = moordyn(MOORDYN_2, &SITE).expect("a mooring");
+    let expected = "\
+3: columns of LINE TYPES that are not used: BA/-zeta, EI, Cd, Ca, CdAx, CaAx (damping, drag and added mass have no effect at rest)
+7: columns of POINTS that are not used: CdA, CA (damping, drag and added mass have no effect at rest)
+16: columns of LINES that are not used: NumSegs, Outputs (a line is an elastic catenary at rest, of any number of segments)
+22: options that are not used: dtM, kbot (they serve the simulation in time; the seabed is rigid)
+";
+    assert_eq!(lines(&input.notes), expected);
+    let input = map(MAP, &SITE).expect("a mooring");
+    let expected = "\
+1: columns of LINE DICTIONARY that are not used: CIntDamp, Ca, Cdn, Cdt (damping, drag and added mass have no effect at rest)
+";
+    assert_eq!(lines(&input.notes), expected.replace("DICTIONARY", "TYPES"));
+}
+
+#[test]
+fn what_is_assumed_has_a_note() {
+    let cases = r"
+        320.0    WtrDpth | 500.0    WtrDpth | 10: all fixed points are at z = -320 m, but the depth of the water is 500 m
+        320.0    WtrDpth | 0 WaterKin | 10: the depth of the water is not given: the seabed is at the fixed points, at z = -320 m
+        1025.0   rhoW | 0 mu_kT | the density of the water (kg/m3) is not given: 1025 is assumed
+        9.80665  g | 0 mu_kT | the acceleration of gravity (m/s2) is not given: 9.80665 is assumed
+        0.001    dtM | 0.2 mu_kT | 23: mu_kT (0.2) is not used
+        0.001    dtM | waves.txt WaterKin | 23: WaterKin (`waves.txt`) is not used
+        0.001    dtM | 1 magic | 23: the option `magic` is not known
+        -0.8     0.0 | -0.8     1e4 | 6: the bending stiffness EI of the line is not used
+        ------------------------ OUTPUTS | --- FAILURE ---\nID\n(-)\n1 2\n--- OUTPUTS | 28: the section FAILURE is not used
+        ------------------------ OUTPUTS | --- SYROPE ---\nID\n(-)\n1 2\n--- OUTPUTS | 28: the section `SYROPE` is not known
+        384.243E6 | 384.243E6|500E6 | 6: EA of the line is `384.243E6|500E6`: the first value is used";
+    for [from, to, note] in rows(cases) {
+        let input = moordyn(&changed(MOORDYN_2, from, to), &MooringSite::default());
+        let notes = lines(&input.expect("a mooring").notes);
+        let note = note.to_owned();
+        assert!(notes.contains(&note), "{notes}\n{note}");
+    }
+}
+
+#[test]
+fn a_rod_without_segments_has_a_note() {
+    let rod = "\
+--- ROD TYPES ---
+TypeName Diam Mass/m
+(name) (m) (kg/m)
+can 1.2 900
+--- RODS ---
+ID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs RodOutputs
+(#) (name) (#/key) (m) (m) (m) (m) (m) (m) (-) (-)
+1 can Vessel 20 -6 -5 27 -9 -17 0 -
+--- POINTS";
+    let text = changed(MOORDYN_2, "---------------------- POINTS", rod);
+    let notes = lines(&moordyn(&text, &SITE).expect("a mooring").notes);
+    assert!(
+        notes.contains("14: NumSegs of the rod is 0, by which MoorDyn gives a rod no length"),
+        "{notes}"
+    );
+}
+
+#[test]
+fn warnings_have_the_line_of_their_part() {
+    let text = changed(MOORDYN_2, "320.0    WtrDpth", "330.0    WtrDpth");
+    let text = changed(
+        &text,
+        "853.87     0.0    -320.0",
+        "853.87     0.0    -321.0",
+    );
+    let input = moordyn(&text, &SITE).expect("a mooring");
+    let mooring = input.mooring().expect("a mooring");
+    let state = input.at_rest(&mooring).expect("an equilibrium");
+    let warnings = lines(&input.warnings(&mooring, &state));
+    assert!(
+        warnings.starts_with("10: the anchor point 1 is at z = -321 m"),
+        "{warnings}"
+    );
+    assert_eq!(warnings.lines().count(), 3, "{warnings}");
+}
