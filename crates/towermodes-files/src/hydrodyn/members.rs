@@ -1,0 +1,314 @@
+//! The tables of joints, sections, members and fillings.
+
+use std::collections::HashMap;
+
+use super::coefficients::{Coefficients, Model};
+use super::ends::Joint;
+use super::growth::Growth;
+use super::spatial::Vector;
+use super::strip::{Stretch, StripAddedMass, StripMember, blend};
+use super::tables::{Ids, Row, Table};
+use super::values::Values;
+use super::water::SeaWater;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::note::Note;
+use crate::source::Source;
+
+/// The members of a file, with the joints of each.
+#[derive(Debug, Default)]
+pub(super) struct Members {
+    pub(super) joints: Vec<Joint>,
+    pub(super) members: Vec<StripMember>,
+    pub(super) joints_of: Vec<[usize; 2]>,
+    pub(super) notes: Vec<Note>,
+}
+
+/// What the stretches of all members depend on.
+pub(super) struct Site<'s> {
+    pub(super) water: &'s SeaWater,
+    pub(super) growth: &'s Growth,
+    pub(super) coefficients: &'s Coefficients,
+}
+
+/// Reads the members.
+pub(super) fn read(
+    values: &Values<'_>,
+    source: &Source,
+    site: &Site<'_>,
+) -> Result<Members, Diagnostic> {
+    let table = Table::of(values, &["NMembers"], usize::MAX)?;
+    if table.rows.is_empty() {
+        return Ok(Members::default());
+    }
+    let joint_table = Table::of(values, &["NJoints"], usize::MAX)?;
+    let joint_ids = joint_table.ids("joint")?;
+    let joints = joints(values, &joint_table)?;
+    let sections = sections(values)?;
+    let member_ids = table.ids("member")?;
+    let fillings = fillings(values, &member_ids, site.water)?;
+    let mut found = Members {
+        joints,
+        ..Members::default()
+    };
+    for (index, row) in table.rows.iter().enumerate() {
+        let ends = [
+            joint_ids.find(row, table.column(&["MJointID1"])?, "MJointID1")?,
+            joint_ids.find(row, table.column(&["MJointID2"])?, "MJointID2")?,
+        ];
+        let ends_m = ends.map(|joint| found.joints[joint].position_m);
+        let tube = tube(&table, row, &sections)?;
+        let filling = fillings.get(&index);
+        let member = member(&table, row, ends_m, &tube, filling, site)?;
+        found.members.push(member);
+        found.joints_of.push(ends);
+    }
+    found.notes = overlaps(&joint_table, source);
+    Ok(found)
+}
+
+fn joints(values: &Values<'_>, table: &Table<'_>) -> Result<Vec<Joint>, Diagnostic> {
+    let axial = Table::of(values, &["NAxCoef"], usize::MAX)?;
+    let axial_ids = axial.ids("axial coefficient")?;
+    let joints = table.rows.iter().map(|row| {
+        let mut position_m = [0.0; 3];
+        for (x, name) in position_m.iter_mut().zip(["Jointxi", "Jointyi", "Jointzi"]) {
+            *x = table.number(row, name)?;
+        }
+        let set = axial_ids.find(row, table.column(&["JointAxID"])?, "JointAxID")?;
+        Ok(Joint {
+            name: row.integer(0, "JointID")?.to_string(),
+            position_m,
+            axial: axial.not_negative(&axial.rows[set], "AxCa")?,
+        })
+    });
+    joints.collect()
+}
+
+/// The note on JointOvrlp.
+fn overlaps(table: &Table<'_>, source: &Source) -> Vec<Note> {
+    let Some(column) = table.column_if_any(&["JointOvrlp"]) else {
+        return Vec::new();
+    };
+    let is_set = |row: &&Row<'_>| row.number(column, "").is_ok_and(|value| value != 0.0);
+    let first = table.rows.iter().find(is_set);
+    let message = "JointOvrlp is not used: members that overlap at a joint keep their whole length, as in HydroDyn";
+    let note = |row: &Row<'_>| Note::left_out(message).at(source, row.span().start);
+    first.map(note).into_iter().collect()
+}
+
+/// Diameters and walls by their numbers.
+struct Sections {
+    ids: Ids,
+    tubes: Vec<Tube>,
+}
+
+/// Outer and inner radius, m.
+#[derive(Debug, Clone, Copy)]
+struct Tube {
+    outer_m: f64,
+    inner_m: f64,
+}
+
+fn sections(values: &Values<'_>) -> Result<Sections, Diagnostic> {
+    let table = Table::of(values, &["NPropSets", "NPropSetsCyl"], usize::MAX)?;
+    let tubes = table.rows.iter().map(|row| {
+        let diameter_m = table.number(row, "PropD")?;
+        let wall_m = table.not_negative(row, "PropThck")?;
+        if diameter_m <= 0.0 {
+            let kind = DiagnosticKind::out_of_range_in("PropD", diameter_m, "m", "positive");
+            return Err(row.wrong(table.column(&["PropD"])?, kind));
+        }
+        if wall_m > 0.5 * diameter_m {
+            let rule = format!("at most half of PropD, {} m", 0.5 * diameter_m);
+            let kind = DiagnosticKind::out_of_range_in("PropThck", wall_m, "m", rule);
+            return Err(row.wrong(table.column(&["PropThck"])?, kind));
+        }
+        Ok(Tube {
+            outer_m: 0.5 * diameter_m,
+            inner_m: 0.5 * diameter_m - wall_m,
+        })
+    });
+    let tubes: Result<Vec<Tube>, Diagnostic> = tubes.collect();
+    Ok(Sections {
+        ids: table.ids("member property set")?,
+        tubes: tubes?,
+    })
+}
+
+/// The tubes at both ends of a member.
+fn tube(table: &Table<'_>, row: &Row<'_>, sections: &Sections) -> Result<[Tube; 2], Diagnostic> {
+    if let Some(column) = table.column_if_any(&["MSecGeom"])
+        && row.integer(column, "MSecGeom")? != 1
+    {
+        let message = "the member is rectangular (MSecGeom 2): only circular members can be read";
+        let mistake = row.wrong(column, DiagnosticKind::Unsupported(message.to_owned()));
+        return Err(mistake.with_hint("describe it as a circular member (MSecGeom 1) of the same area, with coefficients that give the same added mass"));
+    }
+    let find = |name| sections.ids.find(row, table.column(&[name])?, name);
+    let ends = [find("MPropSetID1")?, find("MPropSetID2")?];
+    Ok(ends.map(|end| sections.tubes[end]))
+}
+
+/// The level and density of what fills a member.
+#[derive(Debug, Clone, Copy)]
+struct Filling {
+    level_m: f64,
+    density_kg_per_m3: f64,
+}
+
+/// The fillings by the index of their member.
+fn fillings(
+    values: &Values<'_>,
+    members: &Ids,
+    water: &SeaWater,
+) -> Result<HashMap<usize, Filling>, Diagnostic> {
+    let table = Table::of(values, &["NFillGroups"], usize::MAX)?;
+    let mut fillings = HashMap::new();
+    for row in &table.rows {
+        let count = row.integer(0, "FillNumM")?;
+        let fits = usize::try_from(count)
+            .ok()
+            .filter(|count| *count < row.tokens.len());
+        let Some(count) = fits else {
+            let rule = "the number of members in the list behind it";
+            let kind = DiagnosticKind::out_of_range("FillNumM", count as f64, rule);
+            return Err(row.wrong(0, kind));
+        };
+        let filling = Filling {
+            level_m: row.number(count + 1, "FillFSLoc")?,
+            density_kg_per_m3: fill_density(row, count + 2, water)?,
+        };
+        for column in 1..=count {
+            let member = members.find(row, column, "FillMList")?;
+            if fillings.insert(member, filling).is_some() {
+                let what = format!(
+                    "member {} in the lists of filled members",
+                    row.tokens[column].text
+                );
+                let kind = DiagnosticKind::Repeated { what, times: 2 };
+                return Err(row
+                    .wrong(column, kind)
+                    .with_hint("a member belongs to one group"));
+            }
+        }
+    }
+    Ok(fillings)
+}
+
+fn fill_density(row: &Row<'_>, column: usize, water: &SeaWater) -> Result<f64, Diagnostic> {
+    let token = row.token(column, "FillDens")?;
+    if token.text.eq_ignore_ascii_case("default") {
+        return Ok(water.density_kg_per_m3);
+    }
+    let density = row.number(column, "FillDens")?;
+    match density >= 0.0 {
+        true => Ok(density),
+        false => {
+            let kind = DiagnosticKind::out_of_range("FillDens", density, "0 or positive");
+            Err(row.wrong(column, kind))
+        }
+    }
+}
+
+fn member(
+    table: &Table<'_>,
+    row: &Row<'_>,
+    ends_m: [Vector; 2],
+    tube: &[Tube; 2],
+    filling: Option<&Filling>,
+    site: &Site<'_>,
+) -> Result<StripMember, Diagnostic> {
+    let column = table.column(&["PropPot", "PropWAMIT"])?;
+    let is_potential_flow = row.token(column, "PropPot")?.logical("PropPot")?;
+    let has_hydrostatics = match table.column_if_any(&["MHstLMod"]) {
+        Some(column) => row.integer(column, "MHstLMod")? != 0,
+        None => true,
+    };
+    let mut member = StripMember {
+        name: row.integer(0, "MemberID")?.to_string(),
+        ends_m,
+        is_potential_flow,
+        has_hydrostatics,
+        stretches: Vec::new(),
+    };
+    if ends_m[0] == ends_m[1] {
+        let message = format!("both joints of member {} are at one point", member.name);
+        return Err(row.wrong(0, DiagnosticKind::Contradiction(message)));
+    }
+    let model = match is_potential_flow {
+        true => None,
+        false => Some(site.coefficients.model(table, row)?),
+    };
+    member.stretches = stretches(&member, tube, model, filling, site);
+    Ok(member)
+}
+
+/// Cuts nearer to each other than this share of the member are one.
+const SAME_CUT: f64 = 1e-12;
+
+/// The member in stretches between the heights at which something begins or ends.
+fn stretches(
+    member: &StripMember,
+    tube: &[Tube; 2],
+    model: Option<Model>,
+    filling: Option<&Filling>,
+    site: &Site<'_>,
+) -> Vec<Stretch> {
+    let [from_m, to_m] = member.ends_m.map(|end_m| end_m[2]);
+    let water = site.water;
+    let heights = [water.level_m, -water.depth_m].into_iter();
+    let heights = heights
+        .chain(site.growth.heights_m())
+        .chain(site.coefficients.heights_m());
+    let heights = heights.chain(filling.map(|filling| filling.level_m));
+    let mut cuts = vec![0.0, 1.0];
+    cuts.extend(heights.map(|z_m| (z_m - from_m) / (to_m - from_m)));
+    cuts.retain(|cut| (0.0..=1.0).contains(cut));
+    cuts.sort_by(f64::total_cmp);
+    cuts.dedup_by(|a, b| *a - *b < SAME_CUT && *a != 1.0);
+    let ranges = cuts.windows(2).filter(|pair| pair[1] - pair[0] >= SAME_CUT);
+    let ranges = ranges.map(|pair| [pair[0], pair[1]]);
+    ranges
+        .map(|range| stretch(range, [from_m, to_m], tube, model, filling, site))
+        .collect()
+}
+
+fn stretch(
+    range: [f64; 2],
+    ends_m: [f64; 2],
+    tube: &[Tube; 2],
+    model: Option<Model>,
+    filling: Option<&Filling>,
+    site: &Site<'_>,
+) -> Stretch {
+    let z_m = range.map(|fraction| blend(ends_m, fraction));
+    let middle_m = 0.5 * (z_m[0] + z_m[1]);
+    let radii = |of: fn(&Tube) -> f64| range.map(|at| blend([of(&tube[0]), of(&tube[1])], at));
+    let is_wet = site.water.holds(middle_m);
+    let is_above_seabed = middle_m >= -site.water.depth_m;
+    let growth = model
+        .filter(|_| is_above_seabed)
+        .and_then(|_| site.growth.between(z_m));
+    let added_mass = model.filter(|_| is_wet).map(|model| {
+        let at = |end: usize| {
+            let (z_m, fraction) = (z_m[end], range[end]);
+            site.coefficients
+                .at(&model, z_m, middle_m, fraction, growth.is_some())
+        };
+        let [[across_1, along_1], [across_2, along_2]] = [at(0), at(1)];
+        StripAddedMass {
+            across: [across_1, across_2],
+            along: [along_1, along_2],
+        }
+    });
+    let filling = filling.filter(|filling| is_above_seabed && middle_m <= filling.level_m);
+    Stretch {
+        range,
+        outer_radius_m: radii(|tube| tube.outer_m),
+        inner_radius_m: radii(|tube| tube.inner_m),
+        is_wet,
+        growth,
+        added_mass,
+        fill_density_kg_per_m3: filling.map_or(0.0, |filling| filling.density_kg_per_m3),
+    }
+}

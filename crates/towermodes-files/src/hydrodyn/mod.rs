@@ -1,0 +1,36 @@
+//! The input file of HydroDyn, the OpenFAST module for water, with the files of WAMIT that it
+//! names.
+//!
+//! Source: `HydroDyn_Input.f90`, `Morison.f90` and `WAMIT.f90` (OpenFAST); the layouts are those of
+//! FAST 8 to OpenFAST 5. Values and tables are found by their names, because their positions differ
+//! between versions.
+
+mod added_stiffness;
+mod beams;
+mod coefficients;
+mod ends;
+mod growth;
+mod input;
+mod members;
+mod on_frame;
+mod platform;
+mod potential;
+mod profile;
+mod read;
+mod spatial;
+mod strip;
+mod strip_inertia;
+mod tables;
+mod values;
+mod wamit;
+mod water;
+mod water_plane;
+
+pub use ends::StripEnd;
+pub use input::HydrodynInput;
+pub use platform::HydrodynPlatform;
+pub use potential::PotentialFlow;
+pub use read::read_hydrodyn;
+pub use strip::{MarineGrowth, Stretch, StripAddedMass, StripMember};
+pub use wamit::AddedMassTable;
+pub use water::{SeaWater, WaterDefaults, read_water};

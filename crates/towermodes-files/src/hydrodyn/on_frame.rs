@@ -1,0 +1,287 @@
+//! The water of strip members on the members of a frame.
+//!
+//! A strip member that lies on a beam gives coats of that beam. Any other one is cut into pieces,
+//! each of which moves rigidly with the nearest point of the nearest beam, as HydroDyn's nodes move
+//! with the nearest nodes of SubDyn.
+
+use towermodes::RigidBody;
+use towermodes::frame::{CoatKind, FrameCoat, FrameDescription, FrameRider, JointKind};
+use towermodes::space::SpatialMatrix;
+
+use super::beams::{self, Beam, Lying};
+use super::ends::StripEnd;
+use super::input::HydrodynInput;
+use super::spatial::{NONE, add, difference, norm, of_mass};
+use super::strip::{Stretch, StripMember, blend};
+use super::strip_inertia::slices;
+use crate::note::Note;
+
+/// Length of the pieces that move with the nearest beam, m.
+const PIECE_M: f64 = 1.0;
+/// No frame gets more pieces; they are longer where there would be more.
+const MOST_PIECES: f64 = 10_000.0;
+/// Parts shorter than this share of a member are rounding errors.
+const NO_PART: f64 = 1e-9;
+/// A joint is that of a frame if both are nearer than this, m.
+const SAME_JOINT_M: f64 = 1e-3;
+
+impl HydrodynInput {
+    /// Puts the water, growth and filling of the strip members on a frame: coats of beams on which
+    /// they lie, riders of beams near them, masses of joints. The potential-flow body, AddCLin and
+    /// AddF0 are not part of it. The notes say what was not put where the file has it.
+    pub fn put_on_frame(&self, frame: &mut FrameDescription) -> Vec<Note> {
+        let beams = beams::of(frame);
+        let at_file = |note: Note| note.at(&self.sources[0], 0);
+        let moving = self
+            .members
+            .iter()
+            .any(|member| member.stretches.iter().any(Stretch::moves));
+        if beams.is_empty() {
+            let message = "the substructure has no beams: the water on its members is left out";
+            return moving
+                .then(|| at_file(Note::left_out(message)))
+                .into_iter()
+                .collect();
+        }
+        let mut carried = Carried {
+            density_kg_per_m3: self.water.density_kg_per_m3,
+            piece_m: self.piece_m(),
+            beams: &beams,
+            length_m: 0.0,
+            solid_kg: 0.0,
+            frame,
+        };
+        for member in &self.members {
+            let lying = beams::lying(member, &beams);
+            for stretch in member.stretches.iter().filter(|stretch| stretch.moves()) {
+                carried.put(member, stretch, &lying);
+            }
+        }
+        for end in &self.ends {
+            carried.put_end(end);
+        }
+        carried.notes().into_iter().map(at_file).collect()
+    }
+
+    fn piece_m(&self) -> f64 {
+        let length_m: f64 = self.members.iter().map(StripMember::length_m).sum();
+        PIECE_M.max(length_m / MOST_PIECES)
+    }
+}
+
+impl Stretch {
+    /// Whether something moves with it.
+    fn moves(&self) -> bool {
+        let added = self
+            .added_mass
+            .is_some_and(|of| [of.across, of.along] != [[0.0; 2]; 2]);
+        added || self.growth.is_some() || self.fill_density_kg_per_m3 > 0.0
+    }
+
+    /// The coats of the part between two fractions of it.
+    fn coats(&self, part: [f64; 2], density_kg_per_m3: f64) -> Vec<CoatKind> {
+        let at = |values: [f64; 2]| part.map(|fraction| blend(values, fraction));
+        let mut coats = Vec::new();
+        if let Some(added) = self.added_mass {
+            coats.push(CoatKind::AddedMass {
+                density_kg_per_m3,
+                radius_m: at(self.grown_radius_m()),
+                across: at(added.across),
+                along: at(added.along),
+            });
+        }
+        if let Some(growth) = self.growth {
+            coats.push(CoatKind::Solid {
+                density_kg_per_m3: at(growth.density_kg_per_m3),
+                outer_radius_m: at(self.grown_radius_m()),
+                inner_radius_m: at(self.outer_radius_m),
+            });
+        }
+        if self.fill_density_kg_per_m3 > 0.0 {
+            coats.push(CoatKind::Solid {
+                density_kg_per_m3: [self.fill_density_kg_per_m3; 2],
+                outer_radius_m: at(self.inner_radius_m),
+                inner_radius_m: [0.0; 2],
+            });
+        }
+        coats
+    }
+}
+
+/// The same coat in the other direction.
+fn reversed(coat: CoatKind) -> CoatKind {
+    let turned = |[from, to]: [f64; 2]| [to, from];
+    match coat {
+        CoatKind::Solid {
+            density_kg_per_m3,
+            outer_radius_m,
+            inner_radius_m,
+        } => CoatKind::Solid {
+            density_kg_per_m3: turned(density_kg_per_m3),
+            outer_radius_m: turned(outer_radius_m),
+            inner_radius_m: turned(inner_radius_m),
+        },
+        CoatKind::AddedMass {
+            density_kg_per_m3,
+            radius_m,
+            across,
+            along,
+        } => CoatKind::AddedMass {
+            density_kg_per_m3,
+            radius_m: turned(radius_m),
+            across: turned(across),
+            along: turned(along),
+        },
+    }
+}
+
+/// A frame that carries strip members.
+struct Carried<'f> {
+    frame: &'f mut FrameDescription,
+    beams: &'f [Beam],
+    density_kg_per_m3: f64,
+    piece_m: f64,
+    /// Length of strip members that lie on no beam, m.
+    length_m: f64,
+    /// Growth and filling of these, kg.
+    solid_kg: f64,
+}
+
+impl Carried<'_> {
+    /// Puts a stretch on the frame.
+    fn put(&mut self, member: &StripMember, stretch: &Stretch, lying: &[Lying]) {
+        let [mut from, to] = stretch.range;
+        for part in lying {
+            let range = [part.range[0].max(from), part.range[1].min(to)];
+            if range[1] - range[0] > NO_PART {
+                self.ride(member, stretch, [from, range[0]]);
+                self.coat(stretch, part, range);
+                from = range[1];
+            }
+        }
+        self.ride(member, stretch, [from, to]);
+    }
+
+    /// Coats the beam under the part of a stretch between two fractions of the strip member.
+    fn coat(&mut self, stretch: &Stretch, lying: &Lying, range: [f64; 2]) {
+        let coats = stretch.coats(range.map(|at| local(stretch, at)), self.density_kg_per_m3);
+        let [first, last] = range.map(|at| lying.beam_fraction(at));
+        let is_reversed = first > last;
+        let range = [first.min(last), first.max(last)];
+        if range[0] < range[1] {
+            let coats = coats.into_iter().map(|kind| FrameCoat {
+                range,
+                kind: if is_reversed { reversed(kind) } else { kind },
+            });
+            self.frame.members[lying.member].coats.extend(coats);
+        }
+    }
+
+    /// Lets the part of a stretch between two fractions of the strip member ride on beams near it.
+    fn ride(&mut self, member: &StripMember, stretch: &Stretch, range: [f64; 2]) {
+        if range[1] - range[0] <= NO_PART {
+            return;
+        }
+        let length_m = (range[1] - range[0]) * member.length_m();
+        self.length_m += length_m;
+        let pieces = (length_m / self.piece_m).ceil().max(1.0);
+        let [from, to] = range.map(|at| local(stretch, at));
+        for piece in 0..pieces as usize {
+            let at = |index: usize| from + (to - from) * index as f64 / pieces;
+            self.ride_piece(member, stretch, [at(piece), at(piece + 1)]);
+        }
+    }
+
+    fn ride_piece(&mut self, member: &StripMember, stretch: &Stretch, part: [f64; 2]) {
+        let middle = blend(stretch.range, 0.5 * (part[0] + part[1]));
+        let Some((beam, fraction, foot_m)) = beams::nearest(member.point_m(middle), self.beams)
+        else {
+            return;
+        };
+        let (axis, length_m) = (member.axis(), member.length_m());
+        let stretch_m = length_m * (stretch.range[1] - stretch.range[0]);
+        let mut inertia = NONE;
+        for slice in slices(member, stretch, part) {
+            let density = self.density_kg_per_m3;
+            let mut masses = stretch.added_mass(slice.fraction, stretch_m, axis, density);
+            let solid = stretch.solid_kg_per_m(slice.fraction);
+            for (i, row) in masses.iter_mut().enumerate() {
+                row[i] += solid;
+            }
+            self.solid_kg += solid * slice.length_m;
+            let arm_m = difference(slice.center_m, foot_m);
+            add(&mut inertia, slice.length_m, &of_mass(&masses, arm_m));
+        }
+        self.add_rider(beam, fraction, inertia);
+    }
+
+    fn add_rider(&mut self, member: usize, fraction: f64, inertia: SpatialMatrix) {
+        self.frame.riders.push(FrameRider {
+            member,
+            fraction,
+            inertia,
+        });
+    }
+
+    /// Puts the end of strip members on a joint, or on the nearest beam.
+    fn put_end(&mut self, end: &StripEnd) {
+        let is_it =
+            |position_m: [f64; 3]| norm(difference(position_m, end.position_m)) <= SAME_JOINT_M;
+        let joint = self
+            .frame
+            .joints
+            .iter()
+            .position(|joint| is_it(joint.position_m));
+        let growth = |i: usize, j: usize| if i == j { end.growth_kg } else { 0.0 };
+        let masses = end.added_mass;
+        let whole = std::array::from_fn(|i| std::array::from_fn(|j| masses[i][j] + growth(i, j)));
+        match joint {
+            Some(joint) if self.frame.joints[joint].kind == JointKind::Cantilever => {
+                if masses != [[0.0; 3]; 3] {
+                    let matrix = of_mass(&masses, [0.0; 3]);
+                    self.frame.added_masses.push((joint, matrix));
+                }
+                if end.growth_kg > 0.0 {
+                    let body = RigidBody::point(end.growth_kg, [0.0; 3]);
+                    self.frame.masses.push((joint, body));
+                }
+            }
+            Some(joint) => self
+                .frame
+                .added_masses
+                .push((joint, of_mass(&whole, [0.0; 3]))),
+            None => {
+                if let Some((beam, fraction, foot_m)) = beams::nearest(end.position_m, self.beams) {
+                    let arm_m = difference(end.position_m, foot_m);
+                    self.add_rider(beam, fraction, of_mass(&whole, arm_m));
+                }
+            }
+        }
+    }
+
+    fn notes(&self) -> Vec<Note> {
+        let mut notes = Vec::new();
+        // Joints of both modules may differ in their last digit.
+        if self.length_m > self.piece_m {
+            let message = format!(
+                "{:.0} m of members lie on no member of the substructure: their water moves rigidly with the nearest point of the nearest member, in pieces of {:.0} m",
+                self.length_m, self.piece_m
+            );
+            notes.push(Note::approximation(message));
+        }
+        if self.solid_kg > 0.0 && self.length_m > self.piece_m {
+            let message = format!(
+                "the weight of {:.0} kg of growth and filling on these members is left out of the geometric stiffness",
+                self.solid_kg
+            );
+            notes.push(Note::approximation(message));
+        }
+        notes
+    }
+}
+
+/// The fraction of a stretch at a fraction of its member.
+fn local(stretch: &Stretch, at: f64) -> f64 {
+    let [from, to] = stretch.range;
+    ((at - from) / (to - from)).clamp(0.0, 1.0)
+}

@@ -1,0 +1,122 @@
+//! The water of a rigid platform: mass, added mass, stiffness and load about the origin.
+
+use towermodes::space::SpatialMatrix;
+use towermodes::{FloatingPlatform, ReferredMatrix, RigidBody};
+
+use super::input::HydrodynInput;
+use super::spatial::{add, load_of, of_force};
+use super::water_plane;
+use crate::note::Note;
+
+/// A rigid platform in its water.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HydrodynPlatform {
+    /// The platform with filling and growth, with the added mass at infinite frequency and without
+    /// moorings. Its matrices are for the motion of the origin (0, 0, 0), heights above mean sea
+    /// level.
+    pub platform: FloatingPlatform,
+    /// The load of buoyancy and AddF0 at the origin, without weight and moorings: force (N) and
+    /// moment (N m).
+    pub load: [f64; 6],
+    /// Notes on the choice between AddCLin and the buoyancy of strip members.
+    pub notes: Vec<Note>,
+}
+
+/// AddCLin and the stiffness of the filling's weight are one if they differ by less: the figures of
+/// public files are rounded, and their gravity is 9.80665 or 9.81 m/s².
+const SAME_STIFFNESS: f64 = 0.02;
+
+impl HydrodynInput {
+    /// The rigid platform with a structure of steel (its centre in coordinates of the file), under
+    /// this gravity.
+    ///
+    /// The hydrostatic stiffness is that of the `.hst` file, of AddCLin, and of buoyancy and water
+    /// plane of strip members. The stiffness of the weight is not part of it: it follows from mass
+    /// and centre. In files before OpenFAST 2.6, AddCLin has the stiffness of the weight of filling
+    /// and growth and of strip members' buoyancy; there the hydrostatic stiffness is without these,
+    /// so that the sum counts them once.
+    pub fn platform(&self, structure: &RigidBody, gravity_m_per_s2: f64) -> HydrodynPlatform {
+        let weight_of_water = self.water.density_kg_per_m3 * gravity_m_per_s2;
+        let moved = [self.filling(), self.growth()];
+        let whole = RigidBody::combined(&[*structure, moved[0], moved[1]]);
+        let strips = water_plane::of(&self.members, &self.water);
+        let mut hydrostatic = self.additional_stiffness;
+        let mut load = self.additional_load;
+        if let Some(flow) = &self.potential {
+            add(&mut hydrostatic, weight_of_water, &flow.hydrostatic);
+            let [x, y] = flow.center_of_buoyancy_m;
+            let buoyancy = load_of([0.0, 0.0, flow.volume_m3], [x, y, 0.0]);
+            add_load(&mut load, weight_of_water, &buoyancy);
+        }
+        add_load(&mut load, weight_of_water, &strips.load);
+        let mut weights = [[0.0; 6]; 6];
+        for body in &moved {
+            let weight = [0.0, 0.0, -body.mass_kg * gravity_m_per_s2];
+            add(&mut weights, 1.0, &of_force(weight, body.center_m));
+        }
+        match self.is_static {
+            true => add(&mut hydrostatic, -1.0, &weights),
+            false => add(&mut hydrostatic, weight_of_water, &strips.stiffness),
+        }
+        let platform = FloatingPlatform {
+            mass_kg: whole.mass_kg,
+            center_m: whole.center_m,
+            inertia_kg_m2: whole.inertia_kg_m2,
+            added_mass: at_origin(self.added_mass_at_infinity()),
+            hydrostatic: at_origin(hydrostatic),
+            mooring: ReferredMatrix::default(),
+        };
+        HydrodynPlatform {
+            platform,
+            load,
+            notes: self.notes_on_stiffness(&weights),
+        }
+    }
+
+    /// The added mass at infinite frequency, with that of strip members.
+    fn added_mass_at_infinity(&self) -> SpatialMatrix {
+        let mut matrix = self.strip_added_mass();
+        if let Some(flow) = &self.potential {
+            add(&mut matrix, 1.0, &flow.added_mass.infinite);
+        }
+        matrix
+    }
+
+    fn notes_on_stiffness(&self, weights: &SpatialMatrix) -> Vec<Note> {
+        let at = |note: Note| note.at(&self.sources[0], self.stiffness_at);
+        let has_strips = self.members.iter().any(|member| !member.is_potential_flow);
+        if self.is_static {
+            let message = "the file is in a layout before OpenFAST 2.6: buoyancy of strip members and weight of fillings and growth do not follow the motion there, so their stiffness is taken from AddCLin alone";
+            let is_needed = has_strips || weights[3][3] != 0.0;
+            return is_needed
+                .then(|| at(Note::compatibility(message)))
+                .into_iter()
+                .collect();
+        }
+        let doubled = [3, 4].iter().all(|&i| {
+            let (given, own) = (self.additional_stiffness[i][i], weights[i][i]);
+            own != 0.0 && (given / own - 1.0).abs() < SAME_STIFFNESS
+        });
+        let message = format!(
+            "AddCLin (4,4) is {:e} N m, the stiffness of the weight of filled members and growth, which HydroDyn adds by itself since OpenFAST 2.6: it is counted twice; set AddCLin (4,4) and (5,5) to 0",
+            self.additional_stiffness[3][3]
+        );
+        doubled
+            .then(|| at(Note::suspicious(message)))
+            .into_iter()
+            .collect()
+    }
+}
+
+fn at_origin(matrix: SpatialMatrix) -> ReferredMatrix {
+    ReferredMatrix {
+        matrix,
+        height_m: 0.0,
+    }
+}
+
+fn add_load(sum: &mut [f64; 6], factor: f64, load: &[f64; 6]) {
+    for (sum, load) in sum.iter_mut().zip(load) {
+        *sum += factor * load;
+    }
+}

@@ -1,0 +1,146 @@
+//! Reads a file as a whole.
+
+use super::added_stiffness;
+use super::coefficients::Coefficients;
+use super::ends;
+use super::growth::Growth;
+use super::input::HydrodynInput;
+use super::members::{self, Members, Site};
+use super::potential;
+use super::values::Values;
+use super::water::{self, SeaWater, WaterDefaults};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::error::ReadError;
+use crate::note::Note;
+use crate::resolver::FileResolver;
+use crate::source::Source;
+
+/// Reads an input file of HydroDyn; `files` gives the files of WAMIT that it names, relative to its
+/// `folder` as seen from there. `water` is what the `.fst` file and SeaState give; a number in the
+/// file goes before.
+///
+/// # Errors
+/// The first mistake in the file or in one of these, at its place.
+///
+/// # Example
+/// ```no_run
+/// use towermodes_files::{SiblingFiles, Source, WaterDefaults, read_hydrodyn};
+///
+/// let path = std::path::Path::new("Semi_HydroDyn.dat");
+/// let files = SiblingFiles::of(path);
+/// let water = WaterDefaults::default();
+/// let input = read_hydrodyn(Source::from_path(path)?, &files, "", water)?;
+/// println!("{} kg of ballast water", input.filling().mass_kg);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn read_hydrodyn(
+    source: Source,
+    files: &dyn FileResolver,
+    folder: &str,
+    water: WaterDefaults,
+) -> Result<HydrodynInput, ReadError> {
+    let values = Values::of(&source.text);
+    let main = found(&values, &source, water).map_err(|m| ReadError::mistake(&source, m))?;
+    let density = main.water.density_kg_per_m3;
+    let body = potential::read(&values, &source, files, folder, density)?;
+    let is_static = values.line("PtfmSgF").is_some();
+    let stiffness_at = values.line("AddCLin").map_or(0, |line| line.start);
+    drop(values);
+    let Found {
+        water,
+        added,
+        mut members,
+        growth,
+    } = main;
+    let ends = ends::of(
+        &members.joints,
+        &members.members,
+        &members.joints_of,
+        &growth,
+        &water,
+    );
+    let mut notes = added.notes;
+    notes.append(&mut members.notes);
+    notes.extend(on_strips(&members, &water, &source));
+    let mut sources = vec![source];
+    let mut flow = None;
+    if let Some(body) = body {
+        notes.extend(body.notes);
+        sources.extend(body.sources);
+        flow = Some(body.flow);
+    }
+    Ok(HydrodynInput {
+        water,
+        potential: flow,
+        additional_stiffness: added.stiffness,
+        additional_load: added.force,
+        members: members.members,
+        ends,
+        is_static,
+        notes,
+        sources,
+        stiffness_at,
+    })
+}
+
+/// What the main file says.
+struct Found {
+    water: SeaWater,
+    added: added_stiffness::Added,
+    members: Members,
+    growth: Growth,
+}
+
+fn found(
+    values: &Values<'_>,
+    source: &Source,
+    defaults: WaterDefaults,
+) -> Result<Found, Diagnostic> {
+    if !is_hydrodyn(values) {
+        let found = "no input file of HydroDyn".to_owned();
+        return Err(Diagnostic::new(0..0, DiagnosticKind::WrongFile { found })
+            .with_hint("such a file has PotMod, AddCLin, NJoints and NMembers"));
+    }
+    let water = water::complete(water::given(values, defaults)?)?;
+    let added = added_stiffness::read(values, source)?;
+    let growth = Growth::of(values)?;
+    let coefficients = Coefficients::of(values)?;
+    let site = Site {
+        water: &water,
+        growth: &growth,
+        coefficients: &coefficients,
+    };
+    let members = members::read(values, source, &site)?;
+    Ok(Found {
+        water,
+        added,
+        members,
+        growth,
+    })
+}
+
+fn is_hydrodyn(values: &Values<'_>) -> bool {
+    let has = |name: &str| values.line(name).is_some();
+    has("NMembers") && (has("PotMod") || has("HasWAMIT"))
+}
+
+/// What strip theory leaves out of the modes.
+fn on_strips(members: &Members, water: &SeaWater, source: &Source) -> Vec<Note> {
+    let mut notes = Vec::new();
+    let strips = members
+        .members
+        .iter()
+        .filter(|member| !member.is_potential_flow);
+    let below = |z_m: &[f64; 3]| z_m[2] < -water.depth_m;
+    let buried = strips
+        .filter(|member| member.ends_m.iter().any(below))
+        .count();
+    if buried > 0 {
+        let message = format!(
+            "{buried} members reach below the seabed at {} m: they have no added mass, growth or filling there, as in HydroDyn",
+            -water.depth_m
+        );
+        notes.push(Note::compatibility(message).at(source, 0));
+    }
+    notes
+}

@@ -1,0 +1,103 @@
+//! Density, depth and level of the water: in HydroDyn until OpenFAST 3.5, in SeaState since 4.0, in
+//! the `.fst` file since 3.1.
+
+use super::values::Values;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::error::ReadError;
+use crate::source::Source;
+
+const NAMES: [&str; 3] = ["WtrDens", "WtrDpth", "MSL2SWL"];
+
+/// The water that another file gives; a value that none gives is none.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct WaterDefaults {
+    /// Density, kg/m³.
+    pub density_kg_per_m3: Option<f64>,
+    /// Depth below mean sea level, m.
+    pub depth_m: Option<f64>,
+    /// Height of the still water above mean sea level, m.
+    pub level_m: Option<f64>,
+}
+
+/// The water of a model. z = 0 is mean sea level.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SeaWater {
+    /// Density, kg/m³.
+    pub density_kg_per_m3: f64,
+    /// Depth below mean sea level, m.
+    pub depth_m: f64,
+    /// Height of the still water above mean sea level, m.
+    pub level_m: f64,
+}
+
+impl SeaWater {
+    /// Whether a height is in the water.
+    pub(super) fn holds(&self, z_m: f64) -> bool {
+        z_m >= -self.depth_m && z_m <= self.level_m
+    }
+}
+
+/// The water that a `.fst` file, a file of SeaState or a file of HydroDyn gives. A number in it
+/// goes before the default; `default` and an absent value leave it.
+///
+/// # Errors
+/// [`ReadError::Mistakes`] at a value that is neither a number nor `default`, at a density or depth
+/// that is not positive.
+pub fn read_water(source: &Source, defaults: WaterDefaults) -> Result<WaterDefaults, ReadError> {
+    let values = Values::of(&source.text);
+    given(&values, defaults).map_err(|mistake| ReadError::mistake(source, mistake))
+}
+
+/// The same of a file whose values are known.
+pub(super) fn given(
+    values: &Values<'_>,
+    defaults: WaterDefaults,
+) -> Result<WaterDefaults, Diagnostic> {
+    let [density, depth, level] = NAMES;
+    let positive = |name: &str, default: Option<f64>| match value(values, name)? {
+        Some(_) => values.positive(name).map(Some),
+        None => Ok(default),
+    };
+    Ok(WaterDefaults {
+        density_kg_per_m3: positive(density, defaults.density_kg_per_m3)?,
+        depth_m: positive(depth, defaults.depth_m)?,
+        level_m: value(values, level)?.or(defaults.level_m),
+    })
+}
+
+/// A number, or none for `default`.
+fn value(values: &Values<'_>, name: &str) -> Result<Option<f64>, Diagnostic> {
+    match values.token(name) {
+        None => Ok(None),
+        Some(token) if token.text.trim().eq_ignore_ascii_case("default") => Ok(None),
+        Some(_) => values.number(name).map(Some),
+    }
+}
+
+/// The water of a model, all values known; the level is 0 where no file gives it.
+pub(super) fn complete(water: WaterDefaults) -> Result<SeaWater, Diagnostic> {
+    let missing = |name: &str| {
+        let kind = DiagnosticKind::missing_key("the HydroDyn file", name);
+        let hint = "since OpenFAST 4.0 the water is in the .fst file or in the SeaState file: read the .fst file, or write the value and this name on a line of their own";
+        Diagnostic::new(0..0, kind).with_hint(hint)
+    };
+    let [density, depth, _] = NAMES;
+    let water = SeaWater {
+        density_kg_per_m3: water.density_kg_per_m3.ok_or_else(|| missing(density))?,
+        depth_m: water.depth_m.ok_or_else(|| missing(depth))?,
+        level_m: water.level_m.unwrap_or(0.0),
+    };
+    match water.level_m > -water.depth_m {
+        true => Ok(water),
+        false => {
+            let message = format!(
+                "MSL2SWL is {} m, but the seabed is at {} m: there is no water",
+                water.level_m, -water.depth_m
+            );
+            Err(Diagnostic::new(
+                0..0,
+                DiagnosticKind::Contradiction(message),
+            ))
+        }
+    }
+}
