@@ -20,6 +20,7 @@ def read(
     part: Literal["all", "tower", "monopile"] = "all",
     no_rna: bool = False,
     no_gravity: bool = False,
+    clamped: bool = False,
     rotor: Literal["locked", "free"] = "locked",
     bmodes_quirks: bool = False,
     tower_height_m: float | None = None,
@@ -36,6 +37,7 @@ def read(
         part: The part of a windIO turbine that is read.
         no_rna: Omit the rotor-nacelle assembly.
         no_gravity: Omit gravity (no geometric stiffness).
+        clamped: Clamp a tower of OpenFAST at its base, without the structure below it.
         rotor: Whether the rotor of an ElastoDyn model, or of a tower file with `[drivetrain]`, is
             locked or free to rotate.
         bmodes_quirks: Interpret a BModes deck exactly as BModes 3.00 does, with its known errors.
@@ -60,6 +62,7 @@ def read(
         "part": word("part", part),
         "no_rna": bool(no_rna),
         "no_gravity": bool(no_gravity),
+        "clamped": bool(clamped),
         "rotor": word("rotor", rotor),
         "bmodes_quirks": bool(bmodes_quirks),
         "tower_height_m": number_or_none("tower_height_m", tower_height_m),

@@ -253,6 +253,9 @@ pub struct ReadOptions {
     pub rotor: RotorLock,
     /// Whether gravity is left out, even if the file has it.
     pub without_gravity: bool,
+    /// Whether a tower of OpenFAST is clamped at its base, even if the files of the structure below
+    /// it are there.
+    pub clamped: bool,
 }
 
 /// How a rotor is held on its shaft, which decides how much inertia of rotor and generator acts on
@@ -277,6 +280,7 @@ impl Default for ReadOptions {
             hawc2_subset: None,
             rotor: RotorLock::Locked,
             without_gravity: false,
+            clamped: false,
         }
     }
 }

@@ -36,9 +36,11 @@ mod diagnostic;
 pub mod elastodyn;
 mod error;
 mod hawc2;
+mod hydrodyn;
 mod input;
 mod layer_profile;
 mod measured;
+mod mooring;
 mod note;
 mod places;
 mod prescribed;
@@ -71,8 +73,13 @@ pub use design_study::{
 pub use diagnostic::{Diagnostic, DiagnosticKind, Exact};
 pub use error::ReadError;
 pub use hawc2::read_hawc2;
+pub use hydrodyn::{
+    AddedMassTable, HydrodynInput, HydrodynPlatform, MarineGrowth, PotentialFlow, SeaWater,
+    Stretch, StripAddedMass, StripEnd, StripMember, WaterDefaults, read_hydrodyn, read_water,
+};
 pub use input::{BladeInput, FileFormat, OutLayout, ReadOptions, RotorLock, TowerInput, TowerPart};
 pub use measured::{MeasuredFile, MeasuredMode, NamedUnknown};
+pub use mooring::{MooringInput, MooringSite, read_map, read_moordyn};
 pub use note::{Note, NoteKind, RotorNotes};
 pub use prescribed::Prescribed;
 pub use read::{Input, NOTHING_LEFT_OUT, Reading, read, read_source, read_tower};

@@ -1,7 +1,7 @@
 //! Finds the files that a main file names.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use crate::source::{FileError, Source};
 
@@ -41,6 +41,8 @@ impl SiblingFiles {
     /// The location of the file that the main file refers to as `path`. Three places are tried: the
     /// path relative to the folder of the main file; the file name alone in that folder, because
     /// decks are often copied without their subfolders; the path relative to the current folder.
+    /// If none of them exists, the first one is searched with other capital letters, because decks
+    /// written on Windows do not distinguish them.
     pub fn path(&self, path: &str) -> PathBuf {
         let relative: PathBuf = path.split(['/', '\\']).collect();
         let relative = if path.starts_with('/') {
@@ -50,10 +52,35 @@ impl SiblingFiles {
         };
         let named = self.folder.join(&relative);
         let beside = relative.file_name().map(|name| self.folder.join(name));
-        let candidates = [Some(named.clone()), beside, Some(relative)];
+        let candidates = [Some(named.clone()), beside, Some(relative.clone())];
         let found = candidates.into_iter().flatten().find(|path| path.is_file());
+        let found = found.or_else(|| ignoring_case(&self.folder, &relative));
         found.unwrap_or(named)
     }
+}
+
+/// The file at a path relative to a folder whose names may differ in capital letters; the first one
+/// in the order of their names.
+fn ignoring_case(folder: &Path, relative: &Path) -> Option<PathBuf> {
+    let mut found = folder.to_path_buf();
+    for part in relative.components() {
+        let exact = found.join(part);
+        if exact.exists() {
+            found = exact;
+            continue;
+        }
+        let Component::Normal(name) = part else {
+            return None;
+        };
+        let here = match found.as_os_str().is_empty() {
+            true => Path::new("."),
+            false => &found,
+        };
+        let entries = here.read_dir().ok()?.flatten();
+        let same = entries.filter(|entry| entry.file_name().eq_ignore_ascii_case(name));
+        found = same.map(|entry| entry.path()).min()?;
+    }
+    found.is_file().then_some(found)
 }
 
 impl FileResolver for SiblingFiles {

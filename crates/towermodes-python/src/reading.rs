@@ -21,6 +21,7 @@ pub struct Reading {
     rotor: String,
     no_rna: bool,
     no_gravity: bool,
+    clamped: bool,
     bmodes_quirks: bool,
     tower_height_m: Option<f64>,
     tower_base_m: Option<f64>,
@@ -75,6 +76,7 @@ impl Reading {
             hawc2_subset: self.subset,
             rotor: self.rotor()?,
             without_gravity: self.no_gravity,
+            clamped: self.clamped,
         })
     }
 
@@ -102,7 +104,12 @@ impl Reading {
     /// Refuses an option that has no effect on files of this format.
     fn check(&self, format: FileFormat) -> PyResult<()> {
         use FileFormat::{Bmodes, ElastoDyn, ElastoDynTower, Hawc2, Toml, WindIo};
-        let options: [(bool, &[FileFormat], &str); 6] = [
+        let options: [(bool, &[FileFormat], &str); 7] = [
+            (
+                self.clamped,
+                &[ElastoDyn],
+                "clamped applies only to OpenFAST models",
+            ),
             (
                 self.bmodes_quirks,
                 &[Bmodes],

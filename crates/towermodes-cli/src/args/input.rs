@@ -38,6 +38,11 @@ pub(crate) struct ReadingArguments {
     #[arg(help_heading = MODEL, long)]
     no_gravity: bool,
 
+    /// Clamp a tower of OpenFAST at its base, without the structure below it; of a SubDyn file hold
+    /// the interface joints
+    #[arg(help_heading = OTHERS, long)]
+    pub(crate) clamped: bool,
+
     /// Change a number of the tower by name, as often as needed: 'rna.mass=360000' replaces the
     /// number, 'scale(stations[*].wall)=1.1' multiplies it, 'add(stations[*].height)=2' adds to it;
     /// values in the units of the tower file. Single quotes protect brackets and parentheses from
@@ -150,6 +155,11 @@ impl ReadingArguments {
         let without_heights = [FileFormat::ElastoDynTower, FileFormat::Hawc2];
         let options = [
             (
+                given.clamped,
+                &[FileFormat::ElastoDyn, FileFormat::SubDyn][..],
+                "--clamped applies only to OpenFAST models and SubDyn files; [foundation] type = \"clamped\" clamps a tower",
+            ),
+            (
                 given.bmodes_quirks,
                 &[FileFormat::Bmodes][..],
                 "--bmodes-quirks applies only to BModes decks",
@@ -202,6 +212,7 @@ impl ReadingArguments {
         [
             flag("--no-rna", self.no_rna),
             flag("--no-gravity", self.no_gravity),
+            flag("--clamped", self.clamped),
             valued("--rotor", (self.rotor == Rotor::Free).then_some("free")),
             flag("--bmodes-quirks", self.bmodes_quirks),
             valued("--part", part.as_ref().map(PossibleValue::get_name)),
@@ -230,6 +241,7 @@ impl ReadingArguments {
                 Rotor::Free => RotorLock::Free,
             },
             without_gravity: self.no_gravity,
+            clamped: self.clamped,
         }
     }
 }

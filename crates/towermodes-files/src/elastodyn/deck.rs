@@ -3,8 +3,10 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use towermodes::{MissingPart, Place, RigidBody};
+use towermodes::{Foundation, MissingPart, Place, RigidBody};
 
+use super::below::{Below, below};
+use super::fst;
 use super::fst::{Gravity, Main, gravity, main_source};
 use super::machine::blade_file::{BladeFile, BladeMasses, read_blade_file};
 use super::machine::controller::{OperatingSpeeds, operating_speeds};
@@ -88,6 +90,7 @@ struct Model {
     yaw: Option<YawSpring>,
     /// The operating speeds, if there is an `.fst` file.
     speeds: Option<OperatingSpeeds>,
+    below: Below,
 }
 
 impl Model {
@@ -122,8 +125,13 @@ impl Model {
         let yaw = yaw.map(|fst| yaw_spring(fst, files));
         let speeds = found.fst.as_ref();
         let speeds = speeds.map(|fst| operating_speeds(fst, &main, files));
+        let below = match &found.fst {
+            Some(fst) if !options.clamped => below(fst, &main, files)?,
+            _ => Below::default(),
+        };
         Ok(Self {
             speeds,
+            below,
             found,
             main,
             tower_source,
@@ -158,7 +166,8 @@ impl Model {
         let mut description = description(&self.reading.file, ends, &main.header[1]);
         description.rna = rna.into();
         description.rotor = rotor::rotor(main, self.speeds.as_ref());
-        description.missing_parts = missing_parts(main, &self.found.missing_parts);
+        description.missing_parts = self.missing_parts();
+        description.foundation = self.below.foundation.clone();
         if self.has_no_blades(options) {
             description.missing_parts.push(MissingPart::Blades);
         }
@@ -195,6 +204,10 @@ impl Model {
         if self.has_no_blades(options) {
             return TurbineReading::missing(self.no_blades());
         }
+        if self.below.foundation.frame().is_some() {
+            let message = "a turning rotor is not solved together with a substructure of members yet: the rotor is a rigid body";
+            return TurbineReading::missing(Note::approximation(message));
+        }
         let mut turbine = turbine::turbine(&Parts {
             main: &self.main,
             source: &self.found.source,
@@ -224,10 +237,16 @@ impl Model {
     fn notes(&self, ends: Ends, options: &ReadOptions) -> Vec<Note> {
         let main = &self.main;
         let mut notes = self.found.notes.clone();
+        if let Some(fst) = &self.found.fst {
+            notes.extend(fst::notes(fst, &self.below.parts));
+        }
+        notes.extend_from_slice(&self.below.notes);
         notes.extend_from_slice(&self.reading.notes);
         notes.extend(tuner_note(&self.reading.file));
         notes.push(Note::new(ONLY_BENDS));
-        notes.extend(foundation_note(main));
+        if self.below.foundation == Foundation::Clamped {
+            notes.extend(foundation_note(main));
+        }
         notes.extend(main.tower_hangs().then(|| hanging_note(ends)));
         if !options.without_rna {
             notes.extend(self.has_no_blades(options).then(|| self.no_blades()));
@@ -237,12 +256,27 @@ impl Model {
         notes
     }
 
+    /// The parts that the model has and the tower lacks: those of the `.fst` file, and a platform
+    /// that moves where no substructure does.
+    fn missing_parts(&self) -> Vec<MissingPart> {
+        let read = &self.below.parts;
+        let fst = self.found.fst.as_ref();
+        let mut parts = fst.map_or_else(Vec::new, |fst| fst::missing_parts(fst, read));
+        let moves = self.main.platform_dofs.contains(&true);
+        let is_known = |part| parts.contains(&part) || read.contains(&part);
+        if moves && !is_known(MissingPart::Substructure) && !is_known(MissingPart::Platform) {
+            parts.insert(0, MissingPart::Platform);
+        }
+        parts
+    }
+
     /// The `.fst` file if there is one, the main file, the tower file, the blade files, the file of
     /// the controller if it is read.
     fn sources(&self) -> Vec<Source> {
         let mut sources: Vec<Source> = self.found.fst.iter().cloned().collect();
         sources.extend([self.found.source.clone(), self.tower_source.clone()]);
         sources.extend_from_slice(&self.blades.sources);
+        sources.extend_from_slice(&self.below.sources);
         if let Some(OperatingSpeeds::Known(controlled)) = &self.speeds {
             sources.push(controlled.source.clone());
         }
@@ -345,17 +379,6 @@ fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, ReadError> {
         }
     }
     Ok(blades)
-}
-
-/// The parts that the model has and the tower lacks: those of the `.fst` file, and a platform that
-/// moves where no substructure does.
-fn missing_parts(main: &MainFile, of_fst: &[MissingPart]) -> Vec<MissingPart> {
-    let mut parts = of_fst.to_vec();
-    let moves = main.platform_dofs.contains(&true);
-    if moves && !parts.contains(&MissingPart::Substructure) {
-        parts.insert(0, MissingPart::Platform);
-    }
-    parts
 }
 
 /// The note on a foundation that is not in these files.

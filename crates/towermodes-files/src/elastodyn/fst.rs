@@ -1,5 +1,4 @@
-//! The `.fst` file of OpenFAST: the name of the main file of ElastoDyn, gravity, and the modules
-//! that are not read.
+//! The `.fst` file of OpenFAST: the name of the main file of ElastoDyn, gravity, and the modules.
 
 use towermodes::MissingPart;
 
@@ -28,8 +27,6 @@ pub(super) struct Main {
     /// Acceleration of gravity that the `.fst` file gives, m/s².
     pub(super) gravity_m_per_s2: Option<f64>,
     pub(super) notes: Vec<Note>,
-    /// The parts of the structure whose modules are switched on and not read, each once.
-    pub(super) missing_parts: Vec<MissingPart>,
     /// The note on the blades of a turbine, if they are those of BeamDyn.
     pub(super) beamdyn_note: Option<Note>,
 }
@@ -45,7 +42,6 @@ pub(super) fn main_source(source: Source, files: &dyn FileResolver) -> Result<Ma
         folder: String::new(),
         gravity_m_per_s2: None,
         notes: Vec::new(),
-        missing_parts: Vec::new(),
         beamdyn_note: None,
     })
 }
@@ -66,15 +62,14 @@ fn named_by(fst: Source, files: &dyn FileResolver) -> Result<Main, ReadError> {
         source,
         folder: folder.to_owned(),
         gravity_m_per_s2,
-        notes: notes(&fst),
-        missing_parts: missing_parts(&fst),
+        notes: beamdyn(&fst).into_iter().collect(),
         beamdyn_note: blades_of_beamdyn(&fst),
         fst: Some(fst),
     })
 }
 
 /// The acceleration of gravity in an `.fst` file, since OpenFAST 3.0.
-fn gravity_of_fst(source: &Source) -> Result<Option<f64>, Diagnostic> {
+pub(super) fn gravity_of_fst(source: &Source) -> Result<Option<f64>, Diagnostic> {
     let Some(line) = line_of(&source.text, "Gravity") else {
         return Ok(None);
     };
@@ -90,10 +85,11 @@ fn ed_file(source: &Source) -> Result<Parameter<'_>, Diagnostic> {
     Ok(parameter)
 }
 
-/// The notes on modules that change or complete the model of ElastoDyn.
-fn notes(source: &Source) -> Vec<Note> {
-    let mut notes: Vec<Note> = beamdyn(source).into_iter().collect();
-    let mut named: Vec<MissingPart> = Vec::new();
+/// The notes on modules that complete the model of ElastoDyn and are not among the parts that were
+/// read.
+pub(super) fn notes(source: &Source, read: &[MissingPart]) -> Vec<Note> {
+    let mut notes: Vec<Note> = Vec::new();
+    let mut named: Vec<MissingPart> = read.to_vec();
     for module in &MODULES {
         // The sea is part of the water.
         if !named.contains(&module.part)
@@ -176,9 +172,12 @@ const MODULES: [Module; 6] = [
     },
 ];
 
-/// The parts whose modules are switched on, each once.
-fn missing_parts(source: &Source) -> Vec<MissingPart> {
-    let is_on = |module: &&Module| matches!(switch(source, module.switch), Some((1.., _)));
+/// The parts whose modules are switched on and that were not read, each once.
+pub(super) fn missing_parts(source: &Source, read: &[MissingPart]) -> Vec<MissingPart> {
+    let is_on = |module: &&Module| {
+        let is_read = read.contains(&module.part);
+        !is_read && matches!(switch(source, module.switch), Some((1.., _)))
+    };
     let mut parts: Vec<MissingPart> = MODULES.iter().filter(is_on).map(|of| of.part).collect();
     parts.sort_unstable();
     parts.dedup();
@@ -212,7 +211,7 @@ pub(super) fn switch(source: &Source, name: &str) -> Option<(i64, usize)> {
 }
 
 /// Standard acceleration of gravity, m/s² (3rd General Conference on Weights and Measures, 1901).
-const STANDARD_M_PER_S2: f64 = 9.80665;
+pub(super) const STANDARD_M_PER_S2: f64 = 9.80665;
 
 /// The acceleration of gravity, and a note on its source.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,5 +1,6 @@
 //! The files of ElastoDyn, the OpenFAST module for tower, blades and drive train.
 
+mod below;
 mod deck;
 mod fst;
 mod machine;

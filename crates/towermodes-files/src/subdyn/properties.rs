@@ -205,17 +205,18 @@ fn cable(row: &Row<'_>) -> Result<Cable, Diagnostic> {
 
 /// The upper triangle by rows: k11, k12 … k16, k22 … k66.
 fn spring(row: &Row<'_>) -> Result<[[f64; 6]; 6], Diagnostic> {
-    let mut stiffness = [[0.0; 6]; 6];
+    let mut upper = [[0.0; 6]; 6];
     let mut column = 1;
-    for i in 0..6 {
-        for j in i..6 {
-            let entry = row.number(column, &format!("k{}{}", i + 1, j + 1))?;
-            stiffness[i][j] = entry;
-            stiffness[j][i] = entry;
+    for (i, entries) in upper.iter_mut().enumerate() {
+        for (j, entry) in entries.iter_mut().enumerate().skip(i) {
+            *entry = row.number(column, &format!("k{}{}", i + 1, j + 1))?;
             column += 1;
         }
     }
-    Ok(stiffness)
+    let entry = |i: usize, j: usize| upper[i.min(j)][i.max(j)];
+    Ok(std::array::from_fn(|i| {
+        std::array::from_fn(|j| entry(i, j))
+    }))
 }
 
 /// The axes of a member as rows.

@@ -80,8 +80,7 @@ fn check_mechanism<const N: usize>(changes: &[(&str, &str)], still: usize, subdy
     assert!(error.to_string().contains("mechanism"), "{error}");
     let count = |hz: f64| count_frame_modes(&frame, input.recipe(), hz).expect("a count");
     assert_eq!(count(0.01), still);
-    let mut below = still;
-    for hz in numbers::<N>(subdyn) {
+    for (below, hz) in (still..).zip(numbers::<N>(subdyn)) {
         // Modes without stiffness cost the independent program two digits.
         let near = 1e-8 * hz;
         let (before, after) = (count(hz - near), count(hz + near));
@@ -89,7 +88,6 @@ fn check_mechanism<const N: usize>(changes: &[(&str, &str)], still: usize, subdy
             before <= below && after > below,
             "{hz}: {before}, {below}, {after}"
         );
-        below += 1;
     }
 }
 

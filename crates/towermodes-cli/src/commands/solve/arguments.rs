@@ -69,11 +69,6 @@ pub(crate) struct SolveArguments {
     #[arg(long, value_name = "COUNT", value_parser = number_parser(2, MAX_POINTS))]
     points: Option<usize>,
 
-    /// Hold the interface joints of a SubDyn file, as a clamped transition piece does
-    /// [default: they are free]
-    #[arg(long)]
-    clamped: bool,
-
     /// Add the derivatives of the frequencies with respect to every number of the tower to the JSON
     /// result; towermodes sensitivities shows them as a table
     #[arg(long)]
@@ -89,8 +84,6 @@ pub(crate) struct SolveArguments {
 }
 
 const ONLY_SUBDYN: &str = "--method subdyn applies only to SubDyn files";
-const ONLY_CLAMPED: &str =
-    "--clamped applies only to SubDyn files; [foundation] type = \"clamped\" clamps a tower";
 
 /// A method for towers, or the element of SubDyn for the members of a substructure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -232,9 +225,6 @@ impl SolveArguments {
         if self.sensitivities {
             return Err("--sensitivities applies only to towers");
         }
-        if self.clamped {
-            return Err(ONLY_CLAMPED);
-        }
         if !self.reading.settings.is_empty() {
             return Err("--set applies only to towers; change the deck of a rotating blade itself");
         }
@@ -311,7 +301,7 @@ impl SolveArguments {
                 );
             }
         };
-        let interface = match (self.clamped, input.interface_joints.is_empty()) {
+        let interface = match (self.reading.clamped, input.interface_joints.is_empty()) {
             (false, _) => Interface::Free,
             (true, false) => Interface::Held,
             (true, true) => {
@@ -344,9 +334,6 @@ impl SolveArguments {
             Some(Computation::Tower(method)) => Some(method),
             None => None,
         };
-        if self.clamped {
-            return Err(ONLY_CLAMPED);
-        }
         let options = self.model.options(input, method, self.segments)?;
         if self.degree.is_some() && options.method != Method::Spectral {
             return Err(

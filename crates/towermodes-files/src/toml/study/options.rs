@@ -24,12 +24,13 @@ pub(super) fn options(sweep: &Table<'_>, reading: &mut Reading) -> Option<ReadOp
         return Some(default);
     };
     let table = Table::of(value, READING.name, &READING, reading)?;
-    let flags = ["no_rna", "no_gravity", "bmodes_quirks"].map(|key| flag(&table, key, reading));
+    let flags =
+        ["no_rna", "no_gravity", "bmodes_quirks", "clamped"].map(|key| flag(&table, key, reading));
     let heights = ["tower_height", "tower_base"].map(|key| height(&table, key, reading));
     let part = named(&table, "part", &PARTS, reading);
     let rotor = named(&table, "rotor", &ROTORS, reading);
     let subset = table.get("subset").map(|value| subset(value, reading));
-    let [without_rna, without_gravity, bmodes_quirks] = flags;
+    let [without_rna, without_gravity, bmodes_quirks, clamped] = flags;
     let [tower_height_m, tower_base_m] = heights;
     Some(ReadOptions {
         bmodes_quirks: bmodes_quirks?,
@@ -40,6 +41,7 @@ pub(super) fn options(sweep: &Table<'_>, reading: &mut Reading) -> Option<ReadOp
         hawc2_subset: subset.map_or(Some(None), |found| found.map(Some))?,
         rotor: rotor?,
         without_gravity: without_gravity?,
+        clamped: clamped?,
     })
 }
 

@@ -58,6 +58,7 @@ tables! {
     READING = "[sweep.reading]":
         optional "no_rna" Flag "" "omit the rotor-nacelle assembly";
         optional "no_gravity" Flag "" "omit gravity";
+        optional "clamped" Flag "" "clamp a tower of OpenFAST at its base, without the structure below it";
         optional "rotor" Text "" "locked or free, of an ElastoDyn model";
         optional "bmodes_quirks" Flag "" "interpret a BModes deck exactly as BModes 3.00 does";
         optional "part" Text "" "all, tower or monopile of a windIO turbine";

@@ -1,0 +1,240 @@
+//! What is below the tower of a model of OpenFAST: the substructure in the file of SubDyn that the
+//! `.fst` file names, or the floating platform with its water and its mooring lines.
+
+use std::ops::Range;
+
+use towermodes::frame::FrameFoundation;
+use towermodes::{Foundation, Inertia, MissingPart, RigidBody};
+
+use super::fst::{STANDARD_M_PER_S2, gravity_of_fst, switch};
+use super::main_input::main_file::MainFile;
+use super::names::line_of;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::error::ReadError;
+use crate::hydrodyn::{HydrodynInput, HydrodynPlatform, WaterDefaults, read_hydrodyn, read_water};
+use crate::mooring::{MooringInput, MooringSite, read_map, read_moordyn};
+use crate::note::Note;
+use crate::resolver::FileResolver;
+use crate::source::Source;
+use crate::subdyn::{Interface, read_subdyn};
+
+/// What is below the tower.
+#[derive(Debug, Default)]
+pub(super) struct Below {
+    /// The foundation; clamped if the files of nothing below the tower are there.
+    pub(super) foundation: Foundation,
+    pub(super) notes: Vec<Note>,
+    pub(super) sources: Vec<Source>,
+    /// The parts of the structure that were read.
+    pub(super) parts: Vec<MissingPart>,
+}
+
+/// Reads what is below the tower, if its files are there.
+///
+/// # Errors
+/// The first mistake in one of the files.
+pub(super) fn below(
+    fst: &Source,
+    main: &MainFile,
+    files: &dyn FileResolver,
+) -> Result<Below, ReadError> {
+    let model = Model { fst, main, files };
+    match switch(fst, "CompSub") {
+        Some((1, _)) => model.substructure(),
+        _ if main.platform_dofs.contains(&true) => model.floater(),
+        _ => Ok(Below::default()),
+    }
+}
+
+/// An `.fst` file, the main file of ElastoDyn that it names, and where the others are.
+struct Model<'a> {
+    fst: &'a Source,
+    main: &'a MainFile,
+    files: &'a dyn FileResolver,
+}
+
+/// A file that the `.fst` file names.
+struct Found<'a> {
+    source: Source,
+    /// Its folder as seen from the `.fst` file.
+    folder: &'a str,
+    /// The bytes of its name.
+    span: Range<usize>,
+}
+
+impl<'a> Model<'a> {
+    /// The file that one of some names of the `.fst` file gives, if it is there. Without it the
+    /// part is missing, which the result says.
+    fn file(&self, names: &[&str]) -> Option<Found<'a>> {
+        let named = names
+            .iter()
+            .find_map(|name| line_of(&self.fst.text, name)?.first())?;
+        let path = named.text.trim();
+        Some(Found {
+            source: self.files.read(path).ok()?,
+            folder: path.rfind(['/', '\\']).map_or("", |slash| &path[..slash]),
+            span: named.span,
+        })
+    }
+
+    /// The substructure of SubDyn, with the platform of ElastoDyn as its transition piece, and the
+    /// water on its members.
+    fn substructure(&self) -> Result<Below, ReadError> {
+        let Some(file) = self.file(&["SubFile", "SDFile"]) else {
+            return Ok(Below::default());
+        };
+        let within = Within {
+            folder: file.folder,
+            files: self.files,
+        };
+        let mut subdyn = read_subdyn(file.source, &within)?;
+        let mut below = Below {
+            notes: subdyn.notes.clone(),
+            parts: vec![MissingPart::Substructure],
+            ..Below::default()
+        };
+        if let Some(water) = self.water()? {
+            let on_frame = water.put_on_frame(&mut subdyn.description);
+            below
+                .notes
+                .extend(water.notes.iter().cloned().chain(on_frame));
+            below.sources.extend(water.sources);
+            below.parts.push(MissingPart::Water);
+        }
+        let frame = subdyn.frame(Interface::Rigid(self.main.platform.reference_m))?;
+        let piece = transition_piece(self.main);
+        let foundation = FrameFoundation::new(frame, piece).map_err(|error| {
+            let kind = DiagnosticKind::Frame(Box::new(error));
+            ReadError::mistake(self.fst, Diagnostic::new(file.span, kind))
+        })?;
+        below.foundation = Foundation::Frame(Box::new(foundation));
+        below.notes.extend(held_note(self.main));
+        below.sources.splice(0..0, subdyn.sources);
+        Ok(below)
+    }
+
+    /// The rigid platform with its water and its mooring lines, at its reference position.
+    fn floater(&self) -> Result<Below, ReadError> {
+        let Some(water) = self.water()? else {
+            return Ok(Below::default());
+        };
+        let structure = RigidBody {
+            center_m: self.main.platform.center_m,
+            ..transition_piece(self.main)
+        };
+        let gravity_m_per_s2 = self.gravity_m_per_s2();
+        let HydrodynPlatform {
+            mut platform,
+            notes,
+            ..
+        } = water.platform(&structure, gravity_m_per_s2);
+        let mut below = Below {
+            notes: water.notes.iter().cloned().chain(notes).collect(),
+            parts: vec![MissingPart::Platform, MissingPart::Water],
+            ..Below::default()
+        };
+        let site = MooringSite {
+            depth_m: Some(water.water.depth_m),
+            water_density_kg_per_m3: Some(water.water.density_kg_per_m3),
+            gravity_m_per_s2: Some(gravity_m_per_s2),
+        };
+        below.sources.extend(water.sources);
+        if let Some(lines) = self.mooring(&site)? {
+            let mooring = lines.mooring()?;
+            let state = lines.at_rest(&mooring)?;
+            platform.mooring.matrix = state.load.stiffness;
+            let carried = mooring.platform_mass();
+            let added = platform.added_mass.matrix.as_flattened_mut();
+            for (sum, own) in added.iter_mut().zip(carried.as_flattened()) {
+                *sum += own;
+            }
+            below.notes.extend(lines.notes.iter().cloned());
+            below.notes.extend(lines.warnings(&mooring, &state));
+            below.sources.push(lines.source);
+            below.parts.push(MissingPart::MooringLines);
+        }
+        below.foundation = Foundation::Floating(Box::new(platform));
+        Ok(below)
+    }
+
+    /// The content of the file of HydroDyn, if there is one.
+    fn water(&self) -> Result<Option<HydrodynInput>, ReadError> {
+        if !matches!(switch(self.fst, "CompHydro"), Some((1.., _))) {
+            return Ok(None);
+        }
+        let Some(file) = self.file(&["HydroFile", "HDFile"]) else {
+            return Ok(None);
+        };
+        let mut defaults = read_water(self.fst, WaterDefaults::default())?;
+        if let Some(sea) = self.file(&["SeaStFile"]) {
+            defaults = read_water(&sea.source, defaults)?;
+        }
+        read_hydrodyn(file.source, self.files, file.folder, defaults).map(Some)
+    }
+
+    /// The content of the file of MAP++ or MoorDyn, if there is one.
+    fn mooring(&self, site: &MooringSite) -> Result<Option<MooringInput>, ReadError> {
+        let is_map = match switch(self.fst, "CompMooring") {
+            Some((1, _)) => true,
+            Some((3, _)) => false,
+            _ => return Ok(None),
+        };
+        let Some(file) = self.file(&["MooringFile"]) else {
+            return Ok(None);
+        };
+        match is_map {
+            true => read_map(file.source, site),
+            false => read_moordyn(file.source, site),
+        }
+        .map(Some)
+    }
+
+    /// Gravity as OpenFAST has it: in the `.fst` file, or before in the main file of ElastoDyn.
+    fn gravity_m_per_s2(&self) -> f64 {
+        let of_fst = gravity_of_fst(self.fst).ok().flatten();
+        of_fst
+            .or(self.main.gravity_m_per_s2)
+            .unwrap_or(STANDARD_M_PER_S2)
+    }
+}
+
+/// The platform of ElastoDyn, with its centre from the reference point.
+fn transition_piece(main: &MainFile) -> RigidBody {
+    let platform = &main.platform;
+    let [roll, pitch, yaw] = platform.inertia_kg_m2;
+    let [xy, yz, xz] = platform.products_kg_m2;
+    RigidBody {
+        mass_kg: platform.mass_kg,
+        center_m: std::array::from_fn(|i| platform.center_m[i] - platform.reference_m[i]),
+        inertia_kg_m2: Inertia {
+            xx: roll,
+            yy: pitch,
+            zz: yaw,
+            xy,
+            yz,
+            xz,
+        },
+    }
+}
+
+/// The note that motions of the platform that the file holds are free here.
+fn held_note(main: &MainFile) -> Option<Note> {
+    let is_held = main.platform_dofs.contains(&false);
+    is_held.then(|| {
+        Note::assumption(
+            "some motions of the platform are switched off in ElastoDyn (PtfmSgDOF to PtfmYDOF), but the transition piece moves with the substructure in all six",
+        )
+    })
+}
+
+/// The files of a folder, as seen from the folder of the `.fst` file.
+struct Within<'a> {
+    folder: &'a str,
+    files: &'a dyn FileResolver,
+}
+
+impl FileResolver for Within<'_> {
+    fn read(&self, path: &str) -> Result<Source, crate::source::FileError> {
+        self.files.read(&crate::resolver::beside(self.folder, path))
+    }
+}

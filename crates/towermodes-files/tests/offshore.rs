@@ -1,0 +1,336 @@
+//! Public offshore models of OpenFAST, unedited, with the frequencies of an independent program.
+
+use std::path::PathBuf;
+
+use towermodes::{Family, Foundation, Method, Options, Tower, TowerDescription, solve};
+use towermodes_files::{
+    FileError, FileResolver, Input, ReadOptions, SiblingFiles, Source, TowerInput, read_source,
+};
+
+fn peer_data() -> Option<PathBuf> {
+    let folder = std::env::var_os("TOWERMODES_PEER_DATA");
+    if folder.is_none() {
+        eprintln!("skipped: TOWERMODES_PEER_DATA is not set");
+    }
+    Some(PathBuf::from(folder?).join("offshore"))
+}
+
+fn read(path: &str, is_dry: bool, options: &ReadOptions) -> Option<TowerInput> {
+    let path = peer_data()?.join(path);
+    let source = Source::from_path(&path).expect("the file is there");
+    let all = SiblingFiles::of(&path);
+    let dry = Dry(all.clone());
+    let files: &dyn FileResolver = if is_dry { &dry } else { &all };
+    match read_source(source, files, options) {
+        Ok(Input::Tower(input)) => Some(*input),
+        Ok(Input::Blade(_) | Input::Substructure(_)) => panic!("{}: no tower", path.display()),
+        Err(error) => panic!("{}: {error}", path.display()),
+    }
+}
+
+/// Whether each mode bends fore-aft, and its frequency.
+fn frequencies(description: TowerDescription, modes: usize) -> Vec<(bool, f64)> {
+    let tower = Tower::new(description).expect("a tower");
+    let options = Options {
+        method: Method::Spectral,
+        modes,
+        ..Options::default()
+    };
+    let solution = solve(&tower, &options).expect("a solution");
+    assert!(solution.certificate.complete);
+    let modes = solution.modes.iter();
+    modes
+        .map(|mode| (mode.name().family == Family::ForeAft, mode.frequency_hz))
+        .collect()
+}
+
+/// The tower on its frame, with or without the geometric stiffness of the weight on the members.
+fn weighed(input: &TowerInput, weight_on_members: bool) -> TowerDescription {
+    let mut description = input.description.clone();
+    let Foundation::Frame(foundation) = &mut description.foundation else {
+        panic!("no frame");
+    };
+    foundation.weight_on_members = weight_on_members;
+    description
+}
+
+/// The files of a model but for that of HydroDyn.
+struct Dry(SiblingFiles);
+
+impl FileResolver for Dry {
+    fn read(&self, path: &str) -> Result<Source, FileError> {
+        match path.contains("HydroDyn") {
+            true => Err(FileError::Missing { name: path.into() }),
+            false => self.0.read(path),
+        }
+    }
+}
+
+/// Tolerances of fore-aft modes, and of the others.
+///
+/// The reference program has two terms of gravity differently. It gives the weight of the
+/// rotor-nacelle assembly, whose centre is beside the axis, a coupling between rotations about x
+/// and z, as if the tower below it carried no bending moment: this shifts side-side modes. And it
+/// leaves out that the weight of the tower turns over on the stiff stretch between the reference
+/// point of the platform and the base of the tower, where there is one.
+type Tolerances = [f64; 2];
+
+fn assert_close(what: &str, found: &[(bool, f64)], expected: &[f64], tolerances: Tolerances) {
+    for ((is_fore_aft, found), expected) in found.iter().zip(expected) {
+        let error = (found / expected - 1.0).abs();
+        let tolerance = tolerances[usize::from(!is_fore_aft)];
+        assert!(
+            error < tolerance,
+            "{what}: {found} Hz, expected {expected} Hz: {error:e}"
+        );
+    }
+}
+
+/// A model that stands on the ground: its frequencies without and with water, and with the weight
+/// on its members too, as far as the reference program gives them.
+struct Fixed {
+    path: &'static str,
+    dry: &'static [f64],
+    tolerances: Tolerances,
+    wet: (&'static [f64], Tolerances),
+    weighed: &'static [f64],
+}
+
+const FIXED: [Fixed; 4] = [
+    Fixed {
+        path: "fast8/Test19.fst",
+        tolerances: [2e-9, 2e-6],
+        dry: &[
+            0.2723592764,
+            0.2740640344,
+            1.6422188442,
+            1.8574882147,
+            3.6123057022,
+            3.9362599828,
+            4.9468333078,
+            7.6704205330,
+        ],
+        wet: (
+            &[
+                0.2723331643,
+                0.2740370899,
+                1.6355967290,
+                1.8454376645,
+                3.4949172875,
+                3.7994399071,
+                4.9458892868,
+                6.7998067287,
+            ],
+            [2e-9, 2e-6],
+        ),
+        weighed: &[
+            0.272236039,
+            0.273938207,
+            1.635067294,
+            1.844705015,
+            3.493518799,
+            3.798156469,
+            4.945885149,
+            6.798837896,
+        ],
+    },
+    Fixed {
+        path: "fast8/Test21.fst",
+        tolerances: [1e-4, 1e-4],
+        dry: &[
+            0.3132157527,
+            0.3152118400,
+            1.1383741470,
+            1.1647989203,
+            2.2717182055,
+            2.5652027237,
+            2.9777780476,
+            5.9285115598,
+        ],
+        wet: (
+            &[
+                0.3129901984,
+                0.3149775704,
+                1.0981347146,
+                1.1205261512,
+                2.0921231186,
+                2.4621427044,
+                2.8075902210,
+                3.7364757668,
+            ],
+            [1e-4; 2],
+        ),
+        weighed: &[
+            0.312630977,
+            0.314610457,
+            1.095982203,
+            1.118317312,
+            2.090032803,
+            2.461547566,
+            2.806540021,
+            3.731095200,
+        ],
+    },
+    Fixed {
+        path: "fast8/Test20.fst",
+        tolerances: [2e-9, 2e-5],
+        dry: &[
+            0.3074970424,
+            0.3088868051,
+            2.1936510650,
+            2.3199043985,
+            2.3748028052,
+            4.0404233218,
+            4.0405428341,
+            4.0557104415,
+        ],
+        wet: (
+            &[
+                0.3074763520,
+                0.3088657372,
+                2.0690357,
+                2.1751461,
+                2.3265692,
+                2.504433,
+                2.505287,
+                2.516098,
+            ],
+            [1e-6, 2e-5],
+        ),
+        weighed: &[],
+    },
+    Fixed {
+        path: "iea15-monopile/OpenFAST/IEA-15-240-RWT-Monopile/IEA-15-240-RWT-Monopile.fst",
+        tolerances: [2e-9, 2e-4],
+        dry: &[
+            0.1704631748,
+            0.1715410888,
+            0.8918378642,
+            0.9756273830,
+            2.0374315688,
+            2.2289205493,
+            2.3183662588,
+            4.6787431549,
+        ],
+        wet: (
+            &[
+                0.1704095326,
+                0.1714857255,
+                0.8841489,
+                0.9640659,
+                1.918706,
+                2.057559,
+                2.265117,
+                3.45903,
+            ],
+            [1e-6, 2e-4],
+        ),
+        weighed: &[],
+    },
+];
+
+#[test]
+fn models_on_the_ground_have_the_frequencies_of_an_independent_program_without_water() {
+    for model in &FIXED {
+        let Some(input) = read(model.path, true, &ReadOptions::default()) else {
+            return;
+        };
+        let found = frequencies(weighed(&input, false), 8);
+        assert_close(model.path, &found, model.dry, model.tolerances);
+    }
+}
+
+#[test]
+fn models_on_the_ground_have_the_frequencies_of_an_independent_program_with_water() {
+    for model in &FIXED {
+        let Some(input) = read(model.path, false, &ReadOptions::default()) else {
+            return;
+        };
+        let (expected, tolerances) = model.wet;
+        let found = frequencies(weighed(&input, false), 8);
+        assert_close(model.path, &found, expected, tolerances);
+        let found = frequencies(weighed(&input, true), 8);
+        assert_close(model.path, &found, model.weighed, [1e-4; 2]);
+    }
+}
+
+/// Floating models with added mass at infinite frequency.
+const FLOATING: [(&str, &[f64]); 3] = [
+    (
+        "fast8/Test24.fst",
+        &[
+            0.0081186564,
+            0.0081189451,
+            0.0324291835,
+            0.0347517774,
+            0.0347629072,
+            0.1212128493,
+            0.4788968971,
+            0.4856915078,
+        ],
+    ),
+    (
+        "fast8/Test25.fst",
+        &[
+            0.0093139900,
+            0.0093140340,
+            0.0129381516,
+            0.0399245238,
+            0.0399438681,
+            0.0581371251,
+            0.4267428577,
+            0.4314303892,
+        ],
+    ),
+    (
+        "iea15-volturnus/OpenFAST/IEA-15-240-RWT-UMaineSemi/IEA-15-240-RWT-UMaineSemi.fst",
+        &[
+            0.0077671094,
+            0.0077671586,
+            0.0120272986,
+            0.0373786955,
+            0.0373902816,
+            0.0503766765,
+            0.5069001000,
+            0.5154176149,
+        ],
+    ),
+];
+
+/// The same with a stiffness that undoes what the reference program leaves out: the weight of the
+/// tower turns over on the stretch from the origin to its base.
+fn without_arm(mut description: TowerDescription) -> TowerDescription {
+    let tower = Tower::new(description.clone()).expect("a tower");
+    let weight_n = (tower.mass_kg() + tower.rna().mass_kg) * tower.gravity_m_per_s2();
+    let Foundation::Floating(platform) = &mut description.foundation else {
+        panic!("it does not float");
+    };
+    for rotation in [3, 4] {
+        platform.hydrostatic.matrix[rotation][rotation] += weight_n * tower.base_m();
+    }
+    description
+}
+
+#[test]
+fn floating_models_have_the_frequencies_of_an_independent_program() {
+    for (path, expected) in FLOATING {
+        let Some(input) = read(path, false, &ReadOptions::default()) else {
+            return;
+        };
+        let description = without_arm(input.description);
+        assert_close(path, &frequencies(description, 8), expected, [1e-8, 2e-3]);
+    }
+}
+
+#[test]
+fn a_clamped_model_is_that_without_the_structure_below_the_tower() {
+    let options = ReadOptions {
+        clamped: true,
+        ..ReadOptions::default()
+    };
+    let Some(input) = read("fast8/Test21.fst", false, &options) else {
+        return;
+    };
+    assert_eq!(input.description.foundation, Foundation::Clamped);
+    assert!(!input.description.missing_parts.is_empty());
+}
