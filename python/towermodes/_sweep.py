@@ -136,7 +136,7 @@ class SweepResult:
     >>> result.mode("fore-aft", 1)
     array([0.32..., 0.32...,        nan])
     >>> result.failures
-    [(2, 'rna.mass: mass is -1 kg; it must not be negative')]
+    [(2, 'rna.mass: the mass is -1 kg; it must not be negative')]
     """
 
     __slots__ = (
