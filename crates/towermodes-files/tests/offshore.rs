@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use towermodes::{Family, Foundation, Method, Options, Tower, TowerDescription, solve};
 use towermodes_files::{
-    FileError, FileResolver, Input, ReadOptions, SiblingFiles, Source, TowerInput, read_source,
+    ConvertOptions, FileError, FileResolver, Input, OutputFormat, ReadOptions, SiblingFiles,
+    Source, TowerInput, convert, read_source,
 };
 
 fn peer_data() -> Option<PathBuf> {
@@ -333,4 +334,19 @@ fn a_clamped_model_is_that_without_the_structure_below_the_tower() {
     };
     assert_eq!(input.description.foundation, Foundation::Clamped);
     assert!(!input.description.missing_parts.is_empty());
+}
+
+#[test]
+fn a_tower_on_members_is_not_written_where_they_have_no_place() {
+    let Some(input) = read("fast8/Test21.fst", true, &ReadOptions::default()) else {
+        return;
+    };
+    for format in [OutputFormat::Toml, OutputFormat::Bmodes] {
+        let options = ConvertOptions {
+            sections_file: Some("sections.dat".to_owned()),
+            ..ConvertOptions::default()
+        };
+        let refused = convert(&input, format, &options).expect_err("a frame");
+        assert!(refused.to_string().contains("--clamped"), "{refused}");
+    }
 }

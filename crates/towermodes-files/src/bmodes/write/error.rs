@@ -16,6 +16,11 @@ pub enum BmodesWriteError {
         /// The motions that are held.
         held: String,
     },
+    /// The tower stands on a space frame.
+    #[error(
+        "the tower stands on a space frame, which BModes does not support: read the tower with --clamped to write it alone"
+    )]
+    OnFrame,
     /// The ratio of the two bending stiffnesses is not constant.
     #[error(
         "side-side bending stiffness over fore-aft is {} at {} m and {} at {} m: BModes has one stiffness for both planes, and one \

@@ -46,6 +46,7 @@ pub(super) fn platform(
             add_geometric_stiffness(&mut block, tower, description, notes);
             block
         }
+        Foundation::Frame(_) => return Err(BmodesWriteError::OnFrame),
         _ => on_springs(tower, loads, ends),
     };
     add_masses_and_wires_at_the_base(&mut block, description, layout, (hub, ends), notes);

@@ -22,7 +22,7 @@ pub(super) fn foundation(foundation: &Foundation, writing: &mut Writing) {
         }
         Support::Floating(platform) => floating(platform, writing),
         // The reader refuses it: a tower file has no members yet.
-        Support::Frame(_) => writing.commented("type", "\"frame\"", ""),
+        Support::Frame(_) => kind("frame", &schema::SPRINGS, writing),
         Support::Form(form) => {
             let name = form.kind().name;
             kind(name, schema::closed_form(name), writing);
