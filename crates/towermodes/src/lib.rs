@@ -174,6 +174,9 @@ pub mod internal {
     pub mod elements {
         pub use crate::elements::*;
     }
+    pub mod frame {
+        pub use crate::frame::below::*;
+    }
     pub mod rotor {
         pub use crate::rotor::*;
     }

@@ -4,6 +4,7 @@
 //! SubDyn's element (four parts of each member) and with the exact Timoshenko beam.
 
 use towermodes::frame::*;
+use towermodes::internal::frame::FrameBelow;
 use towermodes::tower::Tube;
 use towermodes::{
     Foundation, Inertia, Material, Method, Options, RigidBody, Rna, Station, Tower,
@@ -540,5 +541,53 @@ fn a_very_stiff_jacket_is_a_clamp() {
             (own.1 / expected.1 - 1.0).abs() < 1e-4,
             "{own:?}, expected {expected:?}"
         );
+    }
+}
+
+#[test]
+fn a_frame_reduced_to_its_transition_piece_has_the_counts_of_the_whole() {
+    let description = || {
+        let mut three = frame(&BENT, &[[0, 1], [1, 2], [3, 1], [2, 3]], &[3]);
+        three.supports.push(soil(0, [false; 6]));
+        three
+    };
+    let body = RigidBody {
+        mass_kg: 4e5,
+        center_m: [3.0, -2.0, 20.0],
+        inertia_kg_m2: Inertia::from_tensor([[4e7, 0.0, 0.0], [0.0, 3e7, 0.0], [0.0, 0.0, 2e7]]),
+    };
+    let mut whole = description();
+    whole.masses.push((2, body));
+    let whole = Frame::new(whole).expect("a frame");
+    let Foundation::Frame(foundation) = on_frame(description(), &[2], [0.0; 3]) else {
+        panic!("a frame");
+    };
+    let nothing = [[0.0; 6]; 6];
+    let mut below = FrameBelow::new(&foundation, &nothing, 0.0, 8).expect("equations");
+    // The centre moves by v + θ × c.
+    let [x, y, z] = body.center_m;
+    let center = [
+        [1.0, 0.0, 0.0, 0.0, z, -y],
+        [0.0, 1.0, 0.0, -z, 0.0, x],
+        [0.0, 0.0, 1.0, y, -x, 0.0],
+    ];
+    let own = [0.0, 0.0, 0.0, 4e7, 3e7, 2e7];
+    let entry = |i: usize, j: usize| {
+        let moved: f64 = center.iter().map(|row| row[i] * row[j]).sum();
+        body.mass_kg * moved + if i == j { own[i] } else { 0.0 }
+    };
+    let inertia: [[f64; 6]; 6] = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
+    let degree = FrameRecipe::Spectral { degree: 8 };
+    for k in 0..200 {
+        let hz = 0.05 * 1.04_f64.powi(k);
+        let lambda = (std::f64::consts::TAU * hz).powi(2);
+        let reduced = below.at(lambda);
+        let sum: [[f64; 6]; 6] = std::array::from_fn(|i| {
+            std::array::from_fn(|j| reduced.stiffness[i][j] - lambda * inertia[i][j])
+        });
+        let (values, _) = towermodes::space::eigenpairs(sum);
+        let count = reduced.count + values.iter().filter(|value| **value < 0.0).count();
+        let expected = count_frame_modes(&whole, degree, hz).expect("a count");
+        assert_eq!(count, expected, "{hz} Hz");
     }
 }

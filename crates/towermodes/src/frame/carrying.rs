@@ -144,7 +144,12 @@ impl OnFrame {
 }
 
 /// Adds a rigid body to the transition piece, with its weight.
-fn add_platform(equations: &mut Equations, node: usize, body: &RigidBody, gravity_m_per_s2: f64) {
+pub(super) fn add_platform(
+    equations: &mut Equations,
+    node: usize,
+    body: &RigidBody,
+    gravity_m_per_s2: f64,
+) {
     let matrices = &mut equations.nodes[node];
     let inertia = spatial_inertia(body.mass_kg, body.center_m, &body.inertia_kg_m2);
     add_scaled(&mut matrices[INERTIA], 1.0, &inertia);

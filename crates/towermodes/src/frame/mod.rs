@@ -1,6 +1,7 @@
 //! Space frames as eigenvalue problems: members between joints in space, factored joint by joint.
 
 mod assembly;
+pub(crate) mod below;
 mod carrying;
 mod element;
 mod elimination;
