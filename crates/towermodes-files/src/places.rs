@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
+use towermodes::mooring::MooringItem;
 use towermodes::{Place, TowerError};
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
@@ -74,6 +75,9 @@ fn table_of(place: Place) -> Place {
     let key = TABLE;
     match place {
         Place::Foundation { .. } => Place::Foundation { key },
+        Place::Mooring { .. } => Place::Mooring {
+            item: MooringItem::Site,
+        },
         Place::Rna { .. } => Place::Rna { key },
         Place::Station { index, .. } => Place::Station { index, key },
         Place::Material { index, .. } => Place::Material { index, key },

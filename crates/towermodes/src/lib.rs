@@ -150,13 +150,13 @@ pub use tower::{
     AddedMassRow, ApiEdition, AxialModel, BeamFormula, Buried, CircularFooting, Clay, ClosedForm,
     Damping, Drivetrain, FloatingPlatform, FootingFormula, FormKind, Foundation, FoundationSprings,
     Ground, GroundLayer, HalfSpace, HeadStiffness, Ineffective, Inertia, LayerSoil, LossFactors,
-    Material, MissingPart, MissingParts, Monopile, PartNames, PileBehaviour, PileFormula, PileTube,
-    Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation, PyRow, Quantity,
-    RectangularFooting, ReferredMatrix, RigidBody, Rna, Rock, Rotor, RotorAerodynamics, Sand,
-    Scour, Shear, ShearModulus, Site, Slenderness, SoilBelow, SoilModel, SoilProfile, SoilRow,
-    SoilSpring, SoilStiffness, SpringsAt, Station, StiffnessFoundation, SuctionCaisson, Support,
-    Tower, TowerDescription, TowerError, Warning, Water, WinklerPile, Wires, is_printable,
-    printable,
+    Material, MissingPart, MissingParts, Monopile, MooringLines, PartNames, PileBehaviour,
+    PileFormula, PileTube, Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation,
+    PyRow, Quantity, RectangularFooting, ReferredMatrix, RigidBody, Rna, Rock, Rotor,
+    RotorAerodynamics, Sand, Scour, Shear, ShearModulus, Site, Slenderness, SoilBelow, SoilModel,
+    SoilProfile, SoilRow, SoilSpring, SoilStiffness, SpringsAt, Station, StiffnessFoundation,
+    SuctionCaisson, Support, Tower, TowerDescription, TowerError, Warning, Water, WinklerPile,
+    Wires, is_printable, printable,
 };
 
 /// The rooms of the solver, for its own tests and benchmarks: nothing here is promised.

@@ -87,6 +87,7 @@ fn towers() -> Vec<TowerDescription> {
             added_mass: referred,
             hydrostatic: referred,
             mooring: referred,
+            mooring_lines: None,
         }))),
         table(Foundation::Monopile(Box::new(Monopile {
             tube: PILE,

@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use towermodes::frame::FrameFoundation;
-use towermodes::{Foundation, Inertia, MissingPart, RigidBody};
+use towermodes::{Foundation, Inertia, MissingPart, MooringLines, RigidBody};
 
 use super::fst::{STANDARD_M_PER_S2, gravity_of_fst, switch};
 use super::main_input::main_file::MainFile;
@@ -142,12 +142,10 @@ impl<'a> Model<'a> {
         if let Some(lines) = self.mooring(&site)? {
             let mooring = lines.mooring()?;
             let state = lines.at_rest(&mooring)?;
-            platform.mooring.matrix = state.load.stiffness;
-            let carried = mooring.platform_mass();
-            let added = platform.added_mass.matrix.as_flattened_mut();
-            for (sum, own) in added.iter_mut().zip(carried.as_flattened()) {
-                *sum += own;
-            }
+            platform.mooring_lines = Some(Box::new(MooringLines {
+                description: lines.description.clone(),
+                still_water_m: 0.0,
+            }));
             below.notes.extend(lines.notes.iter().cloned());
             below.notes.extend(lines.warnings(&mooring, &state));
             below.sources.push(lines.source);

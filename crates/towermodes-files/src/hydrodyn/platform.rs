@@ -65,6 +65,7 @@ impl HydrodynInput {
             added_mass: at_origin(self.added_mass_at_infinity()),
             hydrostatic: at_origin(hydrostatic),
             mooring: ReferredMatrix::default(),
+            mooring_lines: None,
         };
         HydrodynPlatform {
             platform,

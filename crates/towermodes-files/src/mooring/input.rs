@@ -104,22 +104,8 @@ impl MooringInput {
     /// The bytes of what an error is about.
     fn span(&self, error: &MooringError) -> Option<Range<usize>> {
         match error {
-            MooringError::NotFinite { item, .. }
-            | MooringError::TooLarge { item, .. }
-            | MooringError::NotPositive { item, .. }
-            | MooringError::Negative { item, .. }
-            | MooringError::Unknown { item, .. }
-            | MooringError::Unconnected { item }
-            | MooringError::UnderSeabed { item, .. }
-            | MooringError::Sinks { item, .. }
-            | MooringError::NoEquilibrium { item, .. }
-            | MooringError::Unstable { item } => self.row(*item),
-            MooringError::SamePoint { line, .. }
-            | MooringError::TooShort { line, .. }
-            | MooringError::NoTension { line, .. } => self.row(MooringItem::Line(*line)),
-            MooringError::RodWithoutLength { rod } => self.row(MooringItem::Rod(*rod)),
             MooringError::NoLines | MooringError::NotAtPlatform => Some(self.spans.heading.clone()),
-            _ => None,
+            _ => self.row(error.item()),
         }
     }
 

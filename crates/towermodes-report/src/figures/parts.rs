@@ -151,7 +151,7 @@ impl Platform<'_> {
 
     /// Whether there are moorings.
     pub fn is_moored(&self) -> bool {
-        self.of.mooring.matrix != SpatialMatrix::default()
+        self.of.mooring.matrix != SpatialMatrix::default() || self.of.mooring_lines.is_some()
     }
 }
 

@@ -121,6 +121,8 @@ impl Turn {
     }
 
     fn platform(&self, platform: &FloatingPlatform) -> FloatingPlatform {
+        let linear = platform.with_linear_moorings();
+        let platform = &linear.expect("lines that were checked");
         let referred = |referred: &ReferredMatrix| ReferredMatrix {
             matrix: self.matrix(&referred.matrix),
             ..*referred
@@ -132,6 +134,7 @@ impl Turn {
             added_mass: referred(&platform.added_mass),
             hydrostatic: referred(&platform.hydrostatic),
             mooring: referred(&platform.mooring),
+            mooring_lines: None,
         }
     }
 }

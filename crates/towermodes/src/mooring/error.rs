@@ -7,7 +7,7 @@ use thiserror::Error;
 use crate::number::Plain;
 
 /// A part of a mooring system, by its index; texts count from 1.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum MooringItem {
     /// The surroundings: depth, density, gravity.
     Site,
@@ -206,4 +206,27 @@ pub enum MooringError {
         /// The free part.
         item: MooringItem,
     },
+}
+
+impl MooringError {
+    /// The part that it is about; the site where it is about the whole.
+    pub fn item(&self) -> MooringItem {
+        match *self {
+            Self::NotFinite { item, .. }
+            | Self::TooLarge { item, .. }
+            | Self::NotPositive { item, .. }
+            | Self::Negative { item, .. }
+            | Self::Unknown { item, .. }
+            | Self::Unconnected { item }
+            | Self::UnderSeabed { item, .. }
+            | Self::Sinks { item, .. }
+            | Self::NoEquilibrium { item, .. }
+            | Self::Unstable { item } => item,
+            Self::SamePoint { line, .. }
+            | Self::TooShort { line, .. }
+            | Self::NoTension { line, .. } => MooringItem::Line(line),
+            Self::RodWithoutLength { rod } => MooringItem::Rod(rod),
+            Self::NoLines | Self::NotAtPlatform => MooringItem::Site,
+        }
+    }
 }

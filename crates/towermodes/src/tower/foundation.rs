@@ -9,6 +9,7 @@ use super::closed_form::{
 use super::frame::FrameFoundation;
 use super::parts::foundation_springs::FoundationSprings;
 use super::parts::inertia::Inertia;
+use super::parts::mooring_lines::MooringLines;
 use crate::inputs::Inputs;
 use crate::space::SpatialMatrix;
 
@@ -205,7 +206,7 @@ pub struct ReferredMatrix {
 /// A rigid platform that floats and carries the tower's base.
 ///
 /// Slightly asymmetric matrices are symmetrized, with a warning.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct FloatingPlatform {
     /// Mass with ballast, kg.
     pub mass_kg: f64,
@@ -218,6 +219,8 @@ pub struct FloatingPlatform {
     /// Hydrostatic stiffness of water plane and buoyancy: N/m, N, N m. The gravity part
     /// is that of gravity.
     pub hydrostatic: ReferredMatrix,
-    /// Stiffness of the moorings: N/m, N, N m.
+    /// Stiffness of the moorings that is given as a matrix: N/m, N, N m.
     pub mooring: ReferredMatrix,
+    /// Mooring lines, whose stiffness is added to the matrix.
+    pub mooring_lines: Option<Box<MooringLines>>,
 }

@@ -37,6 +37,7 @@ pub use parts::foundation_springs::FoundationSprings;
 pub use parts::inertia::Inertia;
 pub use parts::material::Material;
 pub use parts::missing::{MissingPart, MissingParts};
+pub use parts::mooring_lines::MooringLines;
 pub use parts::part_names::PartNames;
 pub use parts::properties::Properties;
 pub use parts::rigid_body::RigidBody;

@@ -3,6 +3,7 @@
 
 mod decks;
 mod differences;
+mod foundation;
 mod free_parts;
 mod invariance;
 mod masses;

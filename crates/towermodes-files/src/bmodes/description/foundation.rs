@@ -88,6 +88,7 @@ impl Platform {
             added_mass: referred(self.added_mass),
             hydrostatic: referred(self.hydrostatic),
             mooring: referred(self.mooring),
+            mooring_lines: None,
         }
     }
 

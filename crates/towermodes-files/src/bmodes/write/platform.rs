@@ -42,7 +42,8 @@ pub(super) fn platform(
     let loads = loads(tower, layout, hub, notes)?;
     let mut block = match &description.foundation {
         Foundation::Floating(platform) => {
-            let mut block = floating(platform, loads, ends, notes);
+            let linear = linear(platform, notes);
+            let mut block = floating(&linear, loads, ends, notes);
             add_geometric_stiffness(&mut block, tower, description, notes);
             block
         }
@@ -54,6 +55,18 @@ pub(super) fn platform(
     block.mooring[2][2] += vertical;
     block.mooring[5][5] += torsion;
     Ok(block)
+}
+
+/// The platform with the stiffness of its lines in place of them.
+fn linear(platform: &FloatingPlatform, notes: &mut Vec<Note>) -> FloatingPlatform {
+    if platform.mooring_lines.is_some() {
+        notes.push(Note::approximation(
+            "BModes has no mooring lines: their stiffness at the reference position is written",
+        ));
+    }
+    // The lines of a tower were checked.
+    let linear = platform.with_linear_moorings();
+    linear.unwrap_or_else(|_| platform.clone())
 }
 
 /// The matrices of a base that does not float are about the base.

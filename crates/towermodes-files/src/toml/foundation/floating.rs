@@ -41,6 +41,7 @@ fn read(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {
         added_mass: added_mass?,
         hydrostatic: hydrostatic?,
         mooring: mooring?,
+        mooring_lines: None,
     })))
 }
 

@@ -52,6 +52,9 @@ fn stiffness(foundation: &StiffnessFoundation, writing: &mut Writing) {
 
 fn floating(platform: &FloatingPlatform, writing: &mut Writing) {
     kind("floating", &schema::FLOATING, writing);
+    // The lines of a tower were checked.
+    let linear = platform.with_linear_moorings();
+    let platform = &linear.unwrap_or_else(|_| platform.clone());
     writing.number("mass", platform.mass_kg);
     writing.value("center", &triple(platform.center_m));
     inertia_with(&platform.inertia_kg_m2, &["xx", "yy", "zz"], writing);

@@ -139,7 +139,12 @@ fn hull_text(view: &View<'_>, platform: &Platform<'_>) -> Callout {
 }
 
 fn mooring_text(view: &View<'_>, platform: &Platform<'_>) -> Callout {
-    let mooring = &platform.of.mooring.matrix;
+    // The lines of a tower were checked.
+    let linear = platform.of.with_linear_moorings();
+    let mooring = linear
+        .unwrap_or_else(|_| platform.of.clone())
+        .mooring
+        .matrix;
     let value = |i: usize| stiffness(mooring[i][i], "").trim_end().to_owned();
     let lines = vec![
         "mooring stiffness in x, y, z:".to_owned(),

@@ -95,6 +95,9 @@ fn of_springs(caption: &str, springs: &FoundationSprings, number: impl Fn(f64) -
 }
 
 fn floating(platform: &FloatingPlatform, gravity_m_per_s2: f64) -> Vec<Block> {
+    // The lines of a tower were checked.
+    let linear = platform.with_linear_moorings();
+    let platform = &linear.unwrap_or_else(|_| platform.clone());
     let [x, y, z] = platform.center_m;
     let mut facts = vec![
         ("mass including ballast (kg)", given(platform.mass_kg)),

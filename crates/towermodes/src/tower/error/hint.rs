@@ -139,7 +139,11 @@ impl Problem {
             }
             Self::RotorTooFast { .. } => "the unit is revolutions per minute (rpm)",
             Self::Blades { .. } => "give the number of blades, for example 3, or omit [rotor]",
-            Self::NotPositive { .. } | Self::Negative { .. } | Self::UnknownMaterial { .. } => {
+            // Its message says what would be right.
+            Self::Mooring(_)
+            | Self::NotPositive { .. }
+            | Self::Negative { .. }
+            | Self::UnknownMaterial { .. } => {
                 return None;
             }
         })

@@ -9,6 +9,7 @@ use std::fmt;
 
 use thiserror::Error;
 
+use crate::mooring::MooringError;
 use crate::number::{Apart, Plain, Rounded};
 
 /// An invalid description of a tower: the place and the problem.
@@ -34,6 +35,9 @@ pub enum Problem {
         /// The value given.
         value: f64,
     },
+    /// Mooring lines that cannot be.
+    #[error(transparent)]
+    Mooring(#[from] MooringError),
     /// A size that no quantity of a tower has, and that would not leave the numbers computed from
     /// it finite.
     #[error(

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::mooring::MooringItem;
+
 /// The place of a value in a [`TowerDescription`](crate::tower::TowerDescription), for errors and
 /// warnings.
 ///
@@ -41,6 +43,11 @@ pub enum Place {
     Foundation {
         /// Which of its values.
         key: &'static str,
+    },
+    /// A part of the mooring lines of a floating platform.
+    Mooring {
+        /// Which part.
+        item: MooringItem,
     },
     /// One value of a layer of soil: `rows`, or of one of its rows `height`, `x`, `y`, `z`,
     /// `torsion`.
@@ -127,6 +134,7 @@ impl fmt::Display for Place {
             Self::PointMass { index, .. } => write!(f, "point mass {}", index + 1),
             Self::Rna { .. } => write!(f, "rotor-nacelle assembly"),
             Self::Foundation { .. } => write!(f, "foundation"),
+            Self::Mooring { item } => write!(f, "{item}"),
             Self::Soil { layer, row, .. } => {
                 write!(f, "row {} of soil layer {}", row + 1, layer + 1)
             }

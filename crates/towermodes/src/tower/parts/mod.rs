@@ -7,6 +7,7 @@ pub(super) mod foundation_springs;
 pub(super) mod inertia;
 pub(super) mod material;
 pub(super) mod missing;
+pub(super) mod mooring_lines;
 pub(super) mod part_names;
 pub(super) mod properties;
 pub(super) mod rigid_body;

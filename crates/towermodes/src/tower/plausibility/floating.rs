@@ -25,6 +25,10 @@ const DEPTH: f64 = 4.0;
 const ABOVE: f64 = 0.05;
 
 pub(super) fn check(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>) {
+    // The lines were checked.
+    let Ok(platform) = &platform.with_linear_moorings() else {
+        return;
+    };
     let matrices = [
         ("added_mass", "platform's added mass", &platform.added_mass),
         (

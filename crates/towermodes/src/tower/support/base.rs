@@ -72,6 +72,10 @@ impl Base {
     /// The weights turn over about the point that the hydrostatic stiffness is about: only about
     /// that point, where buoyancy and weights are in balance, do its entries and theirs add up.
     fn afloat(platform: &FloatingPlatform, base_m: f64, mass_kg: f64) -> Self {
+        // The lines were checked; a neighbour beyond the last that they can reach has none.
+        let platform = &platform
+            .with_linear_moorings()
+            .unwrap_or_else(|_| platform.clone());
         let [x, y, z] = platform.center_m;
         let centre = [x, y, z - base_m];
         let mut base = Self {

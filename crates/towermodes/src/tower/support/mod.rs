@@ -2,6 +2,7 @@
 
 pub(super) mod base;
 pub(super) mod independent;
+mod moored;
 pub(super) mod pile_head;
 pub(super) mod rigid;
 pub(super) mod rigid_body_modes;

@@ -1,10 +1,12 @@
 //! The checks of the foundation.
 
 use super::super::parts::foundation_springs::FoundationSprings;
+use super::super::parts::mooring_lines::MooringLines;
 use super::super::support::base::Base;
 use super::inertia::check_inertia;
 use super::inputs::check_inputs;
 use super::scale::{coordinate, error, positive};
+use crate::mooring::MooringItem;
 use crate::space::SpatialMatrix;
 use crate::symmetric::eigenpairs;
 use crate::tower::closed_form::ClosedForm;
@@ -121,10 +123,24 @@ fn check_platform(platform: &FloatingPlatform) -> Result<(), TowerError> {
             return error(at(key), problem);
         }
     }
-    let foundation = Foundation::Floating(Box::new(*platform));
+    if let Some(lines) = &platform.mooring_lines {
+        check_lines(lines)?;
+    }
+    let foundation = Foundation::Floating(Box::new(platform.clone()));
     let what = "mass of the platform with its added mass";
     let base = Base::new(&foundation, platform.center_m[2], 0.0);
     check_not_indefinite("added_mass", what, &base.inertia)
+}
+
+/// The lines can be, and they reach the platform at its reference position.
+fn check_lines(lines: &MooringLines) -> Result<(), TowerError> {
+    let quantity = "the height of still water at the moorings";
+    let site = |item| Place::Mooring { item };
+    coordinate(site(MooringItem::Site), quantity, lines.still_water_m)?;
+    match lines.at_rest() {
+        Ok(_) => Ok(()),
+        Err(problem) => error(site(problem.item()), Problem::Mooring(problem)),
+    }
 }
 
 /// Weights turn a floating tower over about the point that its hydrostatic stiffness is about:

@@ -62,6 +62,9 @@ fn inertia(foundation: &StiffnessFoundation) -> &'static str {
 }
 
 fn floating(platform: &FloatingPlatform) -> String {
+    // The lines of a tower were checked.
+    let linear = platform.with_linear_moorings();
+    let platform = &linear.unwrap_or_else(|_| platform.clone());
     let parts = [
         (&platform.added_mass, "constant added mass"),
         (&platform.hydrostatic, "hydrostatic stiffness"),

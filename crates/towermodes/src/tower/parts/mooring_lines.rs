@@ -1,0 +1,40 @@
+//! The mooring lines of a floating platform.
+
+use crate::mooring::{Mooring, MooringDescription, MooringError, MooringLoad, Pose};
+
+/// Mooring lines that hold a platform: at its reference position they have a force on it and a
+/// stiffness, both about the tower's axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MooringLines {
+    /// The lines. Their positions are from the tower's axis and from still water.
+    pub description: MooringDescription,
+    /// Height of still water in the datum of the stations, m.
+    pub still_water_m: f64,
+}
+
+impl MooringLines {
+    /// The checked lines, about a point of the tower's axis at the height of their reference point.
+    ///
+    /// # Errors
+    /// [`MooringError`]: the first thing that no mooring system can have.
+    pub fn mooring(&self) -> Result<Mooring, MooringError> {
+        let mut description = self.description.clone();
+        let [_, _, z_m] = description.reference_m;
+        description.reference_m = [0.0, 0.0, z_m];
+        Mooring::new(description)
+    }
+
+    /// Their force on the platform at its reference position, and their stiffness, about the
+    /// height [`reference_height_m`](Self::reference_height_m) on the tower's axis.
+    ///
+    /// # Errors
+    /// [`MooringError`]: impossible lines, lines that cannot reach, free parts without equilibrium.
+    pub fn at_rest(&self) -> Result<MooringLoad, MooringError> {
+        Ok(self.mooring()?.at(&Pose::default())?.load)
+    }
+
+    /// The height of the reference point in the datum of the stations, m.
+    pub fn reference_height_m(&self) -> f64 {
+        self.still_water_m + self.description.reference_m[2]
+    }
+}

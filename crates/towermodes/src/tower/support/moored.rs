@@ -1,0 +1,42 @@
+//! The stiffness of a platform's mooring lines, added to that of its matrix.
+
+use super::super::foundation::{FloatingPlatform, ReferredMatrix};
+use crate::mooring::{MooringError, Pose};
+use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
+
+impl FloatingPlatform {
+    /// The platform whose lines are replaced by their stiffness and by the mass of what they have
+    /// on the platform.
+    ///
+    /// # Errors
+    /// [`MooringError`] of the lines.
+    pub fn with_linear_moorings(&self) -> Result<Self, MooringError> {
+        let mut platform = self.clone();
+        let Some(lines) = platform.mooring_lines.take() else {
+            return Ok(platform);
+        };
+        let height_m = lines.reference_height_m();
+        let mooring = lines.mooring()?;
+        let state = mooring.at(&Pose::default())?;
+        platform.mooring.add(&state.load.stiffness, height_m);
+        platform.added_mass.add(&mooring.platform_mass(), height_m);
+        Ok(platform)
+    }
+}
+
+impl ReferredMatrix {
+    /// Adds a matrix about another height, m. A matrix of zeros has no height of its own.
+    fn add(&mut self, matrix: &SpatialMatrix, height_m: f64) {
+        if *matrix == [[0.0; 6]; 6] {
+            return;
+        }
+        if self.matrix == [[0.0; 6]; 6] {
+            self.height_m = height_m;
+        }
+        let mut moved = *matrix;
+        if height_m != self.height_m {
+            transform_matrix(&mut moved, height_m - self.height_m);
+        }
+        add_scaled(&mut self.matrix, 1.0, &moved);
+    }
+}
