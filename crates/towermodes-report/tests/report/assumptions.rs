@@ -282,9 +282,9 @@ fn afloat() -> Vec<Row> {
     platform.inertia_kg_m2.zz = 1e9;
     let with = |gravity_m_per_s2| TowerDescription {
         gravity_m_per_s2,
-        ..on(Foundation::Floating(Box::new(platform)))
+        ..on(Foundation::Floating(Box::new(platform.clone())))
     };
-    let dry = changed!(platform, added_mass = matrix([0.0; 6]));
+    let dry = changed!(platform.clone(), added_mass = matrix([0.0; 6]));
     let platform_alone = on(Foundation::Floating(Box::new(dry)));
     vec![
         row("floating with gravity", with(9.81))
