@@ -239,6 +239,7 @@ fn every_foundation() {
         added_mass: referred(8e6, -10.0),
         hydrostatic: with!(ReferredMatrix, height_m = 3.0),
         mooring: referred(4e4, -70.0),
+        mooring_lines: None,
     };
     let of_stiffness = |inertia| {
         Foundation::Stiffness(Box::new(StiffnessFoundation {
@@ -685,6 +686,7 @@ impl Draw {
                 added_mass: self.referred(),
                 hydrostatic: self.referred(),
                 mooring: self.referred(),
+                mooring_lines: None,
             })),
         }
     }
