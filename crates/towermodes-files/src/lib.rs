@@ -107,7 +107,7 @@ pub use sampling::{
 pub use setting::{Setting, SettingError};
 pub use source::{FileError, MAX_FILE_BYTES, Source, encoded_as};
 pub use study::{DEFAULT_SWEEP_MODES, Placed, SweepModes, SweepResults, SweepRows, SweepStudy};
-pub use subdyn::{Interface, SubdynInput, read_subdyn};
+pub use subdyn::{Interface, SoildynInput, SubdynInput, read_soildyn, read_subdyn};
 pub use toml::{
     KeySchema, Rewritten, TableSchema, ValueKind, WrittenAnew, description_from_toml,
     design_study_schema, entry_at, measured_schema, read_design_study, read_measured,

@@ -16,7 +16,7 @@ use crate::mooring::{MooringInput, MooringSite, read_map, read_moordyn};
 use crate::note::Note;
 use crate::resolver::FileResolver;
 use crate::source::Source;
-use crate::subdyn::{Interface, read_subdyn};
+use crate::subdyn::{Interface, SoildynInput, read_soildyn, read_subdyn};
 
 /// What is below the tower.
 #[derive(Debug, Default)]
@@ -88,9 +88,14 @@ impl<'a> Model<'a> {
             files: self.files,
         };
         let mut subdyn = read_subdyn(file.source, &within)?;
+        let mut parts = vec![MissingPart::Substructure];
+        if let Some(soil) = self.soil()? {
+            subdyn.stand_on(&soil)?;
+            parts.push(MissingPart::Soil);
+        }
         let mut below = Below {
             notes: subdyn.notes.clone(),
-            parts: vec![MissingPart::Substructure],
+            parts,
             ..Below::default()
         };
         if let Some(water) = self.water()? {
@@ -168,6 +173,15 @@ impl<'a> Model<'a> {
             defaults = read_water(&sea.source, defaults)?;
         }
         read_hydrodyn(file.source, self.files, file.folder, defaults).map(Some)
+    }
+
+    /// The content of the file of SoilDyn, if there is one.
+    fn soil(&self) -> Result<Option<SoildynInput>, ReadError> {
+        if !matches!(switch(self.fst, "CompSoil"), Some((1.., _))) {
+            return Ok(None);
+        }
+        let file = self.file(&["SoilFile"]);
+        file.map(|file| read_soildyn(file.source)).transpose()
     }
 
     /// The content of the file of MAP++ or MoorDyn, if there is one.

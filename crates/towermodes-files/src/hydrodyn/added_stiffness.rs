@@ -17,16 +17,13 @@ pub(super) struct Added {
     pub(super) notes: Vec<Note>,
 }
 
-/// Reads both; absent ones are zero.
+/// Reads both. Files of all versions have them; a line whose numbers are damaged has no name.
 pub(super) fn read(values: &Values<'_>, source: &Source) -> Result<Added, Diagnostic> {
     let mut notes = Vec::new();
-    let mut stiffness = NONE;
-    if let Some(line) = values.line("AddCLin") {
-        stiffness = symmetric(matrix(values.text, &line)?, &line, source, &mut notes);
-    }
-    let force = values
-        .line("AddF0")
-        .map_or(Ok([0.0; 6]), |line| force(values.text, &line))?;
+    let line = expect(values, "AddCLin", "six rows of six numbers")?;
+    let stiffness = symmetric(matrix(values.text, &line)?, &line, source, &mut notes);
+    let line = expect(values, "AddF0", "six numbers in a row or in a column")?;
+    let force = force(values.text, &line)?;
     for (name, what) in [("AddBLin", "damping"), ("AddBQuad", "drag")] {
         if let Some(line) = values.line(name) {
             let message = format!("{name} is not used: modes have no {what}");
@@ -38,6 +35,19 @@ pub(super) fn read(values: &Values<'_>, source: &Source) -> Result<Added, Diagno
         force,
         notes,
     })
+}
+
+fn expect<'a>(
+    values: &Values<'a>,
+    name: &str,
+    content: &str,
+) -> Result<Line<'a>, Diagnostic> {
+    let missing = || {
+        let kind = DiagnosticKind::missing_key("the HydroDyn file", name);
+        let hint = format!("it has {content}, the first line with this name behind the numbers");
+        Diagnostic::new(0..0, kind).with_hint(hint)
+    };
+    values.line(name).ok_or_else(missing)
 }
 
 /// The lines from one on.

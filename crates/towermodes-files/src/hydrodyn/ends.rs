@@ -1,7 +1,9 @@
 //! The ends of strip members: added mass along the axis and growth on the surface.
 //!
 //! Source: HydroDyn Theory Manual (2024), lumped loads at joints: V = Σ ±(2/3) π R³ k and
-//! A = Σ ±π R² k over the members of a joint, outward; the added mass is Cₓ ρ V Vᵀ/|V|.
+//! A = Σ ±π R² k over the members of a joint, outward, with R on the growth; the added mass is
+//! Cₓ ρ V Vᵀ/|V| and the growth ρ t |A|. The volume of growth in the summary file of HydroDyn is
+//! that of the members without these ends.
 
 use std::f64::consts::PI;
 
@@ -83,7 +85,7 @@ impl Sums {
         let thickness_m = layer.map_or(0.0, |layer| layer.thickness_m[0]);
         let density = layer.map_or(0.0, |layer| layer.density_kg_per_m3[0]);
         let volume = self.sum(|radius_m| 2.0 / 3.0 * PI * (radius_m + thickness_m).powi(3));
-        let area = self.sum(|radius_m| PI * radius_m * radius_m);
+        let area = self.sum(|radius_m| PI * (radius_m + thickness_m).powi(2));
         let per_volume = joint.axial * water.density_kg_per_m3;
         let added_mass: Tensor = match norm(volume) {
             0.0 => [[0.0; 3]; 3],

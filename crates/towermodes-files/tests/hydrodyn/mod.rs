@@ -1,4 +1,7 @@
-//! Files of HydroDyn and WAMIT: layouts of all versions, refusals with their places, damaged files,
-//! and public models if they are at hand.
+//! Files of HydroDyn and WAMIT: layouts of all versions, masses by hand, refusals with their
+//! places, damaged files, and public models if they are at hand.
 
+mod masses;
 mod public;
+mod refused;
+pub mod texts;

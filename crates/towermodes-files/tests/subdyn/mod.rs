@@ -6,4 +6,5 @@ mod frequencies;
 mod layouts;
 mod public;
 mod refused;
+mod soildyn;
 pub mod texts;
