@@ -2,6 +2,7 @@
 //! one of their files, never a panic.
 
 mod damage;
+mod offshore;
 mod own_files;
 mod peer_files;
 

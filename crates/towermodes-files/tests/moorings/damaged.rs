@@ -8,7 +8,7 @@ use super::texts::{MAP, MOORDYN_2, SITE, changed, map, moordyn};
 use crate::mutations::{any_mutation, mutated};
 
 /// With a body, a rod and a free point.
-fn whole() -> String {
+pub fn whole() -> String {
     let parts = "\
 --- ROD TYPES ---
 TypeName Diam Mass/m

@@ -1,9 +1,9 @@
 //! The readers of MoorDyn and MAP++.
 
-mod damaged;
+pub mod damaged;
 mod layouts;
 mod map;
 mod notes;
 mod public;
 mod refused;
-mod texts;
+pub mod texts;

@@ -8,7 +8,7 @@ use towermodes_files::{Interface, ReadError};
 use super::texts::{SOIL, deck, read_with};
 use crate::mutations::{any_mutation, mutated};
 
-fn texts() -> [String; 3] {
+pub fn texts() -> [String; 3] {
     let jacket = deck(&[
         (
             "NJoints",

@@ -1,10 +1,10 @@
 //! Files of SubDyn: layouts of all versions, refusals with their places, damaged files, and public
 //! substructures if they are at hand.
 
-mod damaged;
+pub mod damaged;
 mod frequencies;
 mod layouts;
 mod public;
 mod refused;
-mod soildyn;
+pub mod soildyn;
 pub mod texts;

@@ -33,6 +33,11 @@ fn read(text: &str) -> Result<SoildynInput, ReadError> {
     })
 }
 
+/// A file for the lowest joint of the tubes.
+pub fn sand() -> String {
+    soildyn("1", "0 0.05 -20", MATRIX)
+}
+
 /// Two tubes whose lower end is free but for soil.
 fn free() -> SubdynInput {
     input(&[("NReact", "1 0 0 0 0 0 0 \"\"")])
@@ -41,7 +46,7 @@ fn free() -> SubdynInput {
 #[test]
 fn a_matrix_is_that_of_an_ssi_file() {
     let mut stands = free();
-    let soil = read(&soildyn("1", "0 0.05 -20", MATRIX)).expect("soil");
+    let soil = read(&sand()).expect("soil");
     stands.stand_on(&soil).expect("a joint");
     let without_mass: Vec<&str> = SOIL.lines().filter(|line| !line.contains('M')).collect();
     let with_file = deck(&[("NReact", "1 0 0 0 0 0 0 \"ssi.txt\"")]);
