@@ -149,7 +149,10 @@ fn numbers<const N: usize>(line: &Line<'_>, what: &str) -> Result<[f64; N], Diag
 const SYMMETRIC: f64 = 1e-6;
 
 fn check_symmetric(matrix: &SpatialMatrix, at: usize, text: &str) -> Result<(), Diagnostic> {
-    let size = matrix.as_flattened().iter().fold(0.0_f64, |a, x| a.max(x.abs()));
+    let size = matrix
+        .as_flattened()
+        .iter()
+        .fold(0.0_f64, |a, x| a.max(x.abs()));
     for i in 0..6 {
         for j in 0..i {
             let (lower, upper) = (matrix[i][j], matrix[j][i]);
@@ -163,7 +166,9 @@ fn check_symmetric(matrix: &SpatialMatrix, at: usize, text: &str) -> Result<(), 
                     i + 1,
                     Exact(upper)
                 );
-                let end = text[at..].find('\n').map_or(text.len(), |length| at + length);
+                let end = text[at..]
+                    .find('\n')
+                    .map_or(text.len(), |length| at + length);
                 return Err(Diagnostic::new(
                     at..end,
                     DiagnosticKind::Contradiction(message),
@@ -183,7 +188,9 @@ impl SubdynInput {
     pub fn stand_on(&mut self, soil: &SoildynInput) -> Result<(), ReadError> {
         let joint = self.joint_at(soil).map_err(|kind| {
             let text = &soil.source.text;
-            let end = text[soil.at..].find('\n').map_or(text.len(), |n| soil.at + n);
+            let end = text[soil.at..]
+                .find('\n')
+                .map_or(text.len(), |n| soil.at + n);
             ReadError::mistake(&soil.source, Diagnostic::new(soil.at..end, kind))
         })?;
         let supports = &mut self.description.supports;
@@ -218,8 +225,9 @@ impl SubdynInput {
                 let name = &self.description.joints[joint].name;
                 format!("; the nearest one, {name}, is {distance_m:.3} m away")
             });
-            let message =
-                format!("no joint of SubDyn is within {NEAR_M} m of the location of the soil{nearest}");
+            let message = format!(
+                "no joint of SubDyn is within {NEAR_M} m of the location of the soil{nearest}"
+            );
             return Err(DiagnosticKind::Contradiction(message));
         };
         let mut supports = self.description.supports.iter();

@@ -95,7 +95,11 @@ pub(super) fn models() -> Vec<Model> {
         ),
         model(
             &format!("{sub}{wet}"),
-            vec![("sub.dat", jacket), ("wet.dat", strips.clone()), ("ssi.txt", SOIL.to_owned())],
+            vec![
+                ("sub.dat", jacket),
+                ("wet.dat", strips.clone()),
+                ("ssi.txt", SOIL.to_owned()),
+            ],
         ),
         model(sub, vec![("sub.dat", given)]),
         model(&format!("{wet}3 {lines}"), floating),
@@ -107,7 +111,9 @@ pub(super) fn models() -> Vec<Model> {
 }
 
 fn resolver(files: &[(&'static str, String)]) -> InMemory {
-    let files = files.iter().map(|(name, text)| ((*name).to_owned(), text.clone()));
+    let files = files
+        .iter()
+        .map(|(name, text)| ((*name).to_owned(), text.clone()));
     InMemory {
         files: files.collect(),
     }
@@ -156,7 +162,11 @@ fn undamaged_models_are_solved() {
         let Ok(Input::Tower(input)) = read else {
             panic!("{}: {:?}", model[0].1, read.err());
         };
-        assert!(input.description.missing_parts.is_empty(), "{:?}", input.description.missing_parts);
+        assert!(
+            input.description.missing_parts.is_empty(),
+            "{:?}",
+            input.description.missing_parts
+        );
         let tower = input.tower().unwrap_or_else(|error| panic!("{error}"));
         let solution = solve(&tower, &with!(Options, modes = 6));
         let solution = solution.unwrap_or_else(|error| panic!("{}: {error}", model[0].1));

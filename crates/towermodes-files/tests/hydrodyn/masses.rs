@@ -39,7 +39,10 @@ fn all_layouts_give_the_same_water() {
 #[test]
 fn water_is_between_seabed_and_level() {
     // The seabed is at −40 m; the joint below it has no end in the water.
-    let input = input(&[("NJoints", "1 0 0 -50 1 0\n2 0 0 10 1 0"), ("NFillGroups", "1 1 99 default")]);
+    let input = input(&[
+        ("NJoints", "1 0 0 -50 1 0\n2 0 0 10 1 0"),
+        ("NFillGroups", "1 1 99 default"),
+    ]);
     assert_close(input.strip_added_mass()[0][0], RHO * PI * 4.0 * 0.9 * 40.0);
     assert_eq!(input.strip_added_mass()[2][2], 0.0);
     // The water inside reaches from the seabed to the upper joint, with the density of the sea.
@@ -61,7 +64,10 @@ fn growth_is_linear_between_its_depths() {
 fn growth_on_an_end_is_a_disc_of_the_radius_with_growth() {
     let input = input(&[("NMGDepths", "0 0.1 1100\n-40 0.1 1100")]);
     let on_side = 1100.0 * PI * (2.1 * 2.1 - 4.0) * 30.0;
-    assert_close(input.growth().mass_kg, on_side + 1100.0 * 0.1 * PI * 2.1 * 2.1);
+    assert_close(
+        input.growth().mass_kg,
+        on_side + 1100.0 * 0.1 * PI * 2.1 * 2.1,
+    );
     assert_close(
         input.strip_added_mass()[2][2],
         0.6 * RHO * 2.0 / 3.0 * PI * 2.1_f64.powi(3),
@@ -75,7 +81,10 @@ fn coefficients_by_depth_are_linear_and_constant_outside() {
         ("NCoefDpth", "0 1 1 0.5 0.5 0 0\n-20 1 1 1.0 1.0 0 0"),
     ];
     let mean = 0.75 * 20.0 + 1.0 * 10.0;
-    assert_close(input(&changes).strip_added_mass()[0][0], RHO * PI * 4.0 * mean);
+    assert_close(
+        input(&changes).strip_added_mass()[0][0],
+        RHO * PI * 4.0 * mean,
+    );
 }
 
 #[test]
@@ -85,7 +94,10 @@ fn coefficients_of_a_member_are_linear_between_its_ends() {
         ("NCoefMembers", "1 0.4 1.2 9 9 0 0 0 0"),
     ];
     // 0.4 at −30 m, 1.0 at the water's surface: three quarters of the member.
-    assert_close(input(&changes).strip_added_mass()[0][0], RHO * PI * 4.0 * 0.7 * 30.0);
+    assert_close(
+        input(&changes).strip_added_mass()[0][0],
+        RHO * PI * 4.0 * 0.7 * 30.0,
+    );
 }
 
 #[test]
@@ -100,7 +112,10 @@ fn a_cone_has_added_mass_along_its_axis() {
     let along = 0.3 * RHO * PI * 2.0 * 19.0 / 3.0;
     let ends = 0.6 * RHO * 2.0 / 3.0 * PI * (27.0 + 8.0);
     assert_close(input.strip_added_mass()[2][2], along + ends);
-    assert_close(input.strip_added_mass()[0][0], 0.9 * RHO * PI * 30.0 * 19.0 / 3.0);
+    assert_close(
+        input.strip_added_mass()[0][0],
+        0.9 * RHO * PI * 30.0 * 19.0 / 3.0,
+    );
 }
 
 #[test]
@@ -117,7 +132,10 @@ fn members_in_line_have_no_ends_between_them() {
 
 #[test]
 fn members_of_the_potential_flow_body_carry_only_their_filling() {
-    let input = input(&[("NMembers", "1 1 2 1 1 1 0.5 1 T"), ("NMGDepths", "0 0.1 1100\n-40 0.1 1100")]);
+    let input = input(&[
+        ("NMembers", "1 1 2 1 1 1 0.5 1 T"),
+        ("NMGDepths", "0 0.1 1100\n-40 0.1 1100"),
+    ]);
     assert_eq!(input.strip_added_mass(), [[0.0; 6]; 6]);
     assert_eq!(input.growth().mass_kg, 0.0);
     assert_close(input.filling().mass_kg, 1000.0 * PI * 1.9 * 1.9 * 25.0);
@@ -130,7 +148,9 @@ fn an_inclined_member_floats_on_an_ellipse() {
         ("NJoints", "1 -9 0 -12 1 0\n2 9 0 12 1 0"),
         ("NFillGroups", ""),
     ];
-    let platform = input(&changes).platform(&RigidBody::default(), 9.8).platform;
+    let platform = input(&changes)
+        .platform(&RigidBody::default(), 9.8)
+        .platform;
     let stiffness = platform.hydrostatic.matrix;
     let area = PI * 4.0 / 0.8;
     assert_close(stiffness[2][2], RHO * 9.8 * area);
@@ -138,7 +158,10 @@ fn an_inclined_member_floats_on_an_ellipse() {
     // centre is at z = −6 m.
     let buoyancy = -PI * 4.0 * 15.0 * 6.0;
     assert_close(stiffness[3][3], RHO * 9.8 * (area + buoyancy));
-    assert_close(stiffness[4][4], RHO * 9.8 * (area * 2.5 * 2.5 / 4.0 + buoyancy));
+    assert_close(
+        stiffness[4][4],
+        RHO * 9.8 * (area * 2.5 * 2.5 / 4.0 + buoyancy),
+    );
 }
 
 #[test]

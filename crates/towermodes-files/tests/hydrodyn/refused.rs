@@ -17,24 +17,43 @@ fn refusal(changes: &[(&str, &str)], wamit: [&str; 2]) -> (String, String, Strin
     };
     let (line, _) = mistakes[0].line_and_column(&source_file.text);
     let line = source_file.text.lines().nth(line - 1).unwrap_or_default();
-    (source_file.name.clone(), line.to_owned(), mistakes[0].message())
+    (
+        source_file.name.clone(),
+        line.to_owned(),
+        mistakes[0].message(),
+    )
 }
 
 #[test]
 fn a_wrong_member_or_table_is_refused_at_its_row() {
     let rows = [
         ("NMembers", "7 1 3 1 1 1 0.5 1 F", "7 1 3", "joint `3`"),
-        ("NMembers", "7 1 2 1 5 1 0.5 1 F", "7 1 2", "property set `5`"),
+        (
+            "NMembers",
+            "7 1 2 1 5 1 0.5 1 F",
+            "7 1 2",
+            "property set `5`",
+        ),
         ("NMembers", "7 1 1 1 1 1 0.5 1 F", "7 1 1", "at one point"),
         ("NMembers", "7 1 2 1 1 1 0.5 4 F", "7 1 2", "MCoefMod"),
         ("NMembers", "7 1 2 1 1 1 0.5 2 F", "7 1 2", "NCoefDpth"),
         ("NMembers", "7 1 2 1 1 1 0.5 3 F", "7 1 2", "NCoefMembers"),
         ("NPropSets", "1 4.0 2.1", "1 4.0", "PropThck"),
         ("NPropSets", "1 -4.0 0.1", "1 -4.0", "PropD"),
-        ("NJoints", "1 0 0 -30 1 0\n1 0 0 10 1 0", "1 0 0 10", "joint 1"),
+        (
+            "NJoints",
+            "1 0 0 -30 1 0\n1 0 0 10 1 0",
+            "1 0 0 10",
+            "joint 1",
+        ),
         ("NFillGroups", "1 9 -5 1000", "1 9", "member `9`"),
         ("NFillGroups", "4 1 -5 1000", "4 1", "FillNumM"),
-        ("NFillGroups", "1 1 -5 1000\n1 1 -5 1000", "1 1", "lists of filled members"),
+        (
+            "NFillGroups",
+            "1 1 -5 1000\n1 1 -5 1000",
+            "1 1",
+            "lists of filled members",
+        ),
         ("NMGDepths", "0 -0.1 1100", "0 -0.1", "MGThck"),
         ("PotMod", "2", "2 PotMod", "fluid-impulse"),
         ("AddCLin", "0 0 0 x 0 0", "-------", "no `AddCLin`"),
@@ -72,7 +91,11 @@ fn a_wrong_file_of_wamit_is_refused_at_its_line() {
         assert_eq!(file, "body.1");
         found.says(message);
     }
-    for (text, message) in [("", "empty"), ("3 3", "at least 3"), ("3 9 1.0", "second body")] {
+    for (text, message) in [
+        ("", "empty"),
+        ("3 3", "at least 3"),
+        ("3 9 1.0", "second body"),
+    ] {
         let (file, _, found) = refusal(&[("PotMod", "1")], [WAMIT_1, text]);
         assert_eq!(file, "body.hst");
         found.says(message);

@@ -1,8 +1,6 @@
 //! Short files of HydroDyn, in the layouts of all versions.
 
-use towermodes_files::{
-    HydrodynInput, InMemory, ReadError, Source, WaterDefaults, read_hydrodyn,
-};
+use towermodes_files::{HydrodynInput, InMemory, ReadError, Source, WaterDefaults, read_hydrodyn};
 
 /// The layouts that differ in places or names of what is read.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,8 +99,12 @@ pub fn deck(layout: Layout, changes: &[(&str, &str)]) -> String {
     };
     let mut text = "------- HydroDyn Input File -------\na tube\nFalse Echo - Echo\n".to_owned();
     text += match layout {
-        Layout::Fast8 | Layout::V26 => "1025 WtrDens - density\n40 WtrDpth - depth\n0 MSL2SWL - level\n",
-        Layout::V31 => "\"default\" WtrDens - density\n\"DEFAULT\" WtrDpth - depth\ndefault MSL2SWL - level\n",
+        Layout::Fast8 | Layout::V26 => {
+            "1025 WtrDens - density\n40 WtrDpth - depth\n0 MSL2SWL - level\n"
+        }
+        Layout::V31 => {
+            "\"default\" WtrDens - density\n\"DEFAULT\" WtrDpth - depth\ndefault MSL2SWL - level\n"
+        }
         Layout::V41 => "",
     };
     let or = |rows: &'static str, given: &str| match given {
@@ -132,7 +134,8 @@ pub fn deck(layout: Layout, changes: &[(&str, &str)]) -> String {
         };
         let units = "(-) ".repeat(columns.split(' ').count());
         text += &format!("------- TABLE -------\n{number} {name} - rows\n{columns}\n{units}\n");
-        rows.lines().for_each(|row| text += &format!("{}\n", row.trim()));
+        rows.lines()
+            .for_each(|row| text += &format!("{}\n", row.trim()));
         if name.starts_with("NPropSets") {
             text += "------- SIMPLE -------\nSimplCd SimplCdMG SimplCa SimplCaMG SimplCp SimplCpMG SimplAxCa SimplAxCaMG SimplAxCp SimplAxCpMG\n";
             text += &format!("(-) (-)\n{}\n", rows_of("Simpl"));
@@ -142,13 +145,17 @@ pub fn deck(layout: Layout, changes: &[(&str, &str)]) -> String {
 }
 
 /// Added mass of a sphere-like body at three frequencies, and its stiffness.
-pub const WAMIT_1: &str = "-1 1 1 2.0\n-1 3 3 3.0\n0 1 1 1.0\n0 3 3 1.5\n10 1 1 1.8 0.1\n10 3 3 2.5 0.1\n";
+pub const WAMIT_1: &str =
+    "-1 1 1 2.0\n-1 3 3 3.0\n0 1 1 1.0\n0 3 3 1.5\n10 1 1 1.8 0.1\n10 3 3 2.5 0.1\n";
 pub const WAMIT_HST: &str = "3 3 5.0\n4 4 7.0\n5 5 7.5\n";
 
 /// Reads a file with these files of WAMIT.
 pub fn read_with(text: &str, wamit: [&str; 2]) -> Result<HydrodynInput, ReadError> {
     let [added, stiffness] = wamit.map(str::to_owned);
-    let files = [("body.1".to_owned(), added), ("body.hst".to_owned(), stiffness)];
+    let files = [
+        ("body.1".to_owned(), added),
+        ("body.hst".to_owned(), stiffness),
+    ];
     let files = InMemory {
         files: files.into(),
     };

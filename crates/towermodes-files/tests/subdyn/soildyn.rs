@@ -71,18 +71,32 @@ fn soil_without_a_matrix_or_a_joint_is_refused() {
         (soildyn("1", "0 0", MATRIX), 8, "2 numbers"),
         (soildyn("1", "0 0 -20", &skew), 10, "symmetric"),
         (soildyn("1", "0 0 -20", "1 2 3 x 5 6\n"), 10, "3 numbers"),
-        (soildyn("1", "0 0 -20.2", MATRIX), 8, "the nearest one, 1, is 0.200 m away"),
+        (
+            soildyn("1", "0 0 -20.2", MATRIX),
+            8,
+            "the nearest one, 1, is 0.200 m away",
+        ),
         ("title".to_owned(), 1, "no input file of SoilDyn"),
     ];
     for (text, line, message) in rows {
         let refused = read(&text).and_then(|soil| free().stand_on(&soil));
-        let Err(ReadError::Mistakes { source_file, mistakes }) = refused else {
+        let Err(ReadError::Mistakes {
+            source_file,
+            mistakes,
+        }) = refused
+        else {
             panic!("not refused: {message}");
         };
-        assert_eq!(mistakes[0].line_and_column(&source_file.text).0, line, "{message}");
+        assert_eq!(
+            mistakes[0].line_and_column(&source_file.text).0,
+            line,
+            "{message}"
+        );
         mistakes[0].message().says(message);
     }
     let soil = read(&soildyn("1", "0 0 -20", MATRIX)).expect("soil");
-    let held = input(&[]).stand_on(&soil).expect_err("a joint that is held");
+    let held = input(&[])
+        .stand_on(&soil)
+        .expect_err("a joint that is held");
     held.to_string().says("holds all motions of joint 1");
 }
