@@ -243,7 +243,7 @@ fn inertia(section: &Section, rotary_inertia: bool) -> [f64; 6] {
 }
 
 /// The stiffness of the soil per length against (x, y, z, rotation about x, y, z), N/m² and N.
-fn soil(soil: &SoilStiffness) -> [f64; 6] {
+pub(super) fn soil(soil: &SoilStiffness) -> [f64; 6] {
     [
         soil.x_n_per_m2,
         soil.y_n_per_m2,
@@ -289,7 +289,12 @@ pub(super) fn write_shape<const D: usize>(
 }
 
 /// sum += Σ_d inertia_d · row_d row_dᵀ.
-fn add_squares<const D: usize>(inertia: &[f64; D], shape: &[f64], rows: usize, sum: &mut [f64]) {
+pub(super) fn add_squares<const D: usize>(
+    inertia: &[f64; D],
+    shape: &[f64],
+    rows: usize,
+    sum: &mut [f64],
+) {
     for (inertia, row) in inertia.iter().zip(shape.chunks_exact(rows)) {
         if *inertia == 0.0 {
             continue;

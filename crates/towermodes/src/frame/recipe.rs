@@ -5,7 +5,7 @@ use super::error::FrameSolveError;
 use super::tension::{Tension, tension_at};
 use crate::beam::{MemberElement, MemberStrains};
 use crate::space::SpatialMatrix;
-use crate::tower::frame::{FrameMember, MemberKind};
+use crate::tower::frame::{FrameMember, FrameSoil, MemberKind};
 use crate::tower::{Section, SectionMasses};
 
 /// Fractions of a member that are closer than this are one.
@@ -23,7 +23,8 @@ pub enum FrameRecipe {
         degree: usize,
     },
     /// The two-node element of SubDyn: each member is divided, the diameter and wall of a part are
-    /// the means of its ends, and the inertia is that of the Euler-Bernoulli beam.
+    /// the means of its ends, and the inertia is that of the Euler-Bernoulli beam. SubDyn has no
+    /// soil along members; here its work on the deflections of the element counts.
     ///
     /// Source: SubDyn Theory Manual, OpenFAST documentation (2024).
     Subdyn {
@@ -50,7 +51,7 @@ impl FrameRecipe {
     }
 
     /// The fractions of a member at which its elements begin and end: parts of equal length, or
-    /// where its water and growth begin and end.
+    /// where its water, growth and soil begin and end.
     pub(super) fn borders(self, member: &FrameMember) -> Vec<f64> {
         let parts = match self {
             Self::Spectral { .. } => 1,
@@ -59,6 +60,7 @@ impl FrameRecipe {
         let mut borders: Vec<f64> = (0..=parts).map(|k| k as f64 / parts as f64).collect();
         if let Self::Spectral { .. } = self {
             borders.extend(member.coats.iter().flat_map(|coat| coat.range));
+            borders.extend(member.soil.iter().flat_map(FrameSoil::ends));
             borders.sort_by(f64::total_cmp);
             borders.dedup_by(|a, b| *a - *b <= CLOSE);
             // Of two that are close the lower one is kept: the end is exact.
@@ -96,6 +98,7 @@ impl FrameRecipe {
                     compression.as_deref(),
                 );
                 stretch.add_riders(memory);
+                stretch.add_soil(memory);
                 Some(Element::of(memory, length_m))
             }
             Self::Subdyn { .. } => {
@@ -123,6 +126,7 @@ impl FrameRecipe {
                 let compression = stretch.compression();
                 memory.make(strains, length_m, carried, compression.as_deref());
                 stretch.add_riders(memory);
+                stretch.add_soil(memory);
                 let inertia = nodal_inertia(&section, length_m);
                 Some(Element::of(memory, length_m).with_nodal_inertia(&inertia))
             }
@@ -170,6 +174,20 @@ impl Stretch<'_> {
         for (fraction, inertia) in &self.riders {
             let distance_m = (fraction - self.from).abs() * self.member_m;
             memory.add_inertia(distance_m, inertia);
+        }
+    }
+
+    /// Adds the soil around it, in parts within which the springs are linear.
+    fn add_soil(&self, memory: &mut MemberElement) {
+        let ends = [self.from.min(self.to), self.from.max(self.to)];
+        for (part, springs) in self.member.soil.iter().flat_map(|soil| soil.parts(ends)) {
+            let [mut from_m, mut to_m] = part.map(|at| (at - self.from).abs() * self.member_m);
+            let [mut near, mut far] = springs;
+            if self.to < self.from {
+                std::mem::swap(&mut from_m, &mut to_m);
+                std::mem::swap(&mut near, &mut far);
+            }
+            memory.add_soil([from_m, to_m], [near, far]);
         }
     }
 }

@@ -206,7 +206,8 @@ fn check_stiffness(
         softest *= 2.0;
     }
     pencil.origin = -0.1 * softest;
-    let is_free = frame.description().supports.is_empty() && !joints.contains(&None);
+    let is_free = frame.description().supports.is_empty() && !frame.has_soil();
+    let is_free = is_free && !joints.contains(&None);
     if is_free && still <= 6 {
         return Ok(());
     }

@@ -4,7 +4,7 @@ use super::attachment::Attachment;
 use super::description::TowerDescription;
 use super::error::TowerError;
 use super::foundation::Foundation;
-use super::ground::{Plan, with_rows};
+use super::ground::{GroundPlan, with_rows};
 use super::model::{InGround, Tower};
 use super::name::printable;
 use super::parts::missing::MissingParts;
@@ -40,13 +40,13 @@ impl Tower {
 
     /// The tower of a description that was checked, in soil by layers.
     fn in_ground(description: &TowerDescription) -> Result<Self, TowerError> {
-        let plan = Plan::of(description);
+        let plan = GroundPlan::of(description);
         let mut rows = with_rows(description.clone(), &plan);
         validate::check_springs_of_ground(&rows, description.soil.len())?;
         let mut tower = Self::supported(&mut rows)?;
         tower.ground = description.ground.as_ref().map(|ground| InGround {
             surface_m: ground.scoured_surface_m(),
-            soil_error: plan.error,
+            soil_error: plan.error(),
         });
         tower.warnings = plausibility::plausibility(&tower, &Given::of(description));
         Ok(tower)

@@ -99,7 +99,7 @@ fn each_mistake_is_refused_at_its_place_with_its_numbers() {
     refused(ground("pile_diameter"), |d| {
         ground_of(d).pile_diameter_m = Some(6.0);
     })
-    .says("the diameter of the pile is given twice: the stations have diameters");
+    .says("the diameter of the pile is given twice: its tubes have diameters");
 }
 
 #[test]

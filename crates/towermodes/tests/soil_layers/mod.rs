@@ -1,6 +1,7 @@
 //! Soil in layers: published and independent stiffness of piles, scour, mistakes, derivatives.
 
 mod derivatives;
+mod frame_piles;
 mod mistakes;
 mod piles;
 mod scour;

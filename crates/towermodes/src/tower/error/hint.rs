@@ -95,6 +95,13 @@ impl Problem {
             | Self::FirstLayerOffSurface { .. } => {
                 "all heights use the datum of the stations; the stations reach down to the tip of the pile"
             }
+            Self::FrameAboveSoil { .. } => {
+                "all heights use one datum; members reach down to the tips of the piles"
+            }
+            Self::PileWithoutTube { .. } => "give the piles as tubes",
+            Self::TowerOnFrameInSoil { .. } => {
+                "begin the tower at the surface of the ground or above it"
+            }
             Self::PileWithoutDiameter => {
                 "give pile_diameter in [ground], or describe the tower by stations"
             }

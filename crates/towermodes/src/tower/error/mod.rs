@@ -403,11 +403,43 @@ pub enum Problem {
         /// Height of the lowest station, m.
         tip_m: f64,
     },
+    /// A frame of which nothing is in the ground.
+    #[error(
+        "no member of the substructure that is steeper than 30 degrees reaches into the soil: its lowest joint is at {} m, the surface of the ground at {} m with scour of {} m",
+        Plain(*.lowest_m), Plain(*.surface_m), Plain(*.scour_m)
+    )]
+    FrameAboveSoil {
+        /// Height of the surface before scour, m.
+        surface_m: f64,
+        /// Depth of general and local scour together, m.
+        scour_m: f64,
+        /// Height of the lowest joint, m.
+        lowest_m: f64,
+    },
+    /// A member in the ground without outer diameter.
+    #[error(
+        "member {member} is below the surface of the ground, and its section has no outer diameter, on which the springs of the soil depend"
+    )]
+    PileWithoutTube {
+        /// Name of the member.
+        member: String,
+    },
+    /// A tower on a frame that begins below the surface of the ground.
+    #[error(
+        "the tower begins at {} m on its substructure, below the surface of the ground at {} m (after scour); the piles belong to the substructure",
+        Apart(*.base_m, *.surface_m), Apart(*.surface_m, *.base_m)
+    )]
+    TowerOnFrameInSoil {
+        /// Height of the base of the tower, m.
+        base_m: f64,
+        /// Height of the surface after scour, m.
+        surface_m: f64,
+    },
     /// A pile in the ground that is given by a table of properties without diameter.
     #[error("the ground needs the diameter of the pile; a table of properties has none")]
     PileWithoutDiameter,
-    /// A diameter beside those of the stations.
-    #[error("the diameter of the pile is given twice: the stations have diameters")]
+    /// A diameter beside those of the stations or members.
+    #[error("the diameter of the pile is given twice: its tubes have diameters")]
     PileWithTwoDiameters,
     /// A gear ratio that no gearbox has.
     #[error("the gear ratio is {}; it must be 0.001 to 10 000, or negative for the other way", Plain(*.gear_ratio))]

@@ -166,6 +166,11 @@ pub enum FrameProblem {
         /// The range.
         range: [f64; 2],
     },
+    /// Springs of soil that are on no beam or not in order.
+    #[error(
+        "the rows of its soil must have rising fractions from 0 to 1, at least two different ones, on a beam"
+    )]
+    SoilRows,
     /// Joints that rigid links connect although they are held differently.
     #[error(
         "rigid links connect two supported joints, which then cannot move; remove the links or one support"

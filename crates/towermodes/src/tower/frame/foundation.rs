@@ -1,6 +1,7 @@
 //! A frame as the foundation of a tower.
 
 use super::super::parts::rigid_body::RigidBody;
+use super::description::FrameDescription;
 use super::error::{FrameError, FramePlace, FrameProblem};
 use super::validate::Frame;
 
@@ -42,6 +43,18 @@ impl FrameFoundation {
     pub(crate) fn remove_masses_and_springs(&mut self) {
         self.platform = RigidBody::default();
         self.frame.remove_masses_and_springs();
+    }
+
+    /// Changes the frame, with its joints where they are.
+    pub(in crate::tower) fn change(&mut self, change: impl FnOnce(&mut FrameDescription)) {
+        let mut description = self.frame.description().clone();
+        change(&mut description);
+        self.frame = Frame::unchecked(description);
+    }
+
+    /// Removes the springs of the soil along members, whose elements stay as they are.
+    pub(crate) fn remove_soil(&mut self) {
+        self.frame.remove_soil();
     }
 
     /// The reference point of the transition piece, m; the axis of the tower goes through it.

@@ -5,6 +5,7 @@ use super::super::parts::surroundings::SoilStiffness;
 use super::super::pieces::planes::Planes;
 use super::super::pieces::section::{Section, SectionMasses, Tube};
 use super::coat::FrameCoat;
+use super::soil::FrameSoil;
 use crate::space::SpatialMatrix;
 
 /// A member between two joints.
@@ -23,6 +24,8 @@ pub struct FrameMember {
     pub spin_deg: f64,
     /// Water and growth that move with it, if it is a beam.
     pub coats: Vec<FrameCoat>,
+    /// Soil around it, if it is a beam.
+    pub soil: Vec<FrameSoil>,
 }
 
 impl FrameMember {
@@ -49,6 +52,7 @@ impl FrameMember {
             shears: true,
             spin_deg: 0.0,
             coats: Vec::new(),
+            soil: Vec::new(),
         }
     }
 

@@ -6,8 +6,10 @@ mod description;
 mod error;
 mod foundation;
 mod member;
+mod soil;
 mod validate;
 
+pub(in crate::tower) use axes::{difference, norm};
 pub use axes::spin_of_axes;
 pub use coat::{CoatKind, FrameCoat};
 pub use description::{
@@ -16,4 +18,5 @@ pub use description::{
 pub use error::{FrameError, FramePlace, FrameProblem};
 pub use foundation::FrameFoundation;
 pub use member::{FrameMember, FrameSpring, GivenSection, MemberKind, Rectangle, SectionEnds};
+pub use soil::{FrameSoil, FrameSoilRow};
 pub use validate::Frame;

@@ -9,6 +9,7 @@ use super::coat::{CoatKind, FrameCoat};
 use super::description::{FrameDescription, FrameRider, FrameSupport, JointKind};
 use super::error::{FrameError, FramePlace, FrameProblem};
 use super::member::{FrameMember, MemberKind, Rectangle, SectionEnds};
+use super::soil::FrameSoil;
 use crate::space::SpatialMatrix;
 
 /// The largest size of a coordinate, m: beyond it no digit of a wall's thickness is left.
@@ -63,18 +64,30 @@ impl Frame {
         members.sum::<f64>() + masses.sum::<f64>() + soil.sum::<f64>()
     }
 
-    /// Whether any support has a stiffness.
+    /// Whether any support has a stiffness, or any member soil around it.
     pub(crate) fn has_soil(&self) -> bool {
         let mut supports = self.description.supports.iter();
+        let mut members = self.description.members.iter();
         supports.any(|support| support.stiffness != [[0.0; 6]; 6])
+            || members.any(|member| !member.soil.is_empty())
     }
 
-    /// Multiplies the stiffness of all supports.
+    /// Multiplies the stiffness of all supports and of the soil around members.
     pub(crate) fn multiply_soil(&mut self, factor: f64) {
         for support in &mut self.description.supports {
             let entries = support.stiffness.iter_mut().flatten();
             entries.for_each(|entry| *entry *= factor);
         }
+        let members = self.description.members.iter_mut();
+        let soil = members.flat_map(|member| &mut member.soil);
+        soil.for_each(|soil| soil.multiply(factor));
+    }
+
+    /// Removes the springs of the soil along members; the elements stay as they are.
+    pub(super) fn remove_soil(&mut self) {
+        let members = self.description.members.iter_mut();
+        let soil = members.flat_map(|member| &mut member.soil);
+        soil.for_each(FrameSoil::remove_springs);
     }
 
     /// Removes all inertia and the springs of the supports; the elements stay as they are.
@@ -263,6 +276,10 @@ fn check_member(description: &FrameDescription, member: &FrameMember) -> Result<
     let length_m = norm(difference(to, from));
     finite("spin", member.spin_deg)?;
     member.coats.iter().try_for_each(check_coat)?;
+    let is_beam = matches!(member.kind, MemberKind::Beam { .. });
+    let soil = member.soil.iter();
+    soil.map(|soil| check_soil(soil, is_beam))
+        .collect::<Result<(), _>>()?;
     let may_be_short = match &member.kind {
         MemberKind::Beam { ends, material } => {
             check_material(material)?;
@@ -337,6 +354,20 @@ fn check_coat(coat: &FrameCoat) -> Result<(), FrameProblem> {
     };
     let mut values = pairs.into_iter().flatten();
     values.try_for_each(|value| not_negative("value of water or growth", "", value))
+}
+
+fn check_soil(soil: &FrameSoil, is_beam: bool) -> Result<(), FrameProblem> {
+    let fractions: Vec<f64> = soil.rows.iter().map(|row| row.fraction).collect();
+    let ends = [0, fractions.len().saturating_sub(1)].map(|row| fractions.get(row).copied());
+    let [Some(from), Some(to)] = ends else {
+        return Err(FrameProblem::SoilRows);
+    };
+    let rises = fractions.windows(2).all(|pair| pair[0] <= pair[1]);
+    if !(is_beam && rises && from >= 0.0 && from < to && to <= 1.0) {
+        return Err(FrameProblem::SoilRows);
+    }
+    let mut values = soil.rows.iter().flat_map(|row| row.stiffness.values());
+    values.try_for_each(|value| not_negative("spring of the soil", "", value))
 }
 
 fn check_material(material: &Material) -> Result<(), FrameProblem> {

@@ -134,6 +134,13 @@ pub struct Scour {
     pub local_m: f64,
 }
 
+impl Scour {
+    /// Depth of general and local scour together, m.
+    pub(in crate::tower) fn total_m(&self) -> f64 {
+        self.general_m + self.local_m
+    }
+}
+
 /// An edition of the standard of API, on which the modulus k of sand and the t-z curves of sand
 /// depend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]

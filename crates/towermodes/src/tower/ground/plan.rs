@@ -218,8 +218,12 @@ impl Section {
             Lines::One => 1,
             Lines::Pairs(parts) => parts,
         };
-        let ends_m = [heights_m[self.lower], heights_m[self.upper]];
-        parts(pile, self.layer, ends_m, count)
+        parts(pile, self.layer, self.ends_m(heights_m), count)
+    }
+
+    /// The heights of its lower and its upper end on a tower with these heights of the ends, m.
+    pub(super) fn ends_m(&self, heights_m: &[f64]) -> [f64; 2] {
+        [heights_m[self.lower], heights_m[self.upper]]
     }
 }
 

@@ -2,14 +2,45 @@
 
 use super::super::parts::surroundings::SoilRow;
 use super::super::support::base::Base;
-use super::plan::{Lines, Plan};
+use super::frame_plan::FramePlan;
+use super::plan::{Lines, Plan, Section};
 use super::reaction::Reactions;
 use crate::space::SpatialMatrix;
 use crate::tower::description::TowerDescription;
 use crate::tower::foundation::{Foundation, StiffnessFoundation};
 
+/// Where the springs of the ground are cut: the same for a tower and for those near it.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::tower) enum GroundPlan {
+    /// Along the tower itself; empty without ground.
+    OfTower(Plan),
+    /// Along the piles of the frame that carries it.
+    OfFrame(FramePlan),
+}
+
+impl GroundPlan {
+    /// Of a tower that was checked.
+    pub(in crate::tower) fn of(description: &TowerDescription) -> Self {
+        let foundation = description.foundation.frame();
+        match foundation.zip(description.ground.as_ref()) {
+            Some((foundation, ground)) => {
+                Self::OfFrame(FramePlan::of(foundation.frame.description(), ground))
+            }
+            None => Self::OfTower(Plan::of(description)),
+        }
+    }
+
+    /// By which fraction the lines may change a frequency.
+    pub(in crate::tower) fn error(&self) -> f64 {
+        match self {
+            Self::OfTower(plan) => plan.error,
+            Self::OfFrame(plan) => plan.error(),
+        }
+    }
+}
+
 impl TowerDescription {
-    /// Whether soil surrounds the tower, as rows or in layers.
+    /// Whether soil surrounds the tower or the piles below it, as rows or in layers.
     pub fn has_soil(&self) -> bool {
         !self.soil.is_empty() || self.ground.is_some()
     }
@@ -17,19 +48,22 @@ impl TowerDescription {
     /// The same tower with rows of [`soil`](Self::soil) in place of the layers of
     /// [`ground`](Self::ground): the springs of each layer along the pile, with its name; those
     /// under the tip in the stiffness of the foundation; the bed of the water as low as the soil is
-    /// scoured. Its frequencies are the same.
+    /// scoured. Its frequencies are the same. Below a tower on a frame the springs are along the
+    /// members of the frame and at its supports.
     ///
     /// For programs and formats that know springs only. A description that
     /// [`Tower::new`](crate::Tower::new) refuses can give springs that are not finite.
     #[must_use]
     pub fn with_ground_as_soil(&self) -> Self {
-        let plan = Plan::of(self);
+        let plan = GroundPlan::of(self);
         let mut rows = with_rows(self.clone(), &plan);
-        rows.part_names.soil.resize(self.soil.len(), String::new());
-        let layers = plan.sections.chunk_by(|a, b| a.layer == b.layer);
-        for layer in layers.filter_map(|sections| sections.first()) {
-            let name = self.part_names.ground.get(layer.layer);
-            rows.part_names.soil.push(name.cloned().unwrap_or_default());
+        if let GroundPlan::OfTower(plan) = &plan {
+            rows.part_names.soil.resize(self.soil.len(), String::new());
+            let layers = plan.sections.chunk_by(|a, b| a.layer == b.layer);
+            for layer in layers.filter_map(|sections| sections.first()) {
+                let name = self.part_names.ground.get(layer.layer);
+                rows.part_names.soil.push(name.cloned().unwrap_or_default());
+            }
         }
         if self.ground.is_none() {
             rows.part_names.soil.clone_from(&self.part_names.soil);
@@ -39,29 +73,41 @@ impl TowerDescription {
     }
 }
 
-/// The description with rows of soil in place of the ground: springs along the pile, springs at its
-/// tip in the foundation, the bed of the water scoured.
+/// The description with rows of soil in place of the ground: springs along the pile or the piles,
+/// springs at tips in the foundation, the bed of the water scoured.
 pub(in crate::tower) fn with_rows(
     mut description: TowerDescription,
-    plan: &Plan,
+    plan: &GroundPlan,
 ) -> TowerDescription {
-    let Some(reactions) = Reactions::of(&description) else {
+    let Some(ground) = description.ground.clone() else {
         return description;
     };
-    let soil = soil(&description, &reactions, plan);
-    let (tip, pile) = (reactions.at_tip(plan.tip_layer), &reactions.pile);
-    let bed_m = description.water.map(|water| {
-        let before_m = water.bed_m.unwrap_or(pile.ground.surface_m);
-        before_m - (pile.ground.surface_m - pile.hole_m)
-    });
-    drop(reactions);
-    description.soil.extend(soil);
-    description.foundation = on_springs(&description.foundation, tip);
+    match plan {
+        GroundPlan::OfTower(plan) => put_around_tower(&mut description, plan),
+        GroundPlan::OfFrame(plan) => {
+            if let Foundation::Frame(foundation) = &mut description.foundation {
+                foundation.change(|frame| plan.apply(frame, &ground));
+            }
+        }
+    }
     if let Some(water) = &mut description.water {
-        water.bed_m = bed_m;
+        let before_m = water.bed_m.unwrap_or(ground.surface_m);
+        water.bed_m = Some(before_m - (ground.surface_m - ground.scoured_surface_m()));
     }
     description.ground = None;
     description
+}
+
+/// Puts the springs of the ground around a tower and under its tip.
+fn put_around_tower(description: &mut TowerDescription, plan: &Plan) {
+    let Some(reactions) = Reactions::of(description) else {
+        return;
+    };
+    let soil = soil(description, &reactions, plan);
+    let tip = reactions.at_tip(plan.tip_layer);
+    drop(reactions);
+    description.soil.extend(soil);
+    description.foundation = on_springs(&description.foundation, tip);
 }
 
 /// The rows of each layer that touches the pile, by rising height.
@@ -73,17 +119,22 @@ fn soil(
     let heights_m = plan.heights_m(description, reactions);
     let of_one_layer = plan.sections.chunk_by(|a, b| a.layer == b.layer);
     let rows = of_one_layer.map(|sections| {
-        let mut rows = Vec::new();
-        for section in sections {
-            let parts = section.parts(&reactions.pile, &heights_m);
-            match section.lines {
-                Lines::One => rows.extend(parts.flat_map(|part| part.line(reactions))),
-                Lines::Pairs(_) => rows.extend(parts.flat_map(|part| part.pair(reactions))),
-            }
-        }
-        rows
+        let sections = sections.iter();
+        let rows = sections.flat_map(|section| section.rows(reactions, &heights_m));
+        rows.collect()
     });
     rows.collect()
+}
+
+impl Section {
+    /// Its rows by rising height, on a tower with these heights of the ends.
+    pub(super) fn rows(&self, reactions: &Reactions<'_>, heights_m: &[f64]) -> Vec<SoilRow> {
+        let parts = self.parts(&reactions.pile, heights_m);
+        match self.lines {
+            Lines::One => parts.flat_map(|part| part.line(reactions)).collect(),
+            Lines::Pairs(_) => parts.flat_map(|part| part.pair(reactions)).collect(),
+        }
+    }
 }
 
 /// A foundation with springs on the diagonal of its stiffness; they have no effect where it is

@@ -3,7 +3,7 @@
 use super::super::attachment::Attachment;
 use super::super::description::TowerDescription;
 use super::super::error::TowerError;
-use super::super::ground::{Plan, with_rows};
+use super::super::ground::{GroundPlan, with_rows};
 use super::super::make::{attachments_of, pieces_of};
 use super::super::model::Tower;
 use super::super::pieces::fronts::{Fronts, Sliver};
@@ -25,7 +25,7 @@ pub(crate) struct Neighbours {
     /// Where each attachment of the description is in the tower's list.
     places: Vec<usize>,
     /// Where the springs of the ground are cut into rows.
-    plan: Plan,
+    plan: GroundPlan,
     /// The cuts of the tower by soil and water.
     fronts: Fronts,
 }
@@ -49,7 +49,7 @@ impl Neighbours {
     /// [`TowerError`], as [`Tower::new`].
     pub(crate) fn of(description: &TowerDescription) -> Result<Self, TowerError> {
         let checked = Tower::new(description.clone())?;
-        let plan = Plan::of(description);
+        let plan = GroundPlan::of(description);
         let rows = with_rows(description.clone(), &plan);
         let pieces = pieces_of(&rows, Rows::Each);
         let mut tower = Tower::made_of(&mut rows.clone(), pieces);

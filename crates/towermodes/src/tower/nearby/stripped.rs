@@ -7,7 +7,7 @@ use super::super::model::Tower;
 pub(crate) enum Strippable {
     /// The springs and the inertia of the base, or those of the frame that carries it.
     Base,
-    /// Soil springs and water.
+    /// Soil springs and water along the tower, and soil springs along the members of its frame.
     Surroundings,
     /// Guy wires and point masses.
     WiresAndMasses,
@@ -42,6 +42,9 @@ impl Tower {
             Strippable::Surroundings => {
                 for piece in &mut stripped.pieces {
                     piece.environment = Default::default();
+                }
+                if let Some(frame) = &mut stripped.frame {
+                    frame.remove_soil();
                 }
             }
             Strippable::WiresAndMasses | Strippable::Rna => {

@@ -7,7 +7,11 @@ use super::inputs::check_inputs;
 use super::scale::{coordinate, error};
 use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
-use crate::tower::ground::{ConeBelowStress, Ground, GroundLayer, Models, cone_below_stress};
+use crate::tower::frame::FrameDescription;
+use crate::tower::ground::{
+    ConeBelowStress, FramePile, Ground, GroundLayer, Models, NoPile, cone_below_stress,
+};
+use crate::tower::parts::surroundings::SoilStiffness;
 
 type Checked<T = ()> = Result<T, TowerError>;
 
@@ -30,10 +34,60 @@ pub(in crate::tower::validate) fn check_ground(
     let Some(ground) = &description.ground else {
         return Ok(());
     };
+    if let Some(foundation) = description.foundation.frame() {
+        check_above_ground(ground, base_m)?;
+        return check_frame_in_ground(foundation.frame.description(), ground);
+    }
     check_inputs(ground, at)?;
     check_heights(ground, base_m, top_m)?;
     check_diameter(description, ground)?;
-    check_layers(ground, base_m)?;
+    check_soil(description, ground, base_m)
+}
+
+/// The ground around the piles of a frame.
+pub(in crate::tower) fn check_frame_in_ground(frame: &FrameDescription, ground: &Ground) -> Checked {
+    check_inputs(ground, at)?;
+    let piles = match FramePile::all(frame, ground) {
+        Ok(piles) => piles,
+        Err(NoPile::NoTube(member)) => {
+            return error(at("surface"), Problem::PileWithoutTube { member });
+        }
+        Err(NoPile::NoMember) => {
+            let (surface_m, scour_m) = (ground.surface_m, ground.scour.total_m());
+            let heights = frame.joints.iter().map(|joint| joint.position_m[2]);
+            let lowest_m = heights.fold(f64::INFINITY, f64::min);
+            let problem = Problem::FrameAboveSoil {
+                surface_m,
+                scour_m,
+                lowest_m,
+            };
+            return error(at("surface"), problem);
+        }
+    };
+    if ground.pile_diameter_m.is_some() {
+        return error(at("pile_diameter"), Problem::PileWithTwoDiameters);
+    }
+    // The pile that reaches deepest needs the most soil.
+    let tip_m = |pile: &FramePile| pile.tip_m(frame);
+    let deepest = piles.iter().min_by(|a, b| tip_m(a).total_cmp(&tip_m(b)));
+    match deepest {
+        Some(pile) => check_soil(&pile.alone(frame, ground), ground, tip_m(pile)),
+        None => Ok(()),
+    }
+}
+
+/// A tower on a frame begins above the ground: below it the frame has the piles.
+fn check_above_ground(ground: &Ground, base_m: f64) -> Checked {
+    let surface_m = ground.scoured_surface_m();
+    match base_m < surface_m {
+        true => error(at("surface"), Problem::TowerOnFrameInSoil { base_m, surface_m }),
+        false => Ok(()),
+    }
+}
+
+/// The layers down to a tip, and what their models need.
+fn check_soil(description: &TowerDescription, ground: &Ground, tip_m: f64) -> Checked {
+    check_layers(ground, tip_m)?;
     let mut models = Vec::with_capacity(ground.layers.len());
     for (index, own) in ground.layers.iter().enumerate() {
         let layer = Layer { index, own };
@@ -67,19 +121,17 @@ fn check_cones(description: &TowerDescription) -> Checked {
 
 fn check_heights(ground: &Ground, base_m: f64, top_m: f64) -> Checked {
     let surface_m = ground.surface_m;
-    let (general_m, local_m) = (ground.scour.general_m, ground.scour.local_m);
     if surface_m > top_m {
         return error(
             at("surface"),
             Problem::SurfaceAboveTower { surface_m, top_m },
         );
     }
-    let scoured_m = surface_m - general_m - local_m;
-    if scoured_m > base_m {
+    if ground.scoured_surface_m() > base_m {
         return Ok(());
     }
     let (key, scour_m) = match surface_m > base_m {
-        true => ("scour", general_m + local_m),
+        true => ("scour", ground.scour.total_m()),
         false => ("surface", 0.0),
     };
     let problem = Problem::PileAboveSoil {
@@ -186,7 +238,21 @@ fn check_weights(ground: &Ground, models: &[Models<'_>]) -> Checked {
 /// Springs that follow from numbers far outside their range can be infinite.
 pub(in crate::tower) fn check_springs_of_ground(rows: &TowerDescription, given: usize) -> Checked {
     let of_ground = rows.soil.iter().skip(given).flatten();
-    let mut values = of_ground.flat_map(|row| row.stiffness.values());
+    check_finite(of_ground.map(|row| &row.stiffness))?;
+    let foundation = rows.foundation.frame();
+    foundation.map_or(Ok(()), |foundation| {
+        check_springs_of_frame(foundation.frame.description())
+    })
+}
+
+/// The same of the springs of a frame.
+pub(in crate::tower) fn check_springs_of_frame(frame: &FrameDescription) -> Checked {
+    let soil = frame.members.iter().flat_map(|member| &member.soil);
+    check_finite(soil.flat_map(|soil| &soil.rows).map(|row| &row.stiffness))
+}
+
+fn check_finite<'a>(springs: impl Iterator<Item = &'a SoilStiffness>) -> Checked {
+    let mut values = springs.flat_map(SoilStiffness::values);
     let quantity = "a spring that follows from the ground";
     match values.find(|value| !value.is_finite()) {
         Some(value) => error(at("layer"), Problem::NotFinite { quantity, value }),

@@ -1,0 +1,62 @@
+//! Springs of the soil along a stretch of a member.
+
+use super::super::parts::surroundings::SoilStiffness;
+
+/// Springs to the ground along a stretch of a beam, in the axes of the member: x and y across it, z
+/// along it.
+///
+/// [`FrameDescription::in_ground`](super::FrameDescription::in_ground) makes them of layers of
+/// soil. Where stretches overlap their springs add up.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FrameSoil {
+    /// Rows by rising fraction, at least two; linear between them, two of one fraction are a step.
+    pub rows: Vec<FrameSoilRow>,
+}
+
+/// One row of springs along a member.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FrameSoilRow {
+    /// Where it is, as a fraction of the length from the first joint.
+    pub fraction: f64,
+    /// The springs per length of the member there.
+    pub stiffness: SoilStiffness,
+}
+
+impl FrameSoil {
+    /// The fractions at which it begins and ends.
+    pub(crate) fn ends(&self) -> impl Iterator<Item = f64> {
+        let ends = [self.rows.first(), self.rows.last()];
+        ends.into_iter().flatten().map(|row| row.fraction)
+    }
+
+    /// Multiplies all springs.
+    pub(super) fn multiply(&mut self, factor: f64) {
+        for row in &mut self.rows {
+            row.stiffness = row.stiffness.times(factor);
+        }
+    }
+
+    /// Removes its springs; it stays where it is.
+    pub(super) fn remove_springs(&mut self) {
+        for row in &mut self.rows {
+            row.stiffness = SoilStiffness::default();
+        }
+    }
+
+    /// Its parts between two fractions: where each begins and ends, and the springs there.
+    pub(crate) fn parts(
+        &self,
+        [low, high]: [f64; 2],
+    ) -> impl Iterator<Item = ([f64; 2], [SoilStiffness; 2])> {
+        let within = move |pair: &[FrameSoilRow]| {
+            let (from, to) = (pair[0], pair[1]);
+            let ends = [from.fraction.max(low), to.fraction.min(high)];
+            let at = |fraction: f64| {
+                let share = (fraction - from.fraction) / (to.fraction - from.fraction);
+                from.stiffness.blend(&to.stiffness, share)
+            };
+            (ends[0] < ends[1]).then(|| (ends, ends.map(at)))
+        };
+        self.rows.windows(2).filter_map(within)
+    }
+}

@@ -1,0 +1,187 @@
+//! Which members of a frame are piles in the ground, by their position alone.
+
+use super::super::frame::{FrameDescription, MemberKind, SectionEnds, difference, norm};
+use super::super::parts::material::Material;
+use super::super::pieces::section::Tube;
+use super::description::Ground;
+use crate::tower::description::{Station, TowerDescription};
+
+/// A member that rises less than this fraction of its length, 60 degrees from the vertical, is no
+/// pile: models of springs are for piles.
+const LEAST_RISE: f64 = 0.5;
+
+/// A pile of a frame: members in line from its head, in the ground or above it, down to its tip.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::tower) struct FramePile {
+    /// From the head down. Of piles that meet below, each has the members down to the tip.
+    pub(in crate::tower) members: Vec<Buried>,
+    /// How many of them, from the head, no pile before it has.
+    pub(super) own: usize,
+}
+
+/// A member that is in the ground, or whose lower part is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::tower) struct Buried {
+    pub(in crate::tower) member: usize,
+    /// Which of its joints is the upper one: 0 or 1.
+    upper: usize,
+}
+
+/// A member in the ground that cannot be a pile.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(in crate::tower) enum NoPile {
+    /// No member is in the ground.
+    NoMember,
+    /// The section has no outer diameter: the name of the member.
+    NoTube(String),
+}
+
+impl FramePile {
+    /// The piles of a frame.
+    pub(in crate::tower) fn all(
+        frame: &FrameDescription,
+        ground: &Ground,
+    ) -> Result<Vec<Self>, NoPile> {
+        let (buried, _) = buried(frame, ground);
+        if let Some(other) = buried.iter().find(|part| part.tubes(frame).is_none()) {
+            return Err(NoPile::NoTube(frame.members[other.member].name.clone()));
+        }
+        let below: Vec<Option<usize>> = buried
+            .iter()
+            .map(|part| next_below(frame, &buried, part))
+            .collect();
+        let heads = (0..buried.len()).filter(|index| !below.contains(&Some(*index)));
+        let mut is_taken = vec![false; buried.len()];
+        let piles = heads.map(|head| {
+            let line = std::iter::successors(Some(head), |part| below[*part]);
+            let line: Vec<usize> = line.collect();
+            let own = line.iter().take_while(|part| !is_taken[**part]).count();
+            line.iter().for_each(|part| is_taken[*part] = true);
+            Self {
+                members: line.into_iter().map(|part| buried[part]).collect(),
+                own,
+            }
+        });
+        let piles: Vec<Self> = piles.collect();
+        match piles.is_empty() {
+            true => Err(NoPile::NoMember),
+            false => Ok(piles),
+        }
+    }
+
+    /// The pile by itself as a tower in the ground, from its tip up; only what the springs depend
+    /// on.
+    pub(in crate::tower) fn alone(
+        &self,
+        frame: &FrameDescription,
+        ground: &Ground,
+    ) -> TowerDescription {
+        let mut alone = TowerDescription {
+            ground: Some(ground.clone()),
+            ..TowerDescription::default()
+        };
+        for part in self.members.iter().rev() {
+            let Some((ends, material)) = part.tubes(frame) else {
+                continue;
+            };
+            let [upper, lower] = part.ends_m(frame);
+            for (height_m, tube) in [lower[2], upper[2]].into_iter().zip(ends) {
+                alone.stations.push(Station {
+                    height_m,
+                    outer_diameter_m: tube.outer_diameter_m,
+                    wall_thickness_m: tube.wall_thickness_m,
+                    material: alone.materials.len(),
+                });
+            }
+            alone.materials.push(material);
+        }
+        alone
+    }
+
+    /// Height of its tip, m.
+    pub(in crate::tower) fn tip_m(&self, frame: &FrameDescription) -> f64 {
+        let last = self.members.last();
+        last.map_or(f64::NAN, |part| part.ends_m(frame)[1][2])
+    }
+
+    /// The joint at its tip, from 0, with the direction of the pile there; none if the tip is that
+    /// of a pile before it.
+    pub(super) fn tip(&self, frame: &FrameDescription) -> Option<(usize, [f64; 3])> {
+        let last = self.members.last()?;
+        let [_, joint] = last.joints(frame);
+        (self.own == self.members.len()).then(|| (joint, last.direction(frame)))
+    }
+
+    /// The members whose springs are counted with this pile.
+    pub(super) fn own(&self) -> &[Buried] {
+        &self.members[..self.own]
+    }
+}
+
+impl Buried {
+    /// Its upper and its lower joint, from 0.
+    fn joints(&self, frame: &FrameDescription) -> [usize; 2] {
+        let joints = frame.members[self.member].joints;
+        [joints[self.upper], joints[1 - self.upper]]
+    }
+
+    /// The positions of its upper and its lower joint, m.
+    pub(in crate::tower) fn ends_m(&self, frame: &FrameDescription) -> [[f64; 3]; 2] {
+        self.joints(frame).map(|joint| frame.joints[joint].position_m)
+    }
+
+    /// Its direction, upward: a unit vector.
+    fn direction(&self, frame: &FrameDescription) -> [f64; 3] {
+        let [upper, lower] = self.ends_m(frame);
+        let along = difference(upper, lower);
+        let length_m = norm(along);
+        along.map(|part| part / length_m)
+    }
+
+    /// Its tubes at the lower and the upper end with the material; none of another section.
+    fn tubes(&self, frame: &FrameDescription) -> Option<([Tube; 2], Material)> {
+        let MemberKind::Beam { ends, material } = &frame.members[self.member].kind else {
+            return None;
+        };
+        match ends {
+            SectionEnds::Tube(ends) => {
+                Some(([ends[1 - self.upper], ends[self.upper]], *material))
+            }
+            SectionEnds::Rectangle(_) | SectionEnds::Given(_) => None,
+        }
+    }
+}
+
+/// The beams that are in the ground at least in part: those that are piles by their slope, and the
+/// others.
+pub(in crate::tower) fn buried(
+    frame: &FrameDescription,
+    ground: &Ground,
+) -> (Vec<Buried>, Vec<Buried>) {
+    let members = frame.members.iter().enumerate();
+    let beams = members.filter(|(_, member)| matches!(member.kind, MemberKind::Beam { .. }));
+    let parts = beams.map(|(member, beam)| {
+        let [from, to] = beam.joints.map(|joint| frame.joints[joint].position_m[2]);
+        let upper = usize::from(to > from);
+        Buried { member, upper }
+    });
+    let is_in_ground = |part: &Buried| part.ends_m(frame)[1][2] < ground.scoured_surface_m();
+    parts
+        .filter(is_in_ground)
+        .partition(|part| part.direction(frame)[2] >= LEAST_RISE)
+}
+
+/// The member on which a pile goes on below another one: that in the ground whose upper end is at
+/// its lower end, of several the one most in line.
+fn next_below(frame: &FrameDescription, buried: &[Buried], part: &Buried) -> Option<usize> {
+    let [_, lower] = part.ends_m(frame);
+    let own = part.direction(frame);
+    let in_line = |other: &Buried| -> f64 {
+        let direction = other.direction(frame);
+        own.iter().zip(direction).map(|(a, b)| a * b).sum()
+    };
+    let parts = buried.iter().enumerate();
+    let below = parts.filter(|(_, other)| other.ends_m(frame)[0] == lower);
+    let most = below.max_by(|(_, a), (_, b)| in_line(a).total_cmp(&in_line(b)));
+    most.map(|(index, _)| index)
+}
