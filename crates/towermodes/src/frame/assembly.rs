@@ -579,7 +579,7 @@ fn chord_of(element: &Element, ends: [Node; 2], first: usize) -> Chord {
 }
 
 /// The inverse of the matrix with these columns, by Gauss-Jordan elimination with pivots.
-fn inverse_of_columns(columns: &[Motion]) -> SpatialMatrix {
+pub(super) fn inverse_of_columns(columns: &[Motion]) -> SpatialMatrix {
     let mut a: [[f64; 12]; 6] = std::array::from_fn(|i| {
         std::array::from_fn(|j| match j < 6 {
             true => columns.get(j).map_or(0.0, |column| column[i]),

@@ -43,6 +43,12 @@ pub enum FrameSolveError {
         /// The joint.
         joint: String,
     },
+    /// A joint without stiffness of its own.
+    #[error("joint {joint} is held or does not exist, so that the frame has no stiffness there")]
+    HeldJoint {
+        /// The joint.
+        joint: String,
+    },
     /// A frame under a tower without a transition piece that moves.
     #[error("the frame has no transition piece that could carry the tower; give its joints")]
     NoTransition,

@@ -15,6 +15,7 @@ mod product;
 mod recipe;
 mod rigid;
 mod solve;
+mod static_stiffness;
 mod statics;
 mod tension;
 
@@ -22,9 +23,11 @@ pub(crate) use carrying::OnFrame;
 pub use error::FrameSolveError;
 pub use recipe::FrameRecipe;
 pub use solve::{FrameMode, FrameOptions, FrameSolution, count_frame_modes, solve_frame};
+pub use static_stiffness::static_stiffness;
 
 pub use crate::tower::frame::{
     CoatKind, Frame, FrameCoat, FrameDescription, FrameError, FrameFoundation, FrameJoint,
-    FrameMember, FramePlace, FrameProblem, FrameRider, FrameSpring, FrameSupport, GivenSection,
-    JointKind, MemberKind, Rectangle, SectionEnds, Transition, spin_of_axes,
+    FrameMember, FramePlace, FrameProblem, FrameRider, FrameSoil, FrameSoilRow, FrameSpring,
+    FrameSupport, GivenSection, JointKind, MemberKind, Rectangle, SectionEnds, Transition,
+    spin_of_axes,
 };

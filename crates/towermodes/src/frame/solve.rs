@@ -12,7 +12,7 @@ use crate::eigen::{EigenWorkspace, lowest};
 use crate::tower::frame::Frame;
 
 /// A mode below this frequency, Hz, has no stiffness: a hundredth of the slowest floater's.
-const NO_STIFFNESS_HZ: f64 = 2e-5;
+pub(super) const NO_STIFFNESS_HZ: f64 = 2e-5;
 /// Degrees of spectral elements: the first, and by how much it rises.
 const FIRST_DEGREE: usize = 4;
 const STEP: usize = 2;
@@ -185,7 +185,7 @@ fn solve_once(
 
 /// Refuses an unstable frame and a mechanism. A frame that nothing holds has six motions without
 /// stiffness: its spectrum begins below zero.
-fn check_stiffness(
+pub(super) fn check_stiffness(
     frame: &Frame,
     joints: &[Option<usize>],
     pencil: &mut FramePencil,

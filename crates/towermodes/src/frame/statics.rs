@@ -1,14 +1,15 @@
 //! The axial forces of members at rest under weight, for their geometric stiffness.
 //!
 //! K u = f with the weights f; the force in a beam follows from its elongation, less what its own
-//! distributed weight elongates. Water around members has no weight here, and buoyancy is left out.
+//! distributed weight and the friction of soil along it elongate. Water around members has no weight
+//! here, and buoyancy is left out.
 
 use super::assembly::{Assembled, Carrier, PlacedElement};
 use super::elimination::Factors;
 use super::equations::{ELASTIC, Equations, GROUND, INERTIA, KINDS, motion_of};
 use super::order::Order;
 use super::rigid::{Motion, Vector};
-use super::tension::Tension;
+use super::tension::{Tension, tension_at};
 use crate::tower::frame::{CoatKind, Frame, FrameDescription};
 
 /// Points of Gauss's rule on [0, 1] and their weights: exact for degree 7.
@@ -59,10 +60,13 @@ pub(super) fn tensions(
     let mut motions = Vec::new();
     equations.set_motions(&x, &mut motions);
     let tension = |element: &PlacedElement| {
-        let elongation_m = elongation_m(equations, &motions, &x, element, frame);
+        let moved = Moved {
+            elongation_m: elongation_m(equations, &motions, &x, element, frame),
+            from_m: from_m(equations, &motions, element, frame),
+        };
         (
             element.edge,
-            tension_of(frame, element, elongation_m, gravity_m_per_s2),
+            tension_of(frame, element, &moved, gravity_m_per_s2),
         )
     };
     elements.iter().map(tension).collect()
@@ -118,10 +122,43 @@ fn elongation_m(
     }
 }
 
+/// By how much the lower fraction of an element has moved along the axis of its member, m.
+fn from_m(
+    equations: &Equations,
+    motions: &[Motion],
+    element: &PlacedElement,
+    frame: &Frame,
+) -> f64 {
+    let node = match element.carrier {
+        Carrier::Link(index) => {
+            let link = &equations.links[index];
+            match element.reversed {
+                true => Some(link.child),
+                false => link.parent,
+            }
+        }
+        Carrier::Chord(index) => equations.chords[index].ends[0],
+    };
+    let motion = motion_of(motions, node);
+    axis(frame, element)
+        .iter()
+        .zip(motion)
+        .map(|(a, m)| a * m)
+        .sum()
+}
+
+/// How an element has moved along its axis.
+struct Moved {
+    /// By how much it is longer than without forces, m.
+    elongation_m: f64,
+    /// By how much it has moved where it begins on its member, m.
+    from_m: f64,
+}
+
 fn tension_of(
     frame: &Frame,
     element: &PlacedElement,
-    elongation_m: f64,
+    moved: &Moved,
     gravity_m_per_s2: f64,
 ) -> Tension {
     let member = &frame.description().members[element.member];
@@ -145,8 +182,44 @@ fn tension_of(
         .iter()
         .map(|(s, weight)| weight * beyond_n(*s) / axial_n(*s))
         .sum();
-    let at_end_n = (elongation_m / length_m - by_weight) / flexibility;
-    std::array::from_fn(|k| at_end_n + beyond_n(k as f64 / 4.0))
+    let at_end_n =
+        |by_soil: f64| (moved.elongation_m / length_m - by_weight - by_soil) / flexibility;
+    let soil = |s: f64| -> f64 {
+        let at = from + s.clamp(1e-12, 1.0 - 1e-12) * (to - from);
+        member.soil.iter().map(|soil| soil.axial_n_per_m2(at)).sum()
+    };
+    let springs: Tension = at_points(soil);
+    let no_soil: Tension = at_points(|s| at_end_n(0.0) + beyond_n(s));
+    if springs == [0.0; 5] {
+        return no_soil;
+    }
+    let mut tension_n = no_soil;
+    for _ in 0..SOIL_STEPS {
+        let strain = |s: f64| tension_at(&tension_n, s) / axial_n(s);
+        let moved_m = |s: f64| moved.from_m + length_m * integral([0.0, s], strain);
+        let friction_n_per_m: Tension = at_points(|s| -tension_at(&springs, s) * moved_m(s));
+        let friction_n =
+            |s: f64| length_m * integral([s, 1.0], |s| tension_at(&friction_n_per_m, s));
+        let by_soil = integral([0.0, 1.0], |s| friction_n(s) / axial_n(s));
+        tension_n = at_points(|s| at_end_n(by_soil) + beyond_n(s) + friction_n(s));
+    }
+    tension_n
+}
+
+/// The friction of soil follows from the motion, which follows from the forces: so often are the
+/// forces corrected. Each correction is smaller by (length/√(EA/k))²/10 at least.
+const SOIL_STEPS: usize = 8;
+
+fn at_points(value: impl Fn(f64) -> f64) -> Tension {
+    std::array::from_fn(|k| value(k as f64 / 4.0))
+}
+
+fn integral([from, to]: [f64; 2], value: impl Fn(f64) -> f64) -> f64 {
+    let points = GAUSS.iter();
+    let sum: f64 = points
+        .map(|(at, weight)| weight * value(from + at * (to - from)))
+        .sum();
+    (to - from) * sum
 }
 
 /// The equations of a frame and of what it carries, with the geometric stiffness of its weight.

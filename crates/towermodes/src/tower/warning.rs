@@ -14,7 +14,7 @@ use super::error::Place;
 use super::parts::missing::MissingParts;
 use crate::inputs::Quantity;
 use crate::method::Method;
-use crate::number::{Plain, Rounded, significant};
+use crate::number::{Apart, Plain, Rounded, significant};
 
 /// A fact that a user should check; the computation continues.
 ///
@@ -311,6 +311,50 @@ pub enum Warning {
         /// The model of the layer.
         site: Site,
     },
+    /// Piles of a frame that are so close that they soften each other.
+    #[error(
+        "the piles of members {first} and {second} are {} diameters apart, less than {}: each softens the soil of the other, which is left out, so the frequencies are too high; reduce factor in [ground]",
+        Plain(rounded(*.diameters)), Plain(*.least)
+    )]
+    PileGroup {
+        /// The ground.
+        site: Site,
+        /// Name of the uppermost member of one pile.
+        first: String,
+        /// The same of the other.
+        second: String,
+        /// Distance of their axes at the surface over the larger diameter.
+        diameters: f64,
+        /// Closer piles are a group.
+        least: f64,
+    },
+    /// A member of a frame in the ground that has no springs.
+    #[error(
+        "member {member} is below the surface of the ground, but has no springs of the soil: {why}"
+    )]
+    NoSpringsOfSoil {
+        /// The ground.
+        site: Site,
+        /// Name of the member.
+        member: String,
+        /// Why it is no pile.
+        why: &'static str,
+    },
+    /// A joint of a pile just above or below the surface of the ground.
+    #[error(
+        "joint {joint} is at {} m, just off the surface of the ground at {} m; give it the same height if it is at the surface",
+        Apart(*.height_m, *.surface_m), Apart(*.surface_m, *.height_m)
+    )]
+    JointNearSurface {
+        /// The ground.
+        site: Site,
+        /// Name of the joint.
+        joint: String,
+        /// Height of the joint, m.
+        height_m: f64,
+        /// Height of the surface before scour, m.
+        surface_m: f64,
+    },
     /// Water whose bed is not at the surface of the ground.
     #[error(
         "{}the bed of the water is at {} m, but the surface of the ground at {} m; omit bed: it follows from the surface and its scour",
@@ -529,6 +573,9 @@ impl Warning {
             | Self::OutsideFormula { site, .. }
             | Self::SoilTwice { site }
             | Self::PisaWithoutShear { site }
+            | Self::PileGroup { site, .. }
+            | Self::NoSpringsOfSoil { site, .. }
+            | Self::JointNearSurface { site, .. }
             | Self::NoCoupling { site }
             | Self::UnderWater { site, .. }
             | Self::BedOffSurface { site, .. }

@@ -9,8 +9,8 @@ mod member;
 mod soil;
 mod validate;
 
-pub(in crate::tower) use axes::{difference, norm};
 pub use axes::spin_of_axes;
+pub(in crate::tower) use axes::{difference, norm};
 pub use coat::{CoatKind, FrameCoat};
 pub use description::{
     FrameDescription, FrameJoint, FrameRider, FrameSupport, JointKind, Transition,

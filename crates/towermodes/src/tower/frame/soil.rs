@@ -29,6 +29,19 @@ impl FrameSoil {
         ends.into_iter().flatten().map(|row| row.fraction)
     }
 
+    /// The springs along the axis at a fraction of the member, N/m²; of two rows there the later.
+    pub(crate) fn axial_n_per_m2(&self, fraction: f64) -> f64 {
+        let after = self.rows.partition_point(|row| row.fraction <= fraction);
+        let around = self
+            .rows
+            .get(after.wrapping_sub(1))
+            .zip(self.rows.get(after));
+        around.map_or(0.0, |(from, to)| {
+            let share = (fraction - from.fraction) / (to.fraction - from.fraction);
+            from.stiffness.blend(&to.stiffness, share).z_n_per_m2
+        })
+    }
+
     /// Multiplies all springs.
     pub(super) fn multiply(&mut self, factor: f64) {
         for row in &mut self.rows {

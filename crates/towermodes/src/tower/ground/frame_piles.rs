@@ -127,7 +127,8 @@ impl Buried {
 
     /// The positions of its upper and its lower joint, m.
     pub(in crate::tower) fn ends_m(&self, frame: &FrameDescription) -> [[f64; 3]; 2] {
-        self.joints(frame).map(|joint| frame.joints[joint].position_m)
+        self.joints(frame)
+            .map(|joint| frame.joints[joint].position_m)
     }
 
     /// Its direction, upward: a unit vector.
@@ -144,9 +145,7 @@ impl Buried {
             return None;
         };
         match ends {
-            SectionEnds::Tube(ends) => {
-                Some(([ends[1 - self.upper], ends[self.upper]], *material))
-            }
+            SectionEnds::Tube(ends) => Some(([ends[1 - self.upper], ends[self.upper]], *material)),
             SectionEnds::Rectangle(_) | SectionEnds::Given(_) => None,
         }
     }

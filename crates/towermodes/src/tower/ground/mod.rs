@@ -26,7 +26,7 @@ mod spot;
 mod values;
 
 pub use description::{ApiEdition, AxialModel, Ground, Scour};
-pub(in crate::tower) use frame_piles::{Buried, FramePile, NoPile, buried};
+pub(in crate::tower) use frame_piles::{FramePile, NoPile, buried};
 pub use layer::{Clay, GroundLayer, LayerSoil, PyRow, Rock, Sand};
 pub(in crate::tower) use layer_springs::Piles;
 pub use model::SoilModel;

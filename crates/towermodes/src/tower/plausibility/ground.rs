@@ -1,9 +1,10 @@
 //! Soil in layers: units, angles in radians, dry weights, and the range of the models.
 
 use super::Given;
+use super::frame_piles;
 use super::unused;
 use super::usual::{Usual, check_inputs};
-use crate::tower::ground::{ApiEdition, Ground, GroundLayer, Models, Piles};
+use crate::tower::ground::{ApiEdition, FramePile, Ground, GroundLayer, Models, Piles};
 use crate::tower::{Ineffective, Place, Quantity, Site, Tower, Warning, Water};
 
 const BUOYANT_WEIGHT: Usual = Usual::new(Quantity::BuoyantUnitWeight, 3e3, 14e3);
@@ -14,6 +15,9 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
         return;
     };
     check_inputs(ground, |key| Place::Ground { key }, warnings);
+    let piles = piles_of(tower, given, ground);
+    let tips = piles.iter().map(|pile| pile.tip_m);
+    let tip_m = tips.fold(f64::INFINITY, f64::min);
     for (index, layer) in ground.layers.iter().enumerate() {
         let at = |key| Site::at(Place::GroundLayer { index, key });
         weight(ground, layer, at("effective_unit_weight"), warnings);
@@ -25,12 +29,15 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
                 what,
             }));
         }
-        if layer.top_m <= tower.base_m() && index > 0 && !is_under_tip(ground, index, tower) {
+        if layer.top_m <= tip_m && index > 0 && !is_under_a_tip(ground, index, &piles) {
             let (site, what) = (at("top"), Ineffective::LayerBelowTip);
             warnings.push(Warning::NoEffect { site, what });
         }
     }
-    models(tower, ground, warnings);
+    models(&piles, ground, warnings);
+    if let Some(foundation) = given.foundation.frame() {
+        frame_piles::check(foundation.frame.description(), ground, warnings);
+    }
     if !ground.submerged
         && ground.edition == ApiEdition::Rp2Geo
         && ground.modulus_depends_on_edition()
@@ -71,9 +78,46 @@ fn water_over(ground: &Ground, water: &Water, warnings: &mut Vec<Warning>) {
     }
 }
 
-/// The layer that the tip stands on may give springs under the tip.
-fn is_under_tip(ground: &Ground, index: usize, tower: &Tower) -> bool {
-    ground.layers[index - 1].bottom_m >= tower.base_m()
+/// A pile in the ground: the lower part of the tower, or one of the frame below it.
+struct EmbeddedPile {
+    /// Outer diameter at its tip, m; none if it is not known.
+    diameter_m: Option<f64>,
+    /// Height of its tip, m.
+    tip_m: f64,
+    /// Whether it deforms in shear.
+    shears: bool,
+}
+
+fn piles_of(tower: &Tower, given: &Given<'_>, ground: &Ground) -> Vec<EmbeddedPile> {
+    let Some(foundation) = given.foundation.frame() else {
+        let first = tower.stations().first();
+        let own = first.map(|station| station.outer_diameter_m);
+        return vec![EmbeddedPile {
+            diameter_m: ground.pile_diameter_m.or(own),
+            tip_m: tower.base_m(),
+            shears: tower.shears(),
+        }];
+    };
+    let frame = foundation.frame.description();
+    let piles = FramePile::all(frame, ground).unwrap_or_default();
+    let embedded = piles.iter().map(|pile| {
+        let alone = pile.alone(frame, ground);
+        let mut members = pile.members.iter();
+        EmbeddedPile {
+            diameter_m: alone.stations.first().map(|row| row.outer_diameter_m),
+            tip_m: pile.tip_m(frame),
+            shears: members.all(|part| frame.members[part.member].shears),
+        }
+    });
+    embedded.collect()
+}
+
+/// The layer that a tip stands on may give springs under the tip.
+fn is_under_a_tip(ground: &Ground, index: usize, piles: &[EmbeddedPile]) -> bool {
+    let above_m = ground.layers[index - 1].bottom_m;
+    let top_m = ground.layers[index].top_m;
+    let mut piles = piles.iter();
+    piles.any(|pile| above_m >= pile.tip_m && pile.tip_m >= top_m)
 }
 
 fn weight(ground: &Ground, layer: &GroundLayer, site: Site, warnings: &mut Vec<Warning>) {
@@ -88,57 +132,61 @@ fn weight(ground: &Ground, layer: &GroundLayer, site: Site, warnings: &mut Vec<W
 }
 
 /// Piles and soils for which the models were not derived.
-fn models(tower: &Tower, ground: &Ground, warnings: &mut Vec<Warning>) {
+fn models(piles: &[EmbeddedPile], ground: &Ground, warnings: &mut Vec<Warning>) {
     let mut seen = Vec::new();
     for (index, layer) in ground.layers.iter().enumerate() {
         let Ok(models) = Models::of(layer, ground) else {
             continue;
         };
         let at = |key| Site::at(Place::GroundLayer { index, key });
-        let piles = models.across.piles();
-        if let Some(piles) = piles.filter(|piles| !seen.contains(&piles.formula)) {
-            seen.push(piles.formula);
-            pile(tower, ground, &piles, at("model"), warnings);
+        let range = models.across.piles();
+        if let Some(range) = range.filter(|range| !seen.contains(&range.formula)) {
+            seen.push(range.formula);
+            let site = at("model");
+            if range.need_shear && piles.iter().any(|pile| !pile.shears) {
+                warnings.push(Warning::PisaWithoutShear { site });
+            }
+            warnings.extend(outside(piles, ground, &range, site));
         }
         models.across.doubt(&at, warnings);
     }
 }
 
-/// A pile for which a model was not derived.
-fn pile(tower: &Tower, ground: &Ground, piles: &Piles, site: Site, warnings: &mut Vec<Warning>) {
-    if piles.need_shear && !tower.shears() {
-        warnings.push(Warning::PisaWithoutShear { site });
-    }
-    let first = tower.stations().first();
-    let own = first.map(|station| station.outer_diameter_m);
-    let Some(diameter_m) = ground.pile_diameter_m.or(own) else {
-        return;
-    };
-    let scour_m = ground.scour.general_m + ground.scour.local_m;
-    let length = (ground.surface_m - scour_m - tower.base_m()) / diameter_m;
+/// Piles for which a model was not derived: of each number the first that is outside.
+fn outside(
+    piles: &[EmbeddedPile],
+    ground: &Ground,
+    range: &Piles,
+    site: Site,
+) -> impl Iterator<Item = Warning> {
+    let scoured_m = ground.surface_m - (ground.scour.general_m + ground.scour.local_m);
+    let diameters = piles.iter().filter_map(|pile| pile.diameter_m);
+    let lengths = piles.iter().filter_map(|pile| {
+        let diameter_m = pile.diameter_m?;
+        Some((scoured_m - pile.tip_m) / diameter_m)
+    });
+    let is_outside = |[least, most]: [f64; 2]| move |value: &f64| !(least..=most).contains(value);
+    let diameter = diameters.into_iter().find(is_outside(range.diameters_m));
+    let length = lengths.into_iter().find(is_outside(range.lengths));
+    let (formula, remedy) = (range.formula, range.remedy);
     let numbers = [
-        (
-            "the diameter of the pile in m",
-            diameter_m,
-            piles.diameters_m,
-        ),
+        ("the diameter of the pile in m", diameter, range.diameters_m),
         (
             "the embedded length of the pile, divided by its diameter,",
             length,
-            piles.lengths,
+            range.lengths,
         ),
     ];
-    for (quantity, value, [least, most]) in numbers {
-        if !(least..=most).contains(&value) {
-            warnings.push(Warning::OutsideFormula {
-                site,
-                formula: piles.formula,
-                quantity,
-                value,
-                least,
-                most,
-                remedy: piles.remedy,
-            });
-        }
-    }
+    let warning = move |(quantity, value, [least, most]): (&'static str, Option<f64>, [f64; 2])| {
+        Some(Warning::OutsideFormula {
+            site,
+            formula,
+            quantity,
+            value: value?,
+            least,
+            most,
+            remedy,
+        })
+    };
+    numbers.into_iter().filter_map(warning)
 }

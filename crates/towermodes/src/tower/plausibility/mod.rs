@@ -9,6 +9,7 @@ mod bodies;
 mod couplings;
 mod floating;
 mod foundation;
+mod frame_piles;
 mod geometry;
 mod ground;
 mod materials;

@@ -29,7 +29,8 @@ pub struct SpringsAt {
 impl Tower {
     /// The static stiffness of the embedded pile at [`ground_surface_m`](Self::ground_surface_m),
     /// the surface of the [ground](crate::TowerDescription::ground) in the fore-aft plane; none
-    /// without ground, and where the tip is held by more than springs.
+    /// without ground, where the tip is held by more than springs, and where the piles are those of
+    /// a frame.
     ///
     /// The stiffness K at the upper end of a part of the pile grows by the springs of the soil,
     /// loses the flexibility of the pile and moves with its point of reference:
@@ -41,7 +42,7 @@ impl Tower {
     /// It is integrated from the tip up.
     pub fn pile_head(&self) -> Option<HeadStiffness> {
         let (surface_m, base) = (self.ground_surface_m()?, self.base());
-        if !(base.moves[0] && base.moves[4]) {
+        if base.on_frame || !(base.moves[0] && base.moves[4]) {
             return None;
         }
         let k = &base.stiffness;

@@ -11,9 +11,7 @@ mod scale;
 mod surroundings;
 
 pub(super) use foundation::largest_asymmetry;
-pub(super) use ground::{
-    check_frame_in_ground, check_springs_of_frame, check_springs_of_ground,
-};
+pub(super) use ground::{check_frame_in_ground, check_springs_of_frame, check_springs_of_ground};
 pub(crate) use rotor::check_rotor;
 
 use damping::check_damping;

@@ -45,7 +45,10 @@ pub(in crate::tower::validate) fn check_ground(
 }
 
 /// The ground around the piles of a frame.
-pub(in crate::tower) fn check_frame_in_ground(frame: &FrameDescription, ground: &Ground) -> Checked {
+pub(in crate::tower) fn check_frame_in_ground(
+    frame: &FrameDescription,
+    ground: &Ground,
+) -> Checked {
     check_inputs(ground, at)?;
     let piles = match FramePile::all(frame, ground) {
         Ok(piles) => piles,
@@ -80,7 +83,10 @@ pub(in crate::tower) fn check_frame_in_ground(frame: &FrameDescription, ground: 
 fn check_above_ground(ground: &Ground, base_m: f64) -> Checked {
     let surface_m = ground.scoured_surface_m();
     match base_m < surface_m {
-        true => error(at("surface"), Problem::TowerOnFrameInSoil { base_m, surface_m }),
+        true => error(
+            at("surface"),
+            Problem::TowerOnFrameInSoil { base_m, surface_m },
+        ),
         false => Ok(()),
     }
 }

@@ -1,0 +1,125 @@
+//! Piles of a frame in the ground: close to each other, members there without springs, joints just
+//! off the surface.
+
+use crate::tower::frame::{FrameDescription, MemberKind, difference, norm};
+use crate::tower::ground::{FramePile, Ground, buried};
+use crate::tower::{Place, Site, Warning};
+
+/// Piles closer than this, in diameters, soften each other: in tests of groups the springs across
+/// a pile lose a fifth at four diameters.
+const GROUP_DIAMETERS: f64 = 3.0;
+/// A joint nearer to the surface than this, m, was probably meant to be at it.
+const NEAR_M: f64 = 0.05;
+
+pub(super) fn check(frame: &FrameDescription, ground: &Ground, warnings: &mut Vec<Warning>) {
+    let piles = FramePile::all(frame, ground).unwrap_or_default();
+    let site = Site::at(Place::Ground { key: "surface" });
+    warnings.extend(group(frame, ground, &piles, site));
+    without_springs(frame, ground, site, warnings);
+    near_surface(frame, ground, &piles, site, warnings);
+}
+
+/// The two piles that are closest to each other in diameters, if they are a group.
+fn group(
+    frame: &FrameDescription,
+    ground: &Ground,
+    piles: &[FramePile],
+    site: Site,
+) -> Option<Warning> {
+    let heads = piles.iter().map(|pile| head(frame, ground, pile));
+    let heads: Vec<Head> = heads.collect::<Option<_>>()?;
+    let pairs = heads.iter().enumerate().flat_map(|(index, first)| {
+        let others = heads[..index].iter();
+        others.map(move |second| {
+            let apart_m = norm(difference(first.position_m, second.position_m));
+            let diameters = apart_m / first.diameter_m.max(second.diameter_m);
+            (diameters, second.member, first.member)
+        })
+    });
+    let (diameters, first, second) = pairs.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let name = |member: usize| frame.members[member].name.clone();
+    (diameters < GROUP_DIAMETERS).then(|| Warning::PileGroup {
+        site,
+        first: name(first),
+        second: name(second),
+        diameters,
+        least: GROUP_DIAMETERS,
+    })
+}
+
+/// A pile at the surface of the ground, or at its upper end if that is below the surface.
+struct Head {
+    member: usize,
+    position_m: [f64; 3],
+    diameter_m: f64,
+}
+
+fn head(frame: &FrameDescription, ground: &Ground, pile: &FramePile) -> Option<Head> {
+    let uppermost = pile.members.first()?;
+    let [upper, lower] = uppermost.ends_m(frame);
+    let rise = (ground.scoured_surface_m() - lower[2]) / (upper[2] - lower[2]);
+    let share = rise.clamp(0.0, 1.0);
+    let alone = pile.alone(frame, ground);
+    Some(Head {
+        member: uppermost.member,
+        position_m: std::array::from_fn(|i| lower[i] + share * (upper[i] - lower[i])),
+        diameter_m: alone.stations.last()?.outer_diameter_m,
+    })
+}
+
+/// Members in the ground that are no piles.
+fn without_springs(
+    frame: &FrameDescription,
+    ground: &Ground,
+    site: Site,
+    warnings: &mut Vec<Warning>,
+) {
+    let (_, flat) = buried(frame, ground);
+    let flat = flat.into_iter().map(|part| {
+        let why =
+            "it is closer to horizontal than 30 degrees, and the models of springs are for piles";
+        (part.member, why)
+    });
+    let members = frame.members.iter().enumerate();
+    let others = members.filter_map(|(index, member)| {
+        let ends = member.joints.map(|joint| frame.joints[joint].position_m);
+        let lowest_m = ends[0][2].min(ends[1][2]);
+        let is_in_ground = lowest_m < ground.scoured_surface_m() && ends[0] != ends[1];
+        let why = match member.kind {
+            MemberKind::Beam { .. } | MemberKind::Spring(_) => return None,
+            MemberKind::Cable { .. } => "it is a cable",
+            MemberKind::Rigid { .. } => "it is a rigid link, which has no diameter",
+        };
+        is_in_ground.then_some((index, why))
+    });
+    warnings.extend(flat.chain(others).map(|(member, why)| {
+        let member = frame.members[member].name.clone();
+        Warning::NoSpringsOfSoil { site, member, why }
+    }));
+}
+
+/// Joints of piles that miss the surface by a little.
+fn near_surface(
+    frame: &FrameDescription,
+    ground: &Ground,
+    piles: &[FramePile],
+    site: Site,
+    warnings: &mut Vec<Warning>,
+) {
+    let surface_m = ground.surface_m;
+    let members = piles.iter().flat_map(|pile| &pile.members);
+    let joints = members.flat_map(|part| frame.members[part.member].joints);
+    let mut seen = Vec::new();
+    for joint in joints.map(|joint| &frame.joints[joint]) {
+        let off_m = (joint.position_m[2] - surface_m).abs();
+        if off_m > 0.0 && off_m < NEAR_M && !seen.contains(&&joint.name) {
+            seen.push(&joint.name);
+            warnings.push(Warning::JointNearSurface {
+                site,
+                joint: joint.name.clone(),
+                height_m: joint.position_m[2],
+                surface_m,
+            });
+        }
+    }
+}
