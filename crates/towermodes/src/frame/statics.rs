@@ -1,8 +1,8 @@
 //! The axial forces of members at rest under weight, for their geometric stiffness.
 //!
 //! K u = f with the weights f; the force in a beam follows from its elongation, less what its own
-//! distributed weight and the friction of soil along it elongate. Water around members has no weight
-//! here, and buoyancy is left out.
+//! distributed weight and the friction of soil along it elongate. Water around members has no
+//! weight here, and buoyancy is left out.
 
 use super::assembly::{Assembled, Carrier, PlacedElement};
 use super::elimination::Factors;

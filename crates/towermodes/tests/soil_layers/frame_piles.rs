@@ -205,8 +205,8 @@ fn the_head_of_a_pile_has_the_static_stiffness_of_that_of_a_tower() {
     }
 }
 
-/// Four piles, battered or not, with a brace, below a stiff transition piece; turned by an angle and
-/// mirrored.
+/// Four piles, battered or not, with a brace, below a rigid transition piece; turned by an angle
+/// and mirrored.
 fn four_piles(batter_m: f64, angle: f64, mirror: f64, parts: usize) -> FrameDescription {
     let steel = Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10);
     let (sin, cos) = angle.sin_cos();
@@ -279,10 +279,7 @@ fn on_four_piles(frame: FrameDescription) -> TowerDescription {
 fn piles_that_are_turned_mirrored_and_divided_give_the_same_frequencies() {
     for batter_m in [0.0, 6.0] {
         let of = |angle: f64, mirror: f64, parts: usize| {
-            frequencies(&on_four_piles(
-                four_piles(batter_m, angle, mirror, parts),
-                angle,
-            ))
+            frequencies(&on_four_piles(four_piles(batter_m, angle, mirror, parts)))
         };
         let plain = of(0.0, 1.0, 1);
         assert_same("turned", &of(0.7, 1.0, 1), &plain, 1e-11);

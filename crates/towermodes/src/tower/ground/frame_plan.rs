@@ -12,8 +12,8 @@ use crate::tower::description::TowerDescription;
 use crate::tower::error::TowerError;
 use crate::tower::validate::{check_frame_in_ground, check_springs_of_frame};
 
-/// An element of a pile is at most this many times (4 EI/k)^¼ long, over which a pile bends in soil:
-/// then a polynomial of degree 8 has ten digits.
+/// An element of a pile is at most this many times (4 EI/k)^¼ long, over which a pile bends in
+/// soil: then a polynomial of degree 8 has ten digits.
 const LONGEST: f64 = 2.0;
 /// The most elements of one section: stiffer soil holds the pile at its surface anyway.
 const MOST_ELEMENTS: f64 = 32.0;
