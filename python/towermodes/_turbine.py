@@ -263,8 +263,8 @@ class TurbineModes(Computed):
     def energy(self) -> dict[str, Array]:
         """Fractions of the elastic energy by part: each (modes,). For each mode they sum to 1.
 
-        The parts are the motions of a floating platform (`platform_surge` to `platform_yaw`),
-        `tower_fore_aft`, `tower_side_side`, `tower_torsion`, `tower_axial`, `yaw_drive`, `shaft`,
+        The parts are the motions of a floating platform (`platform_surge` to `platform_yaw`), the
+        frame below the tower by itself (`substructure`), `tower_fore_aft`, `tower_side_side`, `tower_torsion`, `tower_axial`, `yaw_drive`, `shaft`,
         and `flapwise`, `edgewise`, `blade_torsion`, `blade_axial`, each with `_collective`,
         `_forward` and `_backward`.
         """

@@ -15,7 +15,7 @@ use crate::model::Model;
 use crate::tower::Tower;
 
 /// Number of parts that energies are given for.
-const PARTS: usize = 24;
+const PARTS: usize = 25;
 
 /// The modes of a turbine at a speed.
 #[pyclass(frozen, module = "towermodes._towermodes")]
@@ -42,6 +42,7 @@ fn energy_parts() -> Vec<String> {
         "platform_roll",
         "platform_pitch",
         "platform_yaw",
+        "substructure",
         "tower_fore_aft",
         "tower_side_side",
         "tower_torsion",
@@ -63,6 +64,7 @@ fn energy_parts() -> Vec<String> {
 /// These fractions, in the order of [`energy_parts`].
 fn fractions(energy: &TurbineEnergy) -> [f64; PARTS] {
     let stationary = [
+        energy.substructure,
         energy.tower_fore_aft,
         energy.tower_side_side,
         energy.tower_torsion,

@@ -563,7 +563,7 @@ fn a_frame_reduced_to_its_transition_piece_has_the_counts_of_the_whole() {
         panic!("a frame");
     };
     let nothing = [[0.0; 6]; 6];
-    let mut below = FrameBelow::new(&foundation, &nothing, 0.0, 8).expect("equations");
+    let mut below = FrameBelow::new(&foundation, (0.0, 0.0), &nothing, 8).expect("equations");
     // The centre moves by v + θ × c.
     let [x, y, z] = body.center_m;
     let center = [
@@ -581,7 +581,7 @@ fn a_frame_reduced_to_its_transition_piece_has_the_counts_of_the_whole() {
     for k in 0..200 {
         let hz = 0.05 * 1.04_f64.powi(k);
         let lambda = (std::f64::consts::TAU * hz).powi(2);
-        let reduced = below.at(lambda);
+        let reduced = below.seen_from_base(-lambda);
         let sum: [[f64; 6]; 6] = std::array::from_fn(|i| {
             std::array::from_fn(|j| reduced.stiffness[i][j] - lambda * inertia[i][j])
         });

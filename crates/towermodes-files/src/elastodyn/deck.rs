@@ -204,10 +204,6 @@ impl Model {
         if self.has_no_blades(options) {
             return TurbineReading::missing(self.no_blades());
         }
-        if self.below.foundation.frame().is_some() {
-            let message = "a turning rotor is not solved together with a substructure of members yet: the rotor is a rigid body";
-            return TurbineReading::missing(Note::approximation(message));
-        }
         let mut turbine = turbine::turbine(&Parts {
             main: &self.main,
             source: &self.found.source,

@@ -181,6 +181,9 @@ struct EnergyJson {
     /// A floating platform in surge, sway, heave, roll, pitch and yaw, with mooring, water and
     /// gravity; 0 for other foundations.
     platform: [f64; 6],
+    /// Members of the frame below the tower that move by themselves, with its transition piece
+    /// held; 0 for other foundations.
+    substructure: f64,
     /// Bending of the tower downwind, with the soil and the foundation.
     tower_fore_aft: f64,
     /// Bending of the tower sideways, with the soil and the foundation.
@@ -368,6 +371,7 @@ fn shares(energy: &TurbineEnergy) -> EnergyJson {
         energy.blades.map(|energy| harmonics(&energy));
     EnergyJson {
         platform: energy.platform,
+        substructure: energy.substructure,
         tower_fore_aft: energy.tower_fore_aft,
         tower_side_side: energy.tower_side_side,
         tower_torsion: energy.tower_torsion,

@@ -15,7 +15,7 @@
 use super::model::Beam;
 use super::product::factors;
 use crate::scalar::{Complex, Scalar};
-use crate::space::{SquareMatrix, transform_force, transform_matrix};
+use crate::space::{Matrix, SquareMatrix, transform_force, transform_matrix};
 use crate::subsystem::Coefficients;
 
 /// Pivots closer to zero than this are moved there, to the negative side: an eigenvalue hit exactly
@@ -44,39 +44,43 @@ pub fn count_negative<const D: usize>(
     a: &Coefficients,
     work: &mut Factors,
 ) -> usize {
-    count_negative_under(beam, a, [[0.0; D]; D], work)
+    count_negative_between(beam, a, ([[0.0; D]; D], None), work)
 }
 
-/// The same with a matrix `above` added for the motion of the top.
-pub(super) fn count_negative_under<const D: usize, S: Scalar>(
+/// What is added at the ends of a beam: a matrix for the motion of its top, and possibly one for
+/// that of a base that moves.
+pub(super) type Ends<'a, S, const D: usize> = (SquareMatrix<S, D>, Option<&'a Matrix<D>>);
+
+/// The same with matrices added at both ends.
+pub(super) fn count_negative_between<const D: usize, S: Scalar>(
     beam: &Beam<D>,
     a: &Coefficients,
-    above: SquareMatrix<S, D>,
+    ends: Ends<'_, S, D>,
     work: &mut Factors<S>,
 ) -> usize {
     let mut base = std::mem::take(&mut work.scratch);
-    let negative = eliminate_all(beam, a, above, work, &mut base, |_, _| {});
+    let negative = eliminate_all(beam, a, ends, work, &mut base, |_, _| {});
     work.scratch = base;
     negative
 }
 
 /// Factors a matrix A of the beam and returns the number of its negative eigenvalues.
 pub fn factorize<const D: usize>(beam: &Beam<D>, a: &Coefficients, work: &mut Factors) -> usize {
-    factorize_under(beam, a, [[0.0; D]; D], work)
+    factorize_between(beam, a, ([[0.0; D]; D], None), work)
 }
 
-/// The same with a matrix `above` added for the motion of the top.
-pub(super) fn factorize_under<const D: usize, S: Scalar>(
+/// The same with matrices added at both ends.
+pub(super) fn factorize_between<const D: usize, S: Scalar>(
     beam: &Beam<D>,
     a: &Coefficients,
-    above: SquareMatrix<S, D>,
+    ends: Ends<'_, S, D>,
     work: &mut Factors<S>,
 ) -> usize {
     let size = beam.rows() * beam.rows();
     let mut elements = std::mem::take(&mut work.elements);
     elements.resize(size * beam.elements(), S::default());
     let mut base = std::mem::take(&mut work.base);
-    let negative = eliminate_all(beam, a, above, work, &mut base, |element, matrix| {
+    let negative = eliminate_all(beam, a, ends, work, &mut base, |element, matrix| {
         elements[element * size..(element + 1) * size].copy_from_slice(matrix);
     });
     (work.elements, work.base) = (elements, base);
@@ -88,7 +92,7 @@ pub(super) fn factorize_under<const D: usize, S: Scalar>(
 fn eliminate_all<const D: usize, S: Scalar>(
     beam: &Beam<D>,
     a: &Coefficients,
-    above: SquareMatrix<S, D>,
+    (above, below): Ends<'_, S, D>,
     work: &mut Factors<S>,
     base: &mut Vec<S>,
     record: impl FnMut(usize, &[S]),
@@ -96,7 +100,7 @@ fn eliminate_all<const D: usize, S: Scalar>(
     let factors = factors(a);
     let own = |element, matrix: &mut [S]| combine(beam, &factors, element, matrix);
     let (above, negative) = eliminate_elements(beam, a.stiffness, above, work, own, record);
-    negative + eliminate_base(beam, &factors, above, base)
+    negative + eliminate_base(beam, &factors, (above, below), base)
 }
 
 /// Eliminates the coordinates of the elements from the top down, where everything above them is the
@@ -267,11 +271,12 @@ fn combine<const D: usize, S: Scalar>(
     }
 }
 
-/// Eliminates the coordinates of the base, where everything above it is the matrix `above`.
+/// Eliminates the coordinates of the base, where everything above it is the matrix `above`, and
+/// what it stands on adds `below`.
 fn eliminate_base<const D: usize, S: Scalar>(
     beam: &Beam<D>,
     factors: &[f64; 3],
-    above: SquareMatrix<S, D>,
+    (above, below): Ends<'_, S, D>,
     matrix: &mut Vec<S>,
 ) -> usize {
     matrix.clear();
@@ -282,6 +287,11 @@ fn eliminate_base<const D: usize, S: Scalar>(
     for (factor, own) in factors.iter().zip(&base.matrices) {
         for (sum, own) in sum.as_flattened_mut().iter_mut().zip(own.as_flattened()) {
             *sum += S::real(factor * own);
+        }
+    }
+    if let Some(below) = below {
+        for (sum, own) in sum.as_flattened_mut().iter_mut().zip(below.as_flattened()) {
+            *sum += S::real(*own);
         }
     }
     for i in base.moving() {

@@ -2,14 +2,14 @@
 //! its axis in phasors.
 
 use super::blade::phasors::{InertiaMatrix, Loads, inertia_loads, motions_along};
-use super::elimination::{Factors, count_negative_under, factorize_under};
+use super::elimination::{Factors, count_negative_between, factorize_between};
 use super::model::GEOMETRIC;
 use super::product::{base_motion, sweep_down};
 use super::strain::Strain;
 use super::substitution::solve_under;
 use super::subsystem::BeamSubsystem;
 use crate::scalar::{Complex, Scalar};
-use crate::space::SquareMatrix;
+use crate::space::{SpatialMatrix, SquareMatrix};
 use crate::subsystem::Coefficients;
 use crate::tower::Plane;
 
@@ -42,24 +42,26 @@ type Phasors = [Complex; 6];
 
 impl BeamSubsystem<6> {
     /// The number of negative eigenvalues of A with a matrix `above` added for the motion of the
-    /// top.
-    pub(crate) fn count_negative_under(
+    /// top, and one `below` for that of the base.
+    pub(crate) fn count_negative_between(
         &self,
         a: &Coefficients,
-        above: SquareMatrix<Complex, 6>,
+        (above, below): (SquareMatrix<Complex, 6>, Option<SpatialMatrix>),
         work: &mut TopWorkspace,
     ) -> usize {
-        count_negative_under(self.beam(), a, above, &mut work.factors)
+        let ends = (above, below.as_ref());
+        count_negative_between(self.beam(), a, ends, &mut work.factors)
     }
 
     /// The same, with the factors that [`solve_under`](Self::solve_under) needs.
-    pub(crate) fn factorize_under(
+    pub(crate) fn factorize_between(
         &self,
         a: &Coefficients,
-        above: SquareMatrix<Complex, 6>,
+        (above, below): (SquareMatrix<Complex, 6>, Option<SpatialMatrix>),
         work: &mut TopWorkspace,
     ) -> usize {
-        factorize_under(self.beam(), a, above, &mut work.factors)
+        let ends = (above, below.as_ref());
+        factorize_between(self.beam(), a, ends, &mut work.factors)
     }
 
     /// Solves with the last factors and a force at the top; returns the motion of the top.
@@ -157,17 +159,29 @@ impl BeamSubsystem<6> {
         x[..moving].iter().copied().chain(still).collect()
     }
 
+    /// Adds a force on the base to a right side or a product.
+    pub(crate) fn add_to_base(&self, force: &Phasors, x: &mut [Complex]) {
+        let Some(base) = &self.beam().base else {
+            return;
+        };
+        for (x, component) in x.iter_mut().zip(base.moving()) {
+            *x += force[component].times(base.unit[component]);
+        }
+    }
+
     /// The motion of the base.
     pub(crate) fn base_motion(&self, x: &[Complex]) -> Phasors {
         base_motion(self.beam(), &x[..self.beam().base_coordinates()])
     }
 
     /// The number of negative eigenvalues of the stiffness of the beam by itself, with a little of
-    /// its inertia (1/s²), so that motions which nothing resists do not count.
-    pub(crate) fn negative_stiffness(&self, inertia: f64) -> usize {
+    /// its inertia (1/s²), so that motions which nothing resists do not count, and with a matrix
+    /// `below` for the motion of the base.
+    pub(crate) fn negative_stiffness(&self, inertia: f64, below: Option<SpatialMatrix>) -> usize {
         let a = Coefficients::STIFFNESS.minus(-inertia, Coefficients::MASS);
         let mut work = Factors::<f64>::default();
-        count_negative_under(self.beam(), &a, [[0.0; 6]; 6], &mut work)
+        let ends = ([[0.0; 6]; 6], below.as_ref());
+        count_negative_between(self.beam(), &a, ends, &mut work)
     }
 
     /// Number of elements.

@@ -18,6 +18,7 @@ use crate::tower::frame::{Frame, FrameMember, JointKind, MemberKind};
 use crate::tower::{RigidBody, spatial_inertia};
 
 /// The weight of what does not deform, and of hinges: less than that of any element.
+const LOOSE: f64 = -3.0;
 const RIGID: f64 = -2.0;
 const HINGED: f64 = -1.0;
 
@@ -64,8 +65,30 @@ pub(super) fn assemble(
     recipe: FrameRecipe,
     tensions: &[(usize, Tension)],
 ) -> Result<Assembled, FrameSolveError> {
-    recipe.check()?;
+    made(Assembly::new(frame, recipe), tensions)
+}
+
+/// The same with the transition piece carried by six free motions of its own, the first unknowns:
+/// what hangs on it and on the ground meets in chords, so that all else can be eliminated before
+/// it.
+///
+/// # Errors
+/// [`FrameSolveError`]: as before, or a transition piece that a support holds rigidly.
+pub(super) fn assemble_below_transition(
+    frame: &Frame,
+    recipe: FrameRecipe,
+    tensions: &[(usize, Tension)],
+) -> Result<Assembled, FrameSolveError> {
     let mut assembly = Assembly::new(frame, recipe);
+    assembly.has_loose_transition = true;
+    made(assembly, tensions)
+}
+
+fn made(
+    mut assembly: Assembly<'_>,
+    tensions: &[(usize, Tension)],
+) -> Result<Assembled, FrameSolveError> {
+    assembly.recipe.check()?;
     assembly.tensions = tensions.iter().copied().collect();
     assembly.place_joints();
     assembly.place_members();
@@ -88,6 +111,8 @@ struct Assembly<'a> {
     graph: Graph,
     joints: Vec<Node>,
     transition: Node,
+    /// Whether the transition piece is carried by free motions of its own.
+    has_loose_transition: bool,
     /// The node of each end of each member.
     ends: Vec<[Node; 2]>,
     memory: MemberElement,
@@ -105,6 +130,7 @@ impl<'a> Assembly<'a> {
             graph: Graph::default(),
             joints: Vec::new(),
             transition: None,
+            has_loose_transition: false,
             ends: Vec::new(),
             memory: MemberElement::default(),
             matrices: Vec::new(),
@@ -140,6 +166,10 @@ impl<'a> Assembly<'a> {
             .graph
             .add_node(transition.position_m, transition.joints[0]);
         self.transition = Some(node);
+        if self.has_loose_transition {
+            let ends = [None, Some(node)];
+            self.graph.connect(ends, EdgeKind::Free([true; 6]), LOOSE);
+        }
         for joint in &transition.joints {
             let ends = [Some(node), self.joints[*joint]];
             self.graph.connect(ends, EdgeKind::Rigid, RIGID);
@@ -345,6 +375,9 @@ impl<'a> Assembly<'a> {
             nodes,
             ..Equations::default()
         };
+        if self.has_loose_transition {
+            self.check_loose(&branches)?;
+        }
         let mut is_branch = vec![false; self.graph.edges.len()];
         for branch in &branches {
             is_branch[branch.edge] = true;
@@ -398,6 +431,39 @@ impl<'a> Assembly<'a> {
             }
             EdgeKind::Free(_) | EdgeKind::Rigid | EdgeKind::Element { .. } => Ok(()),
         }
+    }
+
+    /// Between the transition piece, if it is loose, and the ground must be a member that deforms.
+    fn check_loose(&self, branches: &[Branch]) -> Result<(), FrameSolveError> {
+        let mut on_transition = vec![false; self.graph.positions_m.len()];
+        let hangs = |on_transition: &[bool], node: Node| node.is_some_and(|n| on_transition[n]);
+        for branch in branches {
+            let [from, to] = self.graph.edges[branch.edge].ends;
+            let [parent, child] = if branch.reversed {
+                [to, from]
+            } else {
+                [from, to]
+            };
+            if let Some(child) = child {
+                on_transition[child] =
+                    Some(child) == self.transition || hangs(&on_transition, parent);
+            }
+        }
+        for edge in &self.graph.edges {
+            let [near, far] = edge.ends.map(|end| hangs(&on_transition, end));
+            let deforms = match edge.kind {
+                EdgeKind::Rigid | EdgeKind::Hinge(_) => false,
+                EdgeKind::Free(free) => free == [true; 6],
+                EdgeKind::Element { .. } => true,
+            };
+            if near != far && !deforms {
+                let node = edge.ends[1].or(edge.ends[0]).unwrap_or_default();
+                let joint = &self.frame.description().joints[self.graph.joints[node]];
+                let joint = joint.name.clone();
+                return Err(FrameSolveError::RigidTransition { joint });
+            }
+        }
+        Ok(())
     }
 
     /// Whether something resists the rotation of each node: cables do not.

@@ -1,141 +1,287 @@
-//! A frame below its transition piece: at each λ a 6×6 matrix there, and a count.
+//! A frame below a tower: at each frequency a 6×6 matrix at the tower's base, and a count.
 //!
-//! With the frame's matrix A = K − λM for its own unknowns and the motion J y of the transition
-//! piece, J A⁻¹ Jᵀ is the flexibility of the frame at λ, and its inverse D is all that what stands
-//! on the frame feels of it. Of the negative eigenvalues of A as many belong to D as D has, and the
-//! others to the frame with its transition piece held (Haynsworth 1968). So
+//! The transition piece is the root of a tree of its own and is eliminated last: what is left is all
+//! that the tower feels of the frame. The elimination is a congruence (Haynsworth 1968), so
 //!
-//! negative eigenvalues of the whole = those with the transition piece held + those of D + B,
-//!
-//! where B is the matrix of what stands on it, reduced to the same point with its own count.
+//! negative eigenvalues of the whole = those of the frame with its transition piece held + those of
+//! what stands on it with this matrix at its base.
 
-use super::assembly::{Assembled, assemble};
-use super::carrying::add_platform;
+use super::assembly::{Assembled, assemble_below_transition};
+use super::carrying::{add_platform, add_rigidly};
 use super::elimination::Factors;
 use super::equations::{ELASTIC, Equations, GEOMETRIC, GROUND, INERTIA, KINDS};
 use super::error::FrameSolveError;
+use super::hinge::UNIT;
 use super::order::Order;
+use super::product::Sweep;
 use super::recipe::FrameRecipe;
-use super::rigid::Motion;
+use super::rigid::{Motion, NONE, moved, product, rigid_transfer, transposed_product};
 use super::statics::with_tensions;
-use crate::space::{SpatialMatrix, add_scaled, eigenpairs};
+use crate::scalar::{Complex, Scalar};
+use crate::space::SpatialMatrix;
 use crate::tower::frame::FrameFoundation;
 
-/// A flexibility less than this fraction of the largest is that of a motion that is held: it is
-/// taken as so large.
-const HELD: f64 = 1e-15;
+/// Motions of the transition piece: the first unknowns.
+const OF_TRANSITION: usize = 6;
+/// A little inertia, 1/s², so that motions that nothing resists do not divide by zero.
+const ALMOST_STILL: f64 = 1e-10;
 
-/// A frame below its transition piece, with the memory to reduce it again and again.
+/// A motion or a force in phasors.
+type Phasors = [Complex; 6];
+
+/// A frame with its transition piece, for the motion of the base of a tower on it.
 #[derive(Debug, Clone)]
 pub struct FrameBelow {
     equations: Equations,
     order: Order,
-    node: usize,
+    /// The motion of the transition piece for that of the base.
+    from_base: SpatialMatrix,
     factors: Factors,
-    x: Vec<f64>,
-    forces: Vec<Motion>,
-    motions: Vec<Motion>,
+    counted: Factors,
+    sweep: Sweep,
+    real: Vec<f64>,
+    product: Vec<f64>,
+    /// The stiffness that the base feels at rest.
+    at_rest: SpatialMatrix,
 }
 
-/// What is left of a frame at its transition piece at a λ.
+/// What is left of a frame at the base of the tower.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReducedFrame {
-    /// D: the force (N, N m) on the reference point of the transition piece for its motion (x, y,
-    /// z, rotation about x, y, z; m, rad), with the inertia of frame and platform.
+    /// The force (N, N m) on the base for its motion (x, y, z, rotation about x, y, z; m, rad), with
+    /// the inertia of frame and platform.
     pub stiffness: SpatialMatrix,
-    /// Eigenvalues below λ of the frame with its transition piece held.
+    /// Number of negative eigenvalues of the frame with the base held.
     pub count: usize,
 }
 
 impl FrameBelow {
-    /// The frame under what has the inertia `carried` about the reference point of the transition
-    /// piece: its weight at this gravity (m/s²) presses on the members. Their elements have this
-    /// degree. The inertia itself is left out of the matrices.
+    /// A frame whose members have elements of a degree, under a tower with its base at a height (m)
+    /// that carries gravity (m/s²) and has this inertia as a rigid body about its base, with all
+    /// that is on it.
     ///
     /// # Errors
     /// [`FrameSolveError`].
     pub fn new(
         foundation: &FrameFoundation,
+        (base_m, gravity_m_per_s2): (f64, f64),
         carried: &SpatialMatrix,
-        gravity_m_per_s2: f64,
         degree: usize,
     ) -> Result<Self, FrameSolveError> {
+        let [_, _, reference_m] = foundation.reference_m();
+        let rise_m = base_m - reference_m;
         let recipe = FrameRecipe::Spectral { degree };
-        let on_members = match foundation.weight_on_members {
+        let members_n = match foundation.weight_on_members {
             true => gravity_m_per_s2,
             false => 0.0,
         };
-        let with_platform = |assembled: &mut Assembled| {
-            if let Some(node) = assembled.transition {
-                let equations = &mut assembled.equations;
-                add_platform(equations, node, &foundation.platform, gravity_m_per_s2);
-                add_scaled(&mut equations.nodes[node][INERTIA], 1.0, carried);
-            }
-        };
-        let mut assembled = with_tensions(
+        let Assembled {
+            mut equations,
+            transition,
+            ..
+        } = with_tensions(
             &foundation.frame,
-            on_members,
-            |frame, tensions| assemble(frame, recipe, tensions),
-            with_platform,
+            members_n,
+            |frame, tensions| assemble_below_transition(frame, recipe, tensions),
+            |assembled| {
+                if let Some(node) = assembled.transition {
+                    let equations = &mut assembled.equations;
+                    add_platform(equations, node, &foundation.platform, gravity_m_per_s2);
+                    add_rigidly(equations, (node, rise_m), [*carried, NONE, NONE]);
+                }
+            },
         )?;
-        let node = assembled.transition.ok_or(FrameSolveError::NoTransition)?;
-        // It weighs on the frame, but its inertia is not the frame's.
-        add_scaled(&mut assembled.equations.nodes[node][INERTIA], -1.0, carried);
-        Ok(Self {
-            order: Order::new(&assembled.equations),
-            equations: assembled.equations,
-            node,
+        let node = transition.ok_or(FrameSolveError::NoTransition)?;
+        // What the tower weighs was there for the tensions; it moves by itself.
+        equations.nodes.pop();
+        equations.links.pop();
+        let mut own = Self {
+            order: Order::ending_with(&equations, Some(node)),
+            equations,
+            from_base: rigid_transfer([0.0, 0.0, -rise_m]),
+            at_rest: NONE,
             factors: Factors::default(),
-            x: Vec::new(),
-            forces: Vec::new(),
-            motions: Vec::new(),
-        })
+            counted: Factors::default(),
+            sweep: Sweep::default(),
+            real: Vec::new(),
+            product: Vec::new(),
+        };
+        own.at_rest = own.seen_from_base(ALMOST_STILL).stiffness;
+        Ok(own)
     }
 
-    /// Eliminates the frame at a λ = ω² (rad²/s²) to its transition piece.
-    pub fn at(&mut self, lambda: f64) -> ReducedFrame {
+    /// Number of coordinates beside the motion of the base.
+    pub(crate) fn degrees_of_freedom(&self) -> usize {
+        self.equations.unknowns - OF_TRANSITION
+    }
+
+    /// The matrix K + a M that the base feels.
+    pub fn seen_from_base(&mut self, inertia: f64) -> ReducedFrame {
+        let mut factors = std::mem::take(&mut self.counted);
+        let seen = self.eliminate(inertia, &mut factors);
+        self.counted = factors;
+        seen
+    }
+
+    /// The same, with the factors for a solution.
+    pub(crate) fn factorize(&mut self, inertia: f64) -> ReducedFrame {
+        let mut factors = std::mem::take(&mut self.factors);
+        let seen = self.eliminate(inertia, &mut factors);
+        self.factors = factors;
+        seen
+    }
+
+    fn eliminate(&self, inertia: f64, factors: &mut Factors) -> ReducedFrame {
+        let mut all = stiffness();
+        all[INERTIA] = inertia;
+        let (matrix, count) = self
+            .equations
+            .factorize_to_last(&self.order, (&all, 1.0), factors);
+        let x = &self.from_base;
+        ReducedFrame {
+            stiffness: transposed_product(x, &product(&matrix, x)),
+            count,
+        }
+    }
+
+    /// Eliminates the coordinates from a right side; returns the force on the base.
+    pub(crate) fn reduce(&mut self, right: &mut [Complex]) -> Phasors {
+        let force = self.of_parts(&Phasors::default(), right, |own, _, x| {
+            own.equations
+                .reduce_to_last(&own.order, &mut own.factors, x)
+        });
+        self.at_base(&force)
+    }
+
+    /// Finds the coordinates from the motion of the base, in place of a reduced right side.
+    pub(crate) fn substitute(&mut self, base: &Phasors, right: &mut [Complex]) {
+        self.of_parts(base, right, |own, motion, x| {
+            let Self {
+                equations,
+                order,
+                factors,
+                ..
+            } = own;
+            equations.substitute_from_last(order, factors, motion, x);
+            motion
+        });
+    }
+
+    /// out = M x for the motion of the base and the coordinates x; returns the force on the base
+    /// and xᴴ M x.
+    pub(crate) fn inertia_times(
+        &mut self,
+        base: &Phasors,
+        x: &[Complex],
+        out: &mut [Complex],
+    ) -> (Phasors, f64) {
         let mut factors = [0.0; KINDS];
-        (factors[INERTIA], factors[GROUND]) = (-lambda, 1.0);
-        (factors[GEOMETRIC], factors[ELASTIC]) = (1.0, 1.0);
-        let a = (&factors, 1.0);
-        let negative = self.equations.factorize(&self.order, a, &mut self.factors);
-        let (flexibilities, directions) = eigenpairs(self.flexibility());
-        let most = flexibilities
-            .iter()
-            .fold(0.0, |most: f64, f| most.max(f.abs()));
-        let own = flexibilities.iter().filter(|f| **f < 0.0).count();
-        let mut stiffness = [[0.0; 6]; 6];
-        for (flexibility, direction) in flexibilities.iter().zip(&directions) {
-            let resisted = 1.0 / flexibility.abs().max(HELD * most).copysign(*flexibility);
-            for (row, a) in stiffness.iter_mut().zip(direction) {
-                row.iter_mut()
-                    .zip(direction)
-                    .for_each(|(entry, b)| *entry += resisted * a * b);
+        factors[INERTIA] = 1.0;
+        self.times((&factors, 0.0), base, x, out)
+    }
+
+    /// Twice the elastic energy, with what holds the frame and with gravity: by component of the
+    /// motion of the base what the frame has if it follows this motion at rest, and what it has
+    /// besides, by motions of its own with the base held. The two add up, as K of one times the
+    /// other is zero.
+    pub(crate) fn energies(&mut self, base: &Phasors, x: &[Complex]) -> ([f64; 6], f64) {
+        let mut out = vec![Complex::default(); x.len()];
+        let (_, all) = self.times((&stiffness(), 1.0), base, x, &mut out);
+        let following = std::array::from_fn(|i| {
+            let row = self.at_rest[i].iter().zip(base);
+            let force: Complex = row.map(|(k, x)| x.times(*k)).sum();
+            (base[i].conj() * force).re
+        });
+        let own = all - following.iter().sum::<f64>();
+        (following, own.max(0.0))
+    }
+
+    /// The coordinates whose squares are elastic energies, those of the elements that carry nodes
+    /// and the bubbles of the others, of a vector.
+    pub(crate) fn strains<'x>(&self, x: &'x [Complex]) -> impl Iterator<Item = Complex> + 'x {
+        let links = self.equations.links.iter().filter(|link| link.own != 0.0);
+        let of_links = links.map(|link| (link.first, link.coordinates));
+        let chords = self.equations.chords.iter();
+        let of_chords = chords.map(|chord| (chord.first, chord.bubbles));
+        let all: Vec<(usize, usize)> = of_links.chain(of_chords).collect();
+        let all = all.into_iter().filter(|(_, count)| *count > 0);
+        all.flat_map(|(first, count)| &x[first - OF_TRANSITION..][..count])
+            .copied()
+    }
+
+    /// out = A x; returns the force on the base and xᴴ A x.
+    fn times(
+        &mut self,
+        a: (&[f64; KINDS], f64),
+        base: &Phasors,
+        x: &[Complex],
+        out: &mut [Complex],
+    ) -> (Phasors, f64) {
+        out.copy_from_slice(x);
+        let mut energy = 0.0;
+        let force = self.of_parts(base, out, |own, motion, x| {
+            set_transition(x, &motion);
+            let mut product = std::mem::take(&mut own.product);
+            product.resize(x.len(), 0.0);
+            own.equations.product(a, &mut own.sweep, x, &mut product);
+            energy += x.iter().zip(&product).map(|(x, f)| x * f).sum::<f64>();
+            x.copy_from_slice(&product);
+            own.product = product;
+            std::array::from_fn(|i| x[i] / UNIT)
+        });
+        (self.at_base(&force), energy)
+    }
+
+    /// Applies a real operation, which gets the motion of the transition piece and all unknowns, to
+    /// the real and to the imaginary part of a vector. What it returns are the parts of a force or
+    /// a motion.
+    fn of_parts(
+        &mut self,
+        base: &Phasors,
+        vector: &mut [Complex],
+        mut apply: impl FnMut(&mut Self, Motion, &mut [f64]) -> Motion,
+    ) -> Phasors {
+        let x = &self.from_base;
+        let [re, im] = [base.map(|x| x.re), base.map(|x| x.im)].map(|base| moved(x, &base));
+        let mut own = std::mem::take(&mut self.real);
+        let mut take = |part: &mut dyn FnMut(&mut Complex) -> &mut f64, motion: Motion| {
+            own.clear();
+            own.resize(OF_TRANSITION, 0.0);
+            own.extend(vector.iter_mut().map(|x| *part(x)));
+            let side = apply(self, motion, &mut own);
+            for (x, own) in vector.iter_mut().zip(&own[OF_TRANSITION..]) {
+                *part(x) = *own;
+            }
+            side
+        };
+        let real = take(&mut |x| &mut x.re, re);
+        let imaginary = take(&mut |x| &mut x.im, im);
+        self.real = own;
+        std::array::from_fn(|i| Complex::new(real[i], imaginary[i]))
+    }
+
+    /// A force on the transition piece as one on the base.
+    fn at_base(&self, force: &Phasors) -> Phasors {
+        let rows = self.from_base.iter().zip(force);
+        let mut sum = Phasors::default();
+        for (row, force) in rows {
+            for (sum, a) in sum.iter_mut().zip(row) {
+                *sum += force.times(*a);
             }
         }
-        ReducedFrame {
-            stiffness,
-            count: negative.saturating_sub(own),
-        }
+        sum
     }
+}
 
-    /// J A⁻¹ Jᵀ with the matrix factored last.
-    fn flexibility(&mut self) -> SpatialMatrix {
-        let mut flexibility = [[0.0; 6]; 6];
-        for (component, row) in flexibility.iter_mut().enumerate() {
-            self.forces.clear();
-            self.forces.resize(self.equations.nodes.len(), [0.0; 6]);
-            self.forces[self.node][component] = 1.0;
-            self.x.clear();
-            self.x.resize(self.equations.unknowns, 0.0);
-            self.equations.gather(&mut self.forces, &mut self.x);
-            self.equations
-                .solve(&self.order, &mut self.factors, &mut self.x);
-            self.equations.set_motions(&self.x, &mut self.motions);
-            *row = self.motions[self.node];
-        }
-        std::array::from_fn(|i| {
-            std::array::from_fn(|j| 0.5 * (flexibility[i][j] + flexibility[j][i]))
-        })
+/// The coefficients of the stiffness.
+fn stiffness() -> [f64; KINDS] {
+    let mut all = [0.0; KINDS];
+    (all[GROUND], all[GEOMETRIC], all[ELASTIC]) = (1.0, 1.0, 1.0);
+    all
+}
+
+fn set_transition(x: &mut [f64], motion: &Motion) {
+    for (x, motion) in x.iter_mut().zip(motion) {
+        *x = motion / UNIT;
     }
 }

@@ -169,25 +169,10 @@ fn add_tower(
     node: usize,
     rise_m: f64,
 ) -> (usize, Vec<Element>) {
-    let carried = |equations: &mut Equations, body: &[SpatialMatrix; 3]| {
-        let [inertia, ground, geometric] = *body;
-        equations.nodes.push([inertia, ground, geometric, NONE]);
-        equations.nodes.len() - 1
-    };
-    let foot = carried(equations, &branch.base);
-    equations.links.push(Link {
-        parent: Some(node),
-        child: foot,
-        transfer: rigid_transfer([0.0, 0.0, rise_m]),
-        tip: Vec::new(),
-        first: equations.unknowns,
-        coordinates: 0,
-        own: 0.0,
-        matrices: [const { Vec::new() }; KINDS],
-    });
+    let foot = add_rigidly(equations, (node, rise_m), branch.base);
     let (mut parent, mut elements) = (foot, Vec::with_capacity(branch.links.len()));
     for link in &branch.links {
-        let child = carried(equations, &link.body);
+        let child = add_node(equations, &link.body);
         let element = Element::new(link.transfer, link.tips.clone(), link.matrices.clone());
         let [inertia, ground, geometric] = element.matrices.clone();
         equations.links.push(Link {
@@ -205,6 +190,32 @@ fn add_tower(
         parent = child;
     }
     (foot, elements)
+}
+
+/// Adds a node with a body `rise_m` (m) above another one, on which it is fixed; returns it.
+pub(super) fn add_rigidly(
+    equations: &mut Equations,
+    (node, rise_m): (usize, f64),
+    body: [SpatialMatrix; 3],
+) -> usize {
+    let child = add_node(equations, &body);
+    equations.links.push(Link {
+        parent: Some(node),
+        child,
+        transfer: rigid_transfer([0.0, 0.0, rise_m]),
+        tip: Vec::new(),
+        first: equations.unknowns,
+        coordinates: 0,
+        own: 0.0,
+        matrices: [const { Vec::new() }; KINDS],
+    });
+    child
+}
+
+fn add_node(equations: &mut Equations, body: &[SpatialMatrix; 3]) -> usize {
+    let [inertia, ground, geometric] = *body;
+    equations.nodes.push([inertia, ground, geometric, NONE]);
+    equations.nodes.len() - 1
 }
 
 /// The geometric stiffness of a unit weight at r on a rigid body: a force F of constant direction

@@ -38,9 +38,34 @@ impl Equations {
         a: Combination<'_>,
         factors: &mut Factors,
     ) -> usize {
+        self.factorize_steps(order, &order.steps, a, factors)
+    }
+
+    /// Eliminates all nodes but the last one; returns the matrix that it feels, and the number of
+    /// negative eigenvalues of A with this node held.
+    pub(super) fn factorize_to_last(
+        &self,
+        order: &Order,
+        a: Combination<'_>,
+        factors: &mut Factors,
+    ) -> (SpatialMatrix, usize) {
+        let Some((last, steps)) = order.steps.split_last() else {
+            return (NONE, 0);
+        };
+        let negative = self.factorize_steps(order, steps, a, factors);
+        (factors.diagonal[last.node], negative)
+    }
+
+    fn factorize_steps(
+        &self,
+        order: &Order,
+        steps: &[Step],
+        a: Combination<'_>,
+        factors: &mut Factors,
+    ) -> usize {
         let mut negative = self.begin(order, a, factors);
         factors.fronts.resize(order.steps.len(), Vec::new());
-        for (place, step) in order.steps.iter().enumerate() {
+        for (place, step) in steps.iter().enumerate() {
             let mut front = std::mem::take(&mut factors.fronts[place]);
             negative += eliminate_node(&self.links[step.link], step, factors, &mut front);
             factors.fronts[place] = front;
@@ -81,12 +106,50 @@ impl Equations {
 
     /// x ← A⁻¹ x with the matrix factored last.
     pub(super) fn solve(&self, order: &Order, factors: &mut Factors, x: &mut [f64]) {
+        self.reduce(&order.steps, factors, x);
+        factors.motions.clear();
+        factors.motions.resize(self.nodes.len(), [0.0; 6]);
+        self.substitute(&order.steps, factors, x);
+    }
+
+    /// Eliminates a right side up to the last node; returns the force on it.
+    pub(super) fn reduce_to_last(
+        &self,
+        order: &Order,
+        factors: &mut Factors,
+        x: &mut [f64],
+    ) -> Motion {
+        let Some((last, steps)) = order.steps.split_last() else {
+            return [0.0; 6];
+        };
+        self.reduce(steps, factors, x);
+        factors.forces[last.node]
+    }
+
+    /// Finds all unknowns but those of the last node from its motion, in place of a reduced right
+    /// side.
+    pub(super) fn substitute_from_last(
+        &self,
+        order: &Order,
+        factors: &mut Factors,
+        motion: Motion,
+        x: &mut [f64],
+    ) {
+        let Some((last, steps)) = order.steps.split_last() else {
+            return;
+        };
+        factors.motions.clear();
+        factors.motions.resize(self.nodes.len(), [0.0; 6]);
+        factors.motions[last.node] = motion;
+        self.substitute(steps, factors, x);
+    }
+
+    fn reduce(&self, steps: &[Step], factors: &mut Factors, x: &mut [f64]) {
         let Factors {
             links,
             chords,
             fronts,
             forces,
-            motions,
             at,
             ..
         } = factors;
@@ -110,12 +173,21 @@ impl Equations {
             add_force(forces, chord.ends[0], &at[..6]);
             add_force(forces, chord.ends[1], &at[6..12]);
         }
-        for (step, front) in order.steps.iter().zip(&*fronts) {
+        for (step, front) in steps.iter().zip(&*fronts) {
             forward_node(&self.links[step.link], step, front, forces, at, x);
         }
-        motions.clear();
-        motions.resize(self.nodes.len(), [0.0; 6]);
-        for (step, front) in order.steps.iter().zip(&*fronts).rev() {
+    }
+
+    fn substitute(&self, steps: &[Step], factors: &mut Factors, x: &mut [f64]) {
+        let Factors {
+            links,
+            chords,
+            fronts,
+            motions,
+            at,
+            ..
+        } = factors;
+        for (step, front) in steps.iter().zip(&*fronts).rev() {
             backward_node(&self.links[step.link], step, front, motions, at, x);
         }
         for (link, matrix) in self.links.iter().zip(&*links) {

@@ -49,6 +49,14 @@ pub enum FrameSolveError {
         /// The joint.
         joint: String,
     },
+    /// A transition piece under a turning rotor that rigid links and hinges connect with a support.
+    #[error(
+        "rigid links or hinges connect the transition piece with a support, at joint {joint}; under a turning rotor a member that deforms must be between them: replace a rigid link by a beam, or give the support a stiffness and no fixed motion"
+    )]
+    RigidTransition {
+        /// A joint of this connection.
+        joint: String,
+    },
     /// A frame under a tower without a transition piece that moves.
     #[error("the frame has no transition piece that could carry the tower; give its joints")]
     NoTransition,

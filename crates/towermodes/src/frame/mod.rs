@@ -19,6 +19,7 @@ mod static_stiffness;
 mod statics;
 mod tension;
 
+pub(crate) use below::FrameBelow;
 pub(crate) use carrying::OnFrame;
 pub use error::FrameSolveError;
 pub use recipe::FrameRecipe;

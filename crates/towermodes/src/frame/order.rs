@@ -40,6 +40,11 @@ pub(super) struct Order {
 
 impl Order {
     pub(super) fn new(equations: &Equations) -> Self {
+        Self::ending_with(equations, None)
+    }
+
+    /// The same with a node that nothing but the ground carries as the last one.
+    pub(super) fn ending_with(equations: &Equations, last: Option<usize>) -> Self {
         let count = equations.nodes.len();
         let mut neighbours = vec![BTreeSet::new(); count];
         let mut children = vec![0_usize; count];
@@ -63,7 +68,7 @@ impl Order {
         let mut order = Self::default();
         let mut places = HashMap::new();
         let mut left: BTreeSet<usize> = (0..count).collect();
-        while let Some(node) = next(&left, &children, &neighbours) {
+        while let Some(node) = next(&left, &children, &neighbours, last) {
             left.remove(&node);
             let own: Vec<usize> = neighbours[node].iter().copied().collect();
             for (k, a) in own.iter().enumerate() {
@@ -124,8 +129,9 @@ fn next(
     left: &BTreeSet<usize>,
     children: &[usize],
     neighbours: &[BTreeSet<usize>],
+    last: Option<usize>,
 ) -> Option<usize> {
     let free = left.iter().filter(|node| children[**node] == 0);
-    free.min_by_key(|node| (neighbours[**node].len(), **node))
+    free.min_by_key(|node| (Some(**node) == last, neighbours[**node].len(), **node))
         .copied()
 }

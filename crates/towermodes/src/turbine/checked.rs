@@ -86,9 +86,6 @@ impl Turbine {
             let mass_kg = tower.rna.mass_kg;
             return Err(TurbineError::TwoMachines { mass_kg });
         }
-        if tower.foundation.frame().is_some() {
-            return Err(TurbineError::OnFrame);
-        }
         let (blade, rna) = checked(&machine)?;
         // The weight of the machine compresses the tower; its inertia is that of its parts.
         tower.rna = rna;

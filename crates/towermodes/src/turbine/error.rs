@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::blade::BladeError;
+use crate::frame::FrameSolveError;
 use crate::number::Plain;
 use crate::rotor::RotorError;
 use crate::tower::TowerError;
@@ -18,11 +19,9 @@ pub enum TurbineError {
     /// The tower.
     #[error(transparent)]
     Tower(#[from] TowerError),
-    /// A tower on a frame.
-    #[error(
-        "the tower stands on a space frame, with which a turning rotor is not solved yet; solve the tower with the rotor as a rigid body, or clamp the tower"
-    )]
-    OnFrame,
+    /// The frame under the tower.
+    #[error(transparent)]
+    Frame(#[from] FrameSolveError),
     /// The blade.
     #[error("a blade of the rotor: {0}")]
     Blade(#[from] BladeError),

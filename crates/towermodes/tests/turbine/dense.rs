@@ -12,10 +12,10 @@ use towermodes::turbine::{Turbine, TurbineDescription, TurbineMesh, TurbineModel
 use towermodes::{BladeSection, Inertia, TowerDescription};
 use towermodes_testing::parts;
 
-type Real = DMatrix<f64>;
+pub(super) type Real = DMatrix<f64>;
 type Hermitian = DMatrix<Complex<f64>>;
 
-const TOWER_ELEMENTS: usize = 2;
+pub(super) const TOWER_ELEMENTS: usize = 2;
 const BORDERS: [f64; 4] = [0.0, 0.3, 0.65, 1.0];
 /// Unknowns of a clamped beam of Hermite cubics: deflection and slope at each node.
 const OF_TOWER: usize = 2 * TOWER_ELEMENTS;
@@ -28,7 +28,7 @@ const FIRST_HARMONIC: usize = GENERATOR + 1;
 const ALL: usize = FIRST_HARMONIC + 3 * 2 * OF_BLADE;
 
 /// Points and weights on [0, 1], exact to degree 11 (Abramowitz & Stegun, table 25.4).
-const GAUSS: [(f64, f64); 6] = [
+pub(super) const GAUSS: [(f64, f64); 6] = [
     (0.03376524289842399, 0.08566224618958518),
     (0.16939530676686773, 0.1803807865240693),
     (0.38069040695840156, 0.23395696728634552),
@@ -38,7 +38,7 @@ const GAUSS: [(f64, f64); 6] = [
 ];
 
 /// Numbers in (0, 1) that follow from a seed.
-struct Numbers(u64);
+pub(super) struct Numbers(pub(super) u64);
 
 impl Numbers {
     fn next(&mut self) -> f64 {
@@ -49,13 +49,13 @@ impl Numbers {
         (*state >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub(super) fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.next()
     }
 }
 
 /// A tower and a machine on it, none of whose numbers is special.
-fn random(seed: u64) -> (TowerDescription, TurbineDescription) {
+pub(super) fn random(seed: u64) -> (TowerDescription, TurbineDescription) {
     let mut n = Numbers(seed);
     for _ in 0..10 {
         n.next();
@@ -96,7 +96,7 @@ fn random(seed: u64) -> (TowerDescription, TurbineDescription) {
 }
 
 /// Deflection, slope and curvature at a fraction of an element for (w₀, w₀′, w₁, w₁′).
-fn hermite(s: f64, l: f64) -> [[f64; 4]; 3] {
+pub(super) fn hermite(s: f64, l: f64) -> [[f64; 4]; 3] {
     let (s2, s3) = (s * s, s * s * s);
     [
         [
@@ -148,7 +148,7 @@ fn cross(v: Vector3<f64>) -> Matrix3<f64> {
 }
 
 /// The matrices of a turbine: stiffness, mass, and those of one blade.
-struct Dense {
+pub(super) struct Dense {
     /// Real parts that depend on nothing: K and M without the blades.
     stiffness: Real,
     mass: Real,
@@ -165,7 +165,24 @@ struct Dense {
 
 impl Dense {
     fn of(tower: &TowerDescription, machine: &TurbineDescription) -> Self {
-        let (mut stiffness, mut mass) = (Real::zeros(ALL, ALL), Real::zeros(ALL, ALL));
+        let nothing = Real::zeros(0, 0);
+        Self::on([nothing.clone(), nothing], tower, machine)
+    }
+
+    /// On something with this stiffness and mass, whose first six unknowns are the motion of the
+    /// tower's foot: the last unknowns of the whole.
+    pub(super) fn on(
+        below: [Real; 2],
+        tower: &TowerDescription,
+        machine: &TurbineDescription,
+    ) -> Self {
+        let size = ALL + below[0].nrows();
+        let [mut stiffness, mut mass] = below.map(|below| {
+            let mut all = Real::zeros(size, size);
+            let own = (below.nrows(), below.nrows());
+            all.view_mut((ALL, ALL), own).copy_from(&below);
+            all
+        });
         let top = add_tower(tower, &mut stiffness, &mut mass);
         let mut nacelle = top;
         nacelle[(5, YAW)] = 1.0;
@@ -189,7 +206,7 @@ impl Dense {
         let mut turned = generator_row;
         turned[GENERATOR] += generator.gear_ratio;
         mass += generator.inertia_kg_m2 * turned.transpose() * turned;
-        let mut twist = RowDVector::zeros(ALL);
+        let mut twist = RowDVector::zeros(size);
         (twist[ROLL], twist[GENERATOR]) = (1.0, -1.0);
         stiffness += machine.shaft_n_m_per_rad * twist.transpose() * twist;
         let exists = |place: &usize| !(generator.is_locked && *place == GENERATOR);
@@ -200,12 +217,12 @@ impl Dense {
             spin: polar + generator.gear_ratio * generator.inertia_kg_m2,
             hub,
             blade: blade_matrices(machine),
-            existing: (0..ALL).filter(exists).collect(),
+            existing: (0..size).filter(exists).collect(),
         }
     }
 
     /// The number of negative eigenvalues of H.
-    fn count(&self, w: f64, speed: f64) -> usize {
+    pub(super) fn count(&self, w: f64, speed: f64) -> usize {
         let real = &self.stiffness - w * w * &self.mass;
         let mut all = real.map(|entry| Complex::new(entry, 0.0));
         let [second, third] = &self.across;
@@ -243,7 +260,7 @@ impl Dense {
         let hub = self
             .hub
             .map(|entry| Complex::new(3_f64.sqrt() * entry, 0.0));
-        let mut map = Hermitian::zeros(6 + 2 * OF_BLADE, ALL);
+        let mut map = Hermitian::zeros(6 + 2 * OF_BLADE, hub.ncols());
         map.rows_mut(0, 6).copy_from(&(projection * hub));
         for k in 0..2 * OF_BLADE {
             let own = FIRST_HARMONIC + place * 2 * OF_BLADE + k;
@@ -253,8 +270,20 @@ impl Dense {
     }
 }
 
-/// Adds a tower; returns the motion of its top.
+/// Adds a tower, which moves with its foot if that has unknowns; returns the motion of its top.
 fn add_tower(tower: &TowerDescription, stiffness: &mut Real, mass: &mut Real) -> Real {
+    let size = mass.nrows();
+    let rigid = |z: f64| {
+        let mut motion = Real::zeros(6, size);
+        if size > ALL {
+            let lever = -cross(z * Vector3::z());
+            motion
+                .view_mut((0, ALL), (6, 6))
+                .copy_from(&Real::identity(6, 6));
+            motion.view_mut((0, ALL + 3), (3, 3)).copy_from(&lever);
+        }
+        motion
+    };
     let properties = &tower.properties[0].properties;
     let bending = properties.bending_n_m2;
     let borders: Vec<f64> = (0..=TOWER_ELEMENTS)
@@ -265,22 +294,33 @@ fn add_tower(tower: &TowerDescription, stiffness: &mut Real, mass: &mut Real) ->
         .enumerate()
     {
         let first = plane * OF_TOWER;
-        along(&borders, 80.0, |_, weight, [deflection, _, curvature]| {
+        along(&borders, 80.0, |s, weight, [deflection, _, curvature]| {
+            let rigid = rigid(80.0 * s);
+            let mut deflects = rigid.row(plane).into_owned();
+            let mut own = deflects.columns_mut(first, OF_TOWER);
+            own += deflection;
             let mut k = stiffness.view_mut((first, first), (OF_TOWER, OF_TOWER));
             k += weight * flexure * curvature.transpose() * curvature;
-            let mut m = mass.view_mut((first, first), (OF_TOWER, OF_TOWER));
-            m += weight * properties.mass_kg_per_m * deflection.transpose() * deflection;
+            *mass += weight * properties.mass_kg_per_m * deflects.transpose() * deflects;
+            // Both planes pass here: half of what does not bend.
+            for (component, density) in [
+                (2, properties.mass_kg_per_m),
+                (5, properties.polar_inertia_kg_m),
+            ] {
+                let moved = rigid.row(component).into_owned();
+                *mass += 0.5 * weight * density * moved.transpose() * moved;
+            }
         });
     }
-    let mut top = Real::zeros(6, ALL);
-    top[(0, OF_TOWER - 2)] = 1.0;
-    top[(4, OF_TOWER - 1)] = 1.0;
-    top[(1, 2 * OF_TOWER - 2)] = 1.0;
-    top[(3, 2 * OF_TOWER - 1)] = -1.0;
+    let mut top = rigid(80.0);
+    top[(0, OF_TOWER - 2)] += 1.0;
+    top[(4, OF_TOWER - 1)] += 1.0;
+    top[(1, 2 * OF_TOWER - 2)] += 1.0;
+    top[(3, 2 * OF_TOWER - 1)] -= 1.0;
     top
 }
 
-fn body_inertia(mass: f64, center: [f64; 3], tensor: [[f64; 3]; 3]) -> Real {
+pub(super) fn body_inertia(mass: f64, center: [f64; 3], tensor: [[f64; 3]; 3]) -> Real {
     let mut motion = Real::zeros(3, 6);
     motion
         .view_mut((0, 0), (3, 3))

@@ -4,6 +4,7 @@
 mod dense;
 mod limits;
 mod modes;
+mod on_frame;
 mod refused;
 mod rigid;
 mod stability;

@@ -5,31 +5,55 @@ use super::gyroscopic::{Gyroscopic, Raise};
 use super::machine_vectors::JOINTS;
 use super::model::TurbineModel;
 use crate::beam::{BladeFactors, TurningBlade};
+use crate::frame::FrameBelow;
 use crate::rotor::Reactionless;
-use crate::scalar::Complex;
+use crate::scalar::{Complex, Scalar};
 use crate::subsystem::Subsystem;
 
 /// Tower, drivetrain and the harmonics of the blades that move the hub, at a speed (rad/s).
 ///
-/// Vectors hold the coordinates of the tower, of the joints, and of the blades.
+/// Vectors hold the coordinates of the tower, of the joints, of the blades, and of the frame below.
 pub(crate) struct Coupled<'a> {
     pub(crate) model: &'a mut TurbineModel,
     pub(crate) speed: f64,
 }
 
+/// A vector by parts.
+pub(crate) struct Split<'x> {
+    pub(crate) tower: &'x [Complex],
+    pub(crate) joints: &'x [Complex],
+    pub(crate) blades: &'x [Complex],
+    pub(crate) frame: &'x [Complex],
+}
+
 impl TurbineModel {
-    /// The coordinates of the tower, of the joints and of the blades.
-    pub(crate) fn split<'x>(&self, x: &'x [Complex]) -> [&'x [Complex]; 3] {
+    /// The coordinates by parts.
+    pub(crate) fn split<'x>(&self, x: &'x [Complex]) -> Split<'x> {
         let (tower, rest) = x.split_at(self.tower.members()[0].degrees_of_freedom());
-        let (joints, blades) = rest.split_at(JOINTS);
-        [tower, joints, blades]
+        let (machine, frame) = rest.split_at(self.machine.degrees_of_freedom());
+        let (joints, blades) = machine.split_at(JOINTS);
+        Split {
+            tower,
+            joints,
+            blades,
+            frame,
+        }
     }
+}
+
+/// The places of tower, machine and frame in a vector.
+fn split_mut<'x>((tower, machine): (usize, usize), x: &'x mut [Complex]) -> [&'x mut [Complex]; 3] {
+    let (tower, rest) = x.split_at_mut(tower);
+    let (machine, frame) = rest.split_at_mut(machine);
+    [tower, machine, frame]
 }
 
 impl Gyroscopic for Coupled<'_> {
     fn degrees_of_freedom(&self) -> usize {
         let tower = self.model.tower.members()[0].degrees_of_freedom();
-        tower + self.model.machine.degrees_of_freedom()
+        let frame = self.model.frame.as_ref();
+        let frame = frame.map_or(0, FrameBelow::degrees_of_freedom);
+        tower + self.model.machine.degrees_of_freedom() + frame
     }
 
     fn count_raised(&mut self, w: f64, raise: Raise) -> usize {
@@ -44,11 +68,15 @@ impl Gyroscopic for Coupled<'_> {
             is_locked,
             workspace,
             factors,
+            frame,
             ..
         } = &mut *self.model;
         let machine = machine.factorize((w, self.speed), *is_locked, factors);
+        let below = frame.as_mut().map(|frame| frame.factorize(-w * w));
+        let ends = (machine.matrix, below.map(|below| below.stiffness));
         let a = TurbineModel::of_tower(-w * w);
-        machine.negative + tower.members()[0].factorize_under(&a, machine.matrix, workspace)
+        let negative = tower.members()[0].factorize_between(&a, ends, workspace);
+        machine.negative + negative + below.map_or(0, |below| below.count)
     }
 
     fn solve(&mut self, x: &mut [Complex]) {
@@ -58,13 +86,21 @@ impl Gyroscopic for Coupled<'_> {
             is_locked,
             workspace,
             factors,
+            frame,
             ..
         } = &mut *self.model;
         let tower = &tower.members()[0];
-        let (of_tower, of_machine) = x.split_at_mut(tower.degrees_of_freedom());
+        let sizes = (tower.degrees_of_freedom(), machine.degrees_of_freedom());
+        let [of_tower, of_machine, of_frame] = split_mut(sizes, x);
         let at_top = machine.reduce(*is_locked, factors, of_machine);
+        if let Some(frame) = frame {
+            tower.add_to_base(&frame.reduce(of_frame), of_tower);
+        }
         let top = tower.solve_under(workspace, at_top, of_tower);
         machine.substitute(*is_locked, factors, &top, of_machine);
+        if let Some(frame) = frame {
+            frame.substitute(&tower.base_motion(of_tower), of_frame);
+        }
     }
 
     fn derivative(&mut self, w: f64, x: &[Complex], out: &mut [Complex]) -> f64 {
@@ -74,17 +110,29 @@ impl Gyroscopic for Coupled<'_> {
             is_locked,
             workspace,
             factors,
+            frame,
             ..
         } = &mut *self.model;
         let tower = &tower.members()[0];
-        let (x, of_machine) = x.split_at(tower.degrees_of_freedom());
-        let (out, out_of_machine) = out.split_at_mut(tower.degrees_of_freedom());
-        let (top, mass) = tower.begin_derivative(w, x, workspace);
+        let sizes = (tower.degrees_of_freedom(), machine.degrees_of_freedom());
+        let (x, rest) = x.split_at(sizes.0);
+        let (of_machine, of_frame) = rest.split_at(sizes.1);
+        let [out, out_of_machine, out_of_frame] = split_mut(sizes, out);
+        let (top, mut mass) = tower.begin_derivative(w, x, workspace);
         let at = (w, self.speed, *is_locked);
         let motion = (&top, of_machine);
         let (at_top, of_machine) = machine.derivative(at, motion, factors, out_of_machine);
+        mass += of_machine;
         tower.end_derivative(w, at_top, (x, out), workspace);
-        mass + of_machine
+        if let Some(frame) = frame {
+            let base = tower.base_motion(x);
+            let (force, of_frame) = frame.inertia_times(&base, of_frame, out_of_frame);
+            mass += of_frame;
+            let scaled = |force: Complex| force.times(-2.0 * w);
+            out_of_frame.iter_mut().for_each(|own| *own = scaled(*own));
+            tower.add_to_base(&force.map(scaled), out);
+        }
+        mass
     }
 }
 

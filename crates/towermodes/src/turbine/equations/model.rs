@@ -10,9 +10,11 @@ use super::machine::{Machine, MachineFactors};
 use super::mesh::TurbineMesh;
 use crate::beam::{BeamRecipe, BeamWorkspace, SpaceBeam, TopWorkspace, assemble_in_space};
 use crate::elements::{Borders, Mesh};
+use crate::frame::FrameBelow;
 use crate::modes::RigidTower;
 use crate::rotor::reactionless;
 use crate::subsystem::{Coefficients, Subsystem};
+use crate::tower::Tower;
 
 /// A motion slower than this, rad/s, a period of a week, is one that nothing resists: rounding
 /// makes a stiffness of zero one of some 1e-16 of the square of the rotor's speed times the
@@ -28,6 +30,8 @@ pub struct TurbineModel {
     pub(crate) tower: SpaceBeam,
     pub(crate) machine: Machine,
     pub(crate) is_locked: bool,
+    /// The frame that the tower stands on.
+    pub(crate) frame: Option<FrameBelow>,
     pub(super) workspace: TopWorkspace,
     pub(crate) factors: MachineFactors,
     /// The whole as a rigid body, if it floats.
@@ -75,18 +79,20 @@ impl TurbineModel {
             return Err(TurbineError::Overflow);
         }
         let floats = tower.base().floats;
+        let frame = frame_below(tower, mesh.tower_degree)?;
         let platform = floats.then(|| RigidTower::new(&tower.rigid_inertia(true)));
         let mut model = Self {
             tower: beam,
             machine: Machine::new(machine, rotor),
             is_locked: machine.generator.is_locked,
+            frame,
             workspace: TopWorkspace::default(),
             factors: MachineFactors::default(),
             platform,
             unresisted: 0,
             soil_error: tower.soil_error(),
         };
-        let negative = model.tower.members()[0].negative_stiffness(UNRESISTED * UNRESISTED);
+        let negative = model.negative_stiffness_of_tower();
         if negative > 0 {
             return Err(TurbineError::Unstable { negative });
         }
@@ -114,6 +120,16 @@ impl TurbineModel {
     /// whose stiffness is zero but for rounding, are not among them.
     pub fn negative_stiffness(&mut self, rotor_speed_rpm: f64) -> usize {
         self.negative_stiffness_at(rad_per_s(rotor_speed_rpm))
+    }
+
+    /// The negative eigenvalues of the stiffness of the tower with what it stands on.
+    fn negative_stiffness_of_tower(&mut self) -> usize {
+        let inertia = UNRESISTED * UNRESISTED;
+        let frame = self.frame.as_mut();
+        let below = frame.map(|frame| frame.seen_from_base(inertia));
+        let tower = &self.tower.members()[0];
+        let own = tower.negative_stiffness(inertia, below.map(|below| below.stiffness));
+        own + below.map_or(0, |below| below.count)
     }
 
     /// The same at a speed in rad/s.
@@ -152,15 +168,28 @@ impl TurbineModel {
         is_locked: bool,
     ) -> usize {
         let machine = self.machine.seen_from_top((w, speed), raise, is_locked);
+        let inertia = raise.inertia(w) - w * w;
+        let frame = self.frame.as_mut();
+        let below = frame.map(|frame| frame.seen_from_base(inertia));
+        let ends = (machine.matrix, below.map(|below| below.stiffness));
         let tower = &self.tower.members()[0];
-        let a = Self::of_tower(raise.inertia(w) - w * w);
         let workspace = &mut self.workspace;
-        let negative = tower.count_negative_under(&a, machine.matrix, workspace);
-        machine.negative + negative
+        let negative = tower.count_negative_between(&Self::of_tower(inertia), ends, workspace);
+        machine.negative + negative + below.map_or(0, |below| below.count)
     }
 
     fn count_at(&mut self, w: f64, speed: f64, is_locked: bool) -> usize {
         let reactionless = self.machine.rotor.count_reactionless(w, speed);
         self.count_coupled((w, speed), Raise::default(), is_locked) + reactionless
     }
+}
+
+/// The frame under a tower, if there is one, with elements of a degree.
+fn frame_below(tower: &Tower, degree: usize) -> Result<Option<FrameBelow>, TurbineError> {
+    let Some(foundation) = tower.frame() else {
+        return Ok(None);
+    };
+    let at = (tower.base_m(), tower.gravity_m_per_s2());
+    let carried = tower.rigid_inertia(true);
+    Ok(Some(FrameBelow::new(foundation, at, &carried, degree)?))
 }

@@ -1,6 +1,7 @@
 //! The elastic energies of a mode by parts.
 
 use super::super::counts::frequencies::Part;
+use super::super::equations::coupled::Split;
 use super::super::equations::machine_vectors::Phasors;
 use super::super::equations::model::TurbineModel;
 use super::energy::{BladeEnergy, TurbineEnergy};
@@ -14,7 +15,7 @@ const COSINE_TILTS: [bool; 4] = [true, false, false, true];
 
 impl TurbineModel {
     /// Elastic energies, twice.
-    pub(super) fn elastic_energy(&self, part: Part, vector: &[Complex]) -> TurbineEnergy {
+    pub(super) fn elastic_energy(&mut self, part: Part, vector: &[Complex]) -> TurbineEnergy {
         let blade = self.machine.rotor.body();
         if part.is_some() {
             let blades = blade.strain_energies(vector).map(|collective| BladeEnergy {
@@ -26,11 +27,21 @@ impl TurbineModel {
                 ..TurbineEnergy::default()
             };
         }
-        let [tower, joints, blades] = self.split(vector);
+        let Split {
+            tower,
+            joints,
+            blades,
+            frame,
+        } = self.split(vector);
         let [yaw_drive, shaft] = self.machine.springs(joints).map(Complex::norm_squared);
-        let ([fore_aft, side_side, torsion, axial], platform) = self.tower_energy(tower);
+        let base = self.tower.members()[0].base_motion(tower);
+        let below = self.frame.as_mut();
+        let below = below.map(|below| below.energies(&base, frame));
+        let (of_base, substructure) = below.unwrap_or_default();
+        let ([fore_aft, side_side, torsion, axial], platform) = self.tower_energy(tower, of_base);
         TurbineEnergy {
             platform,
+            substructure,
             tower_fore_aft: fore_aft,
             tower_side_side: side_side,
             tower_torsion: torsion,
@@ -41,13 +52,16 @@ impl TurbineModel {
         }
     }
 
-    /// Energies of the tower in fore-aft bending, side-side bending, torsion and stretch, and of a
-    /// floating platform in its six motions.
+    /// Energies of the tower in fore-aft bending, side-side bending, torsion and stretch, with what
+    /// a frame below has by component of the motion of the base, and of a floating platform in its
+    /// six motions.
     ///
     /// Gravity takes energy from the tower; what would be less than nothing is nothing.
-    fn tower_energy(&self, x: &[Complex]) -> ([f64; 4], [f64; 6]) {
+    fn tower_energy(&self, x: &[Complex], below: [f64; 6]) -> ([f64; 4], [f64; 6]) {
         let beam = &self.tower.members()[0];
-        let energies = beam.energies(x);
+        let mut energies = beam.energies(x);
+        let bases = energies.base.iter_mut().zip(below);
+        bases.for_each(|(sum, below)| *sum += below);
         let mut held = energies.others;
         let mut platform = [0.0; 6];
         match &self.platform {

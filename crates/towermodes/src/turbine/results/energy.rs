@@ -62,13 +62,16 @@ pub enum TurbinePart {
     /// A floating platform in one of its six motions, surge to yaw, with mooring, water and
     /// gravity.
     Platform(Family),
+    /// Members of the frame below a tower that move by themselves, as braces between their joints;
+    /// what the frame has as it follows the tower is with the tower.
+    Substructure,
     /// Bending of the tower downwind, with the soil and the foundation.
     TowerForeAft,
     /// Bending of the tower sideways, with the soil and the foundation.
     TowerSideSide,
-    /// Torsion of the tower.
+    /// Torsion of the tower, with the foundation.
     TowerTorsion,
-    /// Stretch of the tower.
+    /// Stretch of the tower, with the foundation.
     TowerAxial,
     /// The yaw drive.
     YawDrive,
@@ -100,7 +103,11 @@ pub struct TurbineEnergy {
     /// A floating platform in surge, sway, heave, roll, pitch and yaw, with mooring, water and
     /// gravity.
     pub platform: [f64; 6],
-    /// Bending of the tower downwind, with the soil and the foundation.
+    /// Of the frame below the tower with its transition piece held: the elastic energy less that of
+    /// a frame which follows the transition piece at rest.
+    pub substructure: f64,
+    /// Bending of the tower downwind, with the soil and the foundation: for a frame the energy as
+    /// it follows the tower.
     pub tower_fore_aft: f64,
     /// Bending of the tower sideways, with the soil and the foundation.
     pub tower_side_side: f64,
@@ -175,6 +182,7 @@ impl TurbineEnergy {
     fn scale(&mut self, factor: f64) {
         let Self {
             platform,
+            substructure,
             tower_fore_aft,
             tower_side_side,
             tower_torsion,
@@ -184,6 +192,7 @@ impl TurbineEnergy {
             blades,
         } = self;
         let own = [
+            substructure,
             tower_fore_aft,
             tower_side_side,
             tower_torsion,
@@ -232,19 +241,24 @@ impl TurbineEnergy {
         self.blades[place].nodding()
     }
 
-    /// Of the tower and a floating platform.
+    /// Of the tower and what it stands on: a floating platform, a frame.
     pub fn of_tower(&self) -> f64 {
         let bending = self.tower_fore_aft + self.tower_side_side;
-        self.platform.iter().sum::<f64>() + bending + self.tower_torsion + self.tower_axial
+        self.platform.iter().sum::<f64>()
+            + self.substructure
+            + bending
+            + self.tower_torsion
+            + self.tower_axial
     }
 
-    /// By part, without the blades: platform, tower, yaw drive, shaft.
+    /// By part, without the blades: platform, frame, tower, yaw drive, shaft.
     pub(super) fn stationary(&self) -> impl Iterator<Item = (TurbinePart, f64)> {
         let platform = PLATFORM
             .map(TurbinePart::Platform)
             .into_iter()
             .zip(self.platform);
         platform.chain([
+            (TurbinePart::Substructure, self.substructure),
             (TurbinePart::TowerForeAft, self.tower_fore_aft),
             (TurbinePart::TowerSideSide, self.tower_side_side),
             (TurbinePart::TowerTorsion, self.tower_torsion),

@@ -35,7 +35,8 @@ pub struct TurbineMode {
     pub(crate) vector: Vec<Complex>,
     /// Coordinates of the vector whose squares are elastic energies, in two ranges.
     pub(super) strains: [Range<usize>; 2],
-    /// Square roots of the energies of yaw drive and shaft, and of the motions of a platform.
+    /// Square roots of the energies of yaw drive and shaft, of the motions of a platform, and of
+    /// the strains of a frame.
     pub(crate) springs: Vec<Complex>,
 }
 

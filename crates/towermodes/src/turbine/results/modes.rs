@@ -60,7 +60,7 @@ impl TurbineModel {
         Ok(self.named(whole, limit_hz, rotor_speed_rpm))
     }
 
-    fn named(&self, whole: Whole, limit_hz: f64, rotor_speed_rpm: f64) -> TurbineModes {
+    fn named(&mut self, whole: Whole, limit_hz: f64, rotor_speed_rpm: f64) -> TurbineModes {
         let (unproven_hz, growing) = (whole.unproven_hz(), whole.growing());
         let mut naming = Naming::default();
         let found = whole.found.into_iter();
@@ -79,7 +79,7 @@ impl TurbineModel {
         }
     }
 
-    fn mode(&self, part: Part, found: Found, naming: &mut Naming) -> TurbineMode {
+    fn mode(&mut self, part: Part, found: Found, naming: &mut Naming) -> TurbineMode {
         let energy = self.elastic_energy(part, &found.vector).as_fractions();
         let Named {
             name,

@@ -61,6 +61,7 @@ impl fmt::Display for TurbinePart {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Platform(motion) => return write!(f, "platform {}", motion.name()),
+            Self::Substructure => "substructure",
             Self::TowerForeAft => "tower fore-aft",
             Self::TowerSideSide => "tower side-side",
             Self::TowerTorsion => "tower torsion",

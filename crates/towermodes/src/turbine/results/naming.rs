@@ -6,8 +6,8 @@ use super::name::TurbineModeName;
 use crate::modes::Arrears;
 use crate::rotor::Reactionless;
 
-/// Platform, tower, yaw drive, shaft.
-const STATIONARY: usize = 12;
+/// Platform, frame, tower, yaw drive, shaft.
+const STATIONARY: usize = 13;
 /// These, and both waves and the collective motion of each motion of the blades.
 const FAMILIES: usize = STATIONARY + 2 * BladeMotion::ALL.len();
 /// The six motions of a platform name one mode each.

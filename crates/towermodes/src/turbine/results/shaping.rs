@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::ops::Range;
 
 use super::super::counts::frequencies::Part;
+use super::super::equations::coupled::Split;
 use super::super::equations::machine_vectors::JOINTS;
 use super::super::equations::model::TurbineModel;
 use super::elastic::rigid_motions;
@@ -30,7 +31,12 @@ impl TurbineModel {
     }
 
     fn coupled_shape(&self, w: f64, vector: &[Complex]) -> Shaped {
-        let [of_tower, joints, blades] = self.split(vector);
+        let Split {
+            tower: of_tower,
+            joints,
+            blades,
+            frame,
+        } = self.split(vector);
         let beam = &self.tower.members()[0];
         let top = self.top(of_tower);
         let apex = self.machine.apex_motion(&top, joints);
@@ -68,7 +74,8 @@ impl TurbineModel {
             let motions = rigid_motions(rigid, &beam.base_motion(of_tower));
             springs.extend(motions.map(|x| x.times(w)));
         }
-        (shape, [tower, first..vector.len()], springs)
+        springs.extend(self.frame.iter().flat_map(|below| below.strains(frame)));
+        (shape, [tower, first..first + blades.len()], springs)
     }
 
     fn shape_on_still_hub(&self, wave: Reactionless, vector: &[Complex]) -> Shaped {
