@@ -1,7 +1,7 @@
 //! A frame below a tower: at each frequency a 6×6 matrix at the tower's base, and a count.
 //!
-//! The transition piece is the root of a tree of its own and is eliminated last: what is left is all
-//! that the tower feels of the frame. The elimination is a congruence (Haynsworth 1968), so
+//! The transition piece is the root of a tree of its own and is eliminated last: what is left is
+//! all that the tower feels of the frame. The elimination is a congruence (Haynsworth 1968), so
 //!
 //! negative eigenvalues of the whole = those of the frame with its transition piece held + those of
 //! what stands on it with this matrix at its base.
@@ -48,8 +48,8 @@ pub struct FrameBelow {
 /// What is left of a frame at the base of the tower.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReducedFrame {
-    /// The force (N, N m) on the base for its motion (x, y, z, rotation about x, y, z; m, rad), with
-    /// the inertia of frame and platform.
+    /// The force (N, N m) on the base for its motion (x, y, z, rotation about x, y, z; m, rad),
+    /// with the inertia of frame and platform.
     pub stiffness: SpatialMatrix,
     /// Number of negative eigenvalues of the frame with the base held.
     pub count: usize,

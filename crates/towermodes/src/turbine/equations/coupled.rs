@@ -12,7 +12,7 @@ use crate::subsystem::Subsystem;
 
 /// Tower, drivetrain and the harmonics of the blades that move the hub, at a speed (rad/s).
 ///
-/// Vectors hold the coordinates of the tower, of the joints, of the blades, and of the frame below.
+/// Vectors hold the coordinates of the tower, of the joints, of the blades, and of the frame.
 pub(crate) struct Coupled<'a> {
     pub(crate) model: &'a mut TurbineModel,
     pub(crate) speed: f64,
