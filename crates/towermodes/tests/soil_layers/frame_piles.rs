@@ -6,10 +6,11 @@ use crate::towers;
 use towermodes::frame::*;
 use towermodes::tower::Tube;
 use towermodes::{
-    AxialModel, Foundation, FoundationSprings, GroundLayer, LayerSoil, Material, Method, Options,
-    PyRow, RigidBody, Rna, Scour, ShearModulus, SoilModel, Station, Tower, TowerDescription,
+    AxialModel, Change, Foundation, FoundationSprings, GroundLayer, LayerSoil, Material, Method,
+    Options, Parameter, PyRow, RigidBody, Rna, Scour, ShearModulus, SoilModel, Solver, Station,
+    Tower, TowerDescription,
 };
-use towermodes_testing::with;
+use towermodes_testing::{Says, with};
 
 /// The part of a tower below its third station as a frame of one vertical member for each pair of
 /// stations, and the tower above on it.
@@ -271,6 +272,7 @@ fn on_four_piles(frame: FrameDescription) -> TowerDescription {
     description.stations.drain(..2);
     // A body that no rotation changes.
     description.rna = Rna::point(350e3);
+    description.rna_is_point = true;
     description.foundation = carried(frame, &heads, [0.0, 0.0, 10.0]);
     description
 }
@@ -286,4 +288,242 @@ fn piles_that_are_turned_mirrored_and_divided_give_the_same_frequencies() {
         assert_same("mirrored", &of(0.0, -1.0, 1), &plain, 1e-11);
         assert_same("divided", &of(0.3, 1.0, 3), &plain, 1e-9);
     }
+}
+
+/// Friction along the piles carries the weight: the forces in long members are those in short ones.
+#[test]
+fn weight_goes_into_the_soil_along_the_piles() {
+    let with_gravity = |parts: usize, gravity_m_per_s2: f64| {
+        let mut description = on_four_piles(four_piles(3.0, 0.0, 1.0, parts));
+        description.gravity_m_per_s2 = gravity_m_per_s2;
+        frequencies(&description)
+    };
+    let [whole, divided] = [1, 12].map(|parts| with_gravity(parts, 9.81));
+    assert_same("divided", &divided, &whole, 1e-9);
+    let effect = 1.0 - whole[0] / with_gravity(1, 0.0)[0];
+    assert!(effect > 1e-3, "{effect}");
+    // The tip is held along the axis, and nothing along the pile: the weight goes down to the tip.
+    let mut description = oc3(SoilModel::Kallehave);
+    description.gravity_m_per_s2 = 9.81;
+    let (own, expected) = (on_members(&description), frequencies(&description));
+    assert_same("held at the tip", &frequencies(&own), &expected, 1e-10);
+}
+
+#[test]
+fn very_stiff_soil_clamps_the_piles_at_its_surface() {
+    let mut description = on_four_piles(four_piles(0.0, 0.0, 1.0, 1));
+    ground_of(&mut description).scour = Scour::default();
+    let mut cut = four_piles(0.0, 0.0, 1.0, 1);
+    let tips: Vec<usize> = (0..4).map(|leg| 2 * leg + 1).collect();
+    for joint in &tips {
+        cut.joints[*joint].position_m[2] = -20.0;
+        cut.supports.push(FrameSupport::clamped(*joint));
+    }
+    // The walls of the piles are linear: they end at the surface with what they have there.
+    for member in cut.members.iter_mut().take(4) {
+        let MemberKind::Beam { ends, .. } = &mut member.kind else {
+            continue;
+        };
+        let SectionEnds::Tube(ends) = ends else {
+            continue;
+        };
+        let lower = usize::from(ends[1].outer_diameter_m < ends[0].outer_diameter_m);
+        let (top, tip) = (
+            ends[1 - lower].outer_diameter_m,
+            ends[lower].outer_diameter_m,
+        );
+        ends[lower].outer_diameter_m = top + 2.0 / 40.0 * (tip - top);
+    }
+    let mut clamped = on_four_piles(cut);
+    clamped.ground = None;
+    let clamped = frequencies(&clamped);
+    let layers = &mut ground_of(&mut description).layers;
+    layers
+        .iter_mut()
+        .for_each(|layer| layer.model = SoilModel::Winkler);
+    let mut below = [1e2, 1e6].map(|factor| {
+        ground_of(&mut description).factor = factor;
+        let found = frequencies(&description);
+        let errors = found
+            .iter()
+            .zip(&clamped)
+            .map(|(own, limit)| 1.0 - own / limit);
+        errors.collect::<Vec<f64>>()
+    });
+    let [near, nearest] = &mut below;
+    for (near, nearest) in near.iter().zip(nearest) {
+        // The piles bend over the fourth root of the softness in the soil.
+        assert!((0.0..0.1).contains(near), "{near}");
+        assert!(
+            (0.0..0.2 * near + 1e-9).contains(nearest),
+            "{nearest} after {near}"
+        );
+    }
+}
+
+#[test]
+fn soil_factor_scour_and_names_act_on_the_piles_of_a_frame() {
+    let description = on_four_piles(four_piles(3.0, 0.0, 1.0, 1));
+    let first = |description: &TowerDescription| frequencies(description)[0];
+    assert!(description.stands_in_soil());
+    let softer = description.with_soil_factor(0.5);
+    assert!(first(&softer) < first(&description));
+    let mut halved = description.clone();
+    let factor = Parameter::parse("ground.factor", &halved).expect("a name");
+    factor.set(&mut halved, 0.5);
+    assert_eq!(first(&halved), first(&softer));
+    let mut scoured = description.clone();
+    ground_of(&mut scoured).scour.local_m = 5.0;
+    assert!(first(&scoured) < first(&description));
+    let rows = description.with_ground_as_soil();
+    assert_same(
+        "rows",
+        &frequencies(&rows),
+        &frequencies(&description),
+        1e-12,
+    );
+}
+
+#[test]
+fn every_number_of_the_ground_has_the_derivative_of_solves_on_piles_of_a_frame() {
+    let mut description = on_four_piles(four_piles(3.0, 0.0, 1.0, 1));
+    ground_of(&mut description).scour.general_m = 0.5;
+    let changes = [
+        "ground.factor",
+        "ground.scour.local",
+        "ground.layer[0].friction_angle",
+        "ground.layer[1].shear_modulus[0]",
+        "add(ground.surface,ground.layer[0].top)",
+        "add(ground.layer[0].bottom,ground.layer[1].top)",
+    ];
+    let changes = changes.map(|name| Change::parse(name, &description).expect(name));
+    let options = with!(Options, modes = 2);
+    let mut solver = Solver::new(options.clone());
+    let result = solver.sensitivities(&description, &changes);
+    let result = result.expect("solved");
+    let first = |description: &TowerDescription| {
+        towers::solved(description, &options).modes[0].extrapolated_hz
+    };
+    for (change, derivatives) in changes.iter().zip(&result.changes) {
+        let name = change.name();
+        let got = derivatives.modes[0].expect(name).hz_per_unit;
+        let present = match name.starts_with("add") {
+            true => 0.0,
+            false => change.parameters()[0].value(&description),
+        };
+        let step = 1e-3 * if present == 0.0 { 1.0 } else { present.abs() };
+        let at = |sign: f64| {
+            let mut near = description.clone();
+            change.apply(&mut near, present + sign * step);
+            first(&near)
+        };
+        let expected = (at(1.0) - at(-1.0)) / (2.0 * step);
+        let allowed = 1e-3 * expected.abs() + 1e-9 * first(&description) / step;
+        let difference = (got - expected).abs();
+        assert!(difference <= allowed, "{name}: {got} for {expected}");
+    }
+}
+
+/// The springs along the piles are those of the soil, those under the tips of the foundation.
+#[test]
+fn the_energy_of_the_soil_is_that_of_its_factor() {
+    let description = on_four_piles(four_piles(0.0, 0.0, 1.0, 1));
+    let options = with!(
+        Options,
+        modes = 2,
+        method = Method::Spectral,
+        energy_parts = true
+    );
+    let solution = towers::solved(&description, &options);
+    let parts = solution.modes[0].energy_parts.as_ref().expect("requested");
+    let first = |factor: f64| frequencies(&description.with_soil_factor(factor))[0];
+    let slope = (first(1.001) / first(0.999)).ln() / 0.002 * 2.0;
+    let strain = &parts.strain;
+    // The foundation has the springs under the tips, and the piles themselves.
+    assert!(
+        strain.soil > 0.01 && strain.soil < slope,
+        "{} {slope}",
+        strain.soil
+    );
+    assert!(slope - strain.soil < 0.3 * slope, "{} {slope}", strain.soil);
+}
+
+#[test]
+fn mistakes_about_piles_of_a_frame_are_refused_or_warned_of() {
+    let site = || on_four_piles(four_piles(0.0, 0.0, 1.0, 1));
+    let with_frame = |change: &dyn Fn(&mut FrameDescription)| {
+        let mut frame = four_piles(0.0, 0.0, 1.0, 1);
+        change(&mut frame);
+        on_four_piles(frame)
+    };
+    let refused = |description: TowerDescription| Tower::new(description).expect_err("a mistake");
+    let mut high = site();
+    let own = ground_of(&mut high);
+    (own.surface_m, own.layers[0].top_m, own.layers[0].bottom_m) = (-60.0, -60.0, -62.0);
+    own.layers.truncate(1);
+    refused(high).says("no member of the substructure");
+    let mut shallow = site();
+    ground_of(&mut shallow).layers[2].bottom_m = -57.0;
+    refused(shallow).says("-57 m");
+    let mut sinking = site();
+    ground_of(&mut sinking).axial = None;
+    refused(sinking).says("nothing holds the piles along their axes");
+    let mut turning = on_members(&oc3(SoilModel::Api));
+    ground_of(&mut turning).axial = Some(AxialModel::Kraft);
+    for layer in &mut ground_of(&mut turning).layers {
+        layer.shear_modulus = Some(ShearModulus::Given {
+            shear_modulus_pa: [4e7, 9e7],
+        });
+    }
+    let Foundation::Frame(below) = &mut turning.foundation else {
+        return;
+    };
+    let mut free = below.frame.description().clone();
+    free.supports.clear();
+    below.frame = Frame::new(free).expect("a frame");
+    refused(turning).says("nothing holds the only pile about its axis");
+    let mut twice = site();
+    ground_of(&mut twice).pile_diameter_m = Some(2.0);
+    refused(twice).says("given twice");
+    let mut deep = site();
+    let own = ground_of(&mut deep);
+    (own.surface_m, own.layers[0].top_m) = (20.0, 20.0);
+    refused(deep).says("the tower begins at 10 m");
+    let square = with_frame(&|frame| {
+        let MemberKind::Beam { ends, .. } = &mut frame.members[1].kind else {
+            return;
+        };
+        *ends = SectionEnds::Rectangle(
+            [Rectangle {
+                side_a_m: 2.0,
+                side_b_m: 2.0,
+                wall_thickness_m: 0.05,
+            }; 2],
+        );
+    });
+    refused(square).says("member pile 1-0 is below the surface");
+    let warned = |description: TowerDescription| {
+        let tower = Tower::new(description).expect("a tower");
+        let texts = tower.warnings().iter().map(ToString::to_string);
+        texts.collect::<Vec<String>>().join("\n")
+    };
+    assert_eq!(warned(site()), "");
+    let close = with_frame(&|frame| {
+        for joint in &mut frame.joints {
+            (0..2).for_each(|i| joint.position_m[i] *= 0.3);
+        }
+    });
+    warned(close).says("diameters apart, less than 3");
+    let buried = with_frame(&|frame| {
+        frame.members.push(FrameMember {
+            name: "mud brace".to_owned(),
+            joints: [1, 3],
+            ..frame.members[4].clone()
+        });
+    });
+    warned(buried).says("member mud brace is below the surface of the ground, but has no springs");
+    let mut near = site();
+    let own = ground_of(&mut near);
+    (own.surface_m, own.layers[0].top_m) = (-17.99, -17.99);
+    warned(near).says("joint 0-0 is at -18 m, just off the surface of the ground at -17.99 m");
 }

@@ -98,6 +98,10 @@ impl Problem {
             Self::FrameAboveSoil { .. } => {
                 "all heights use one datum; members reach down to the tips of the piles"
             }
+            Self::PilesSink => "give axial in [ground], or support the tips",
+            Self::PileTurns => {
+                "give axial = \"randolph-wroth\" in [ground], or a support that holds the rotation about z"
+            }
             Self::PileWithoutTube { .. } => "give the piles as tubes",
             Self::TowerOnFrameInSoil { .. } => {
                 "begin the tower at the surface of the ground or above it"

@@ -416,6 +416,16 @@ pub enum Problem {
         /// Height of the lowest joint, m.
         lowest_m: f64,
     },
+    /// Piles of a frame that nothing holds vertically.
+    #[error(
+        "nothing holds the piles along their axes: [ground] has no axial springs, and no support holds them in z"
+    )]
+    PilesSink,
+    /// A single pile under a frame that nothing keeps from turning.
+    #[error(
+        "nothing holds the only pile about its axis: the springs along it have no torsion, and no support has"
+    )]
+    PileTurns,
     /// A member in the ground without outer diameter.
     #[error(
         "member {member} is below the surface of the ground, and its section has no outer diameter, on which the springs of the soil depend"

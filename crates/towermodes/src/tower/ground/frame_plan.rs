@@ -16,7 +16,7 @@ use crate::tower::validate::{check_frame_in_ground, check_springs_of_frame};
 /// soil: then a polynomial of degree 8 has ten digits.
 const LONGEST: f64 = 2.0;
 /// The most elements of one section: stiffer soil holds the pile at its surface anyway.
-const MOST_ELEMENTS: f64 = 32.0;
+const MOST_ELEMENTS: f64 = 16.0;
 
 /// Where the springs along the piles of a frame are cut: the same for a frame and those near it.
 #[derive(Debug, Clone, PartialEq, Default)]

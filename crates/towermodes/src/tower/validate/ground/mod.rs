@@ -9,7 +9,7 @@ use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
 use crate::tower::frame::FrameDescription;
 use crate::tower::ground::{
-    ConeBelowStress, FramePile, Ground, GroundLayer, Models, NoPile, cone_below_stress,
+    AxialModel, ConeBelowStress, FramePile, Ground, GroundLayer, Models, NoPile, cone_below_stress,
 };
 use crate::tower::parts::surroundings::SoilStiffness;
 
@@ -36,7 +36,9 @@ pub(in crate::tower::validate) fn check_ground(
     };
     if let Some(foundation) = description.foundation.frame() {
         check_above_ground(ground, base_m)?;
-        return check_frame_in_ground(foundation.frame.description(), ground);
+        let frame = foundation.frame.description();
+        check_frame_in_ground(frame, ground)?;
+        return check_held(frame, ground);
     }
     check_inputs(ground, at)?;
     check_heights(ground, base_m, top_m)?;
@@ -76,6 +78,24 @@ pub(in crate::tower) fn check_frame_in_ground(
     match deepest {
         Some(pile) => check_soil(&pile.alone(frame, ground), ground, tip_m(pile)),
         None => Ok(()),
+    }
+}
+
+/// Soil without axial springs lets piles sink, and one that stands alone turn.
+fn check_held(frame: &FrameDescription, ground: &Ground) -> Checked {
+    let holds = |motions: &[usize]| {
+        let motions = motions.iter();
+        let mut pairs = motions.flat_map(|i| frame.supports.iter().map(move |s| (s, *i)));
+        pairs.any(|(support, i)| support.fixed[i] || support.stiffness[i][i] > 0.0)
+    };
+    if ground.axial.is_none() && !holds(&[2]) {
+        return error(at("axial"), Problem::PilesSink);
+    }
+    let is_alone = FramePile::all(frame, ground).is_ok_and(|piles| piles.len() == 1);
+    let resists = ground.axial.is_some_and(AxialModel::resists_torsion);
+    match is_alone && !resists && !holds(&[0, 1, 5]) {
+        true => error(at("axial"), Problem::PileTurns),
+        false => Ok(()),
     }
 }
 
