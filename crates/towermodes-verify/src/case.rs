@@ -1,10 +1,13 @@
 //! One case: a tower, its reference values, and the methods that must reproduce them.
 
+use towermodes::frame::FrameRecipe;
 use towermodes::{Method, Mode, Options, Solution, Solver, Tower, TowerDescription};
 
 use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected, Quantity, families};
+use crate::found::{FoundFrame, at_rest, of_mooring};
 use crate::row::Row;
+use crate::subject::Subject;
 use crate::turning::Turning;
 
 /// A tower with reference values.
@@ -16,11 +19,12 @@ pub struct Case {
     pub name: String,
     /// The source of the expected values.
     pub source: &'static str,
-    /// The tower.
-    pub tower: TowerDescription,
-    /// The turbine on it, if its rotor turns.
-    pub turning: Option<Turning>,
-    /// The unit of the values.
+    /// What a reader of its values should know, such as which digits of the source are left out;
+    /// empty for nothing.
+    pub remark: &'static str,
+    /// The structure.
+    pub subject: Subject,
+    /// The unit of the frequencies.
     pub unit: Unit,
     /// The uncertainty of the last digit of an expected value.
     pub digits: Digits,
@@ -159,10 +163,42 @@ impl Case {
     }
 
     fn rows(&self, run: &Run) -> Vec<Row> {
-        if let Some(turning) = &self.turning {
-            return self.turning_rows(run, turning);
+        match &self.subject {
+            Subject::Tower(tower) => self.tower_rows(run, tower),
+            Subject::Turbine(tower, turning) => self.turning_rows(run, tower, turning),
+            Subject::Frame(frame, recipe) => {
+                let found = FoundFrame::of(frame, *recipe, &self.expected);
+                let method = recipe.map_or_else(|| run.name(), method_of);
+                self.other_rows(run, &method, found, FoundFrame::get)
+            }
+            Subject::Mooring(mooring) => {
+                self.other_rows(run, "catenary", at_rest(mooring), of_mooring)
+            }
         }
-        let tower = Tower::new(self.tower.clone());
+    }
+
+    /// The rows of what has no towers.
+    fn other_rows<T>(
+        &self,
+        run: &Run,
+        method: &str,
+        found: Result<T, String>,
+        get: impl Fn(&T, Quantity) -> Option<f64>,
+    ) -> Vec<Row> {
+        let got = |expected: &Expected| {
+            let found = found.as_ref().map_err(Clone::clone)?;
+            let value = get(found, expected.quantity);
+            value.ok_or_else(|| "the quantity is not there".to_owned())
+        };
+        let row = |expected| Row {
+            method: method.to_owned(),
+            ..self.row(run, expected, false, got(expected))
+        };
+        self.expected.iter().map(row).collect()
+    }
+
+    fn tower_rows(&self, run: &Run, tower: &TowerDescription) -> Vec<Row> {
+        let tower = Tower::new(tower.clone());
         let planes_are_equal = tower.as_ref().is_ok_and(Tower::planes_are_equal);
         let solution = match &tower {
             Ok(tower) => self.solution(run, tower),
@@ -177,10 +213,10 @@ impl Case {
     }
 
     /// The rows of a turbine: its lowest modes.
-    fn turning_rows(&self, run: &Run, turning: &Turning) -> Vec<Row> {
+    fn turning_rows(&self, run: &Run, tower: &TowerDescription, turning: &Turning) -> Vec<Row> {
         let values = self.expected.iter().map(|expected| expected.value);
         let highest_hz = self.unit.hz * values.fold(0.0, f64::max);
-        let found = turning.frequencies_hz(&self.tower, 1.001 * highest_hz);
+        let found = turning.frequencies_hz(tower, 1.001 * highest_hz);
         let got = |expected: &Expected| {
             let found = found.as_ref().map_err(ToString::to_string)?;
             let place = match expected.quantity {
@@ -205,19 +241,32 @@ impl Case {
             chapter: self.chapter,
             case: self.name.clone(),
             source: self.source,
+            remark: self.remark,
             what: expected.what(planes_are_equal),
             method: run.name(),
-            unit: self.unit.name,
+            unit: expected.quantity.unit().unwrap_or(self.unit.name),
             expected: *expected,
             got,
-            tolerance: run.allowance + expected.open(self.digits) / expected.value,
+            tolerance: run.allowance + expected.open(self.digits) / expected.value.abs(),
         }
+    }
+
+    /// How many modes to begin with: those that are expected by their place, or more than are
+    /// expected by family.
+    fn modes(&self) -> usize {
+        let place = |expected: &Expected| match expected.quantity {
+            Quantity::Lowest(place) => Some(place),
+            _ => None,
+        };
+        let places: Option<Vec<usize>> = self.expected.iter().map(place).collect();
+        let last = places.and_then(|places| places.into_iter().max());
+        last.unwrap_or(2 * self.expected.len() + 4)
     }
 
     /// Solves for all expected modes, or for all modes of the tower if it has fewer.
     fn solution(&self, run: &Run, tower: &Tower) -> Result<Solution, String> {
         let mut solver = Solver::new(Options {
-            modes: 2 * self.expected.len() + 4,
+            modes: self.modes(),
             points: 2,
             ..run.options.clone()
         });
@@ -228,7 +277,13 @@ impl Case {
                 families.all(|family| solution.mode(family, order).is_some())
             }
             Quantity::Lowest(place) => solution.modes.len() >= place,
-            Quantity::BucklingLoadFactor => true,
+            Quantity::BucklingLoadFactor
+            | Quantity::Mass
+            | Quantity::MotionsWithoutStiffness
+            | Quantity::Stiffness(..)
+            | Quantity::Force(_)
+            | Quantity::Tension(..)
+            | Quantity::Place(..) => true,
         };
         let has_all = |solution: &Solution| {
             let mut expected = self.expected.iter();
@@ -267,6 +322,20 @@ impl Case {
                 let factor = solution.buckling_load_factor;
                 Ok(factor.ok_or("no weights buckle the tower")?)
             }
+            Quantity::Mass
+            | Quantity::MotionsWithoutStiffness
+            | Quantity::Stiffness(..)
+            | Quantity::Force(_)
+            | Quantity::Tension(..)
+            | Quantity::Place(..) => Err("no quantity of a tower".into()),
         }
+    }
+}
+
+/// The elements of a frame: "subdyn 4".
+fn method_of(recipe: FrameRecipe) -> String {
+    match recipe {
+        FrameRecipe::Spectral { degree } => format!("spectral {degree}"),
+        FrameRecipe::Subdyn { divisions } => format!("subdyn {divisions}"),
     }
 }

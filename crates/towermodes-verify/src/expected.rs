@@ -22,6 +22,51 @@ pub enum Quantity {
     Lowest(usize),
     /// The factor on gravity at which the tower buckles; it has no unit.
     BucklingLoadFactor,
+    /// The mass of a frame.
+    Mass,
+    /// How many motions of a mechanism have no stiffness.
+    MotionsWithoutStiffness,
+    /// An entry of the stiffness of moorings for the motions (x, y, z, rotation about x, y, z) of
+    /// the platform, rows and columns from 0.
+    Stiffness(usize, usize),
+    /// A force or moment on the platform, of these motions, from 0.
+    Force(usize),
+    /// The tension of a line, from 1, at its upper end: the horizontal part, or the vertical one.
+    Tension(usize, bool),
+    /// Where something hangs at rest: a coordinate (x, y, z, rotation about x, y, z), from 0.
+    Place(Hanging, usize),
+}
+
+/// Something that hangs in mooring lines, by its number, from 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Hanging {
+    /// A free point.
+    Point(usize),
+    /// A body.
+    Body(usize),
+    /// A rod.
+    Rod(usize),
+}
+
+/// Directions and rotations in names of quantities.
+const AXES: [&str; 6] = ["x", "y", "z", "turn x", "turn y", "turn z"];
+
+impl Quantity {
+    /// Its unit, if it is no frequency.
+    pub(crate) fn unit(self) -> Option<&'static str> {
+        match self {
+            Self::Mode(..) | Self::Lowest(_) => None,
+            Self::BucklingLoadFactor | Self::MotionsWithoutStiffness => Some("1"),
+            Self::Mass => Some("kg"),
+            Self::Stiffness(0..3, 0..3) => Some("N/m"),
+            Self::Stiffness(0..3, _) | Self::Stiffness(_, 0..3) => Some("N"),
+            Self::Stiffness(..) => Some("N m"),
+            Self::Force(0..3) | Self::Tension(..) => Some("N"),
+            Self::Force(_) => Some("N m"),
+            Self::Place(_, 0..3) => Some("m"),
+            Self::Place(..) => Some("rad"),
+        }
+    }
 }
 
 /// A value that is expected of a solution.
@@ -85,7 +130,11 @@ impl Expected {
         Self::parsed(Quantity::BucklingLoadFactor, text)
     }
 
-    fn parsed(quantity: Quantity, text: &str) -> Self {
+    /// A value of any quantity, with the digits of the source.
+    ///
+    /// # Panics
+    /// As [`series`](Self::series).
+    pub fn parsed(quantity: Quantity, text: &str) -> Self {
         Self {
             quantity,
             value: text.parse().expect("a number of the manual"),
@@ -102,6 +151,13 @@ impl Expected {
             Quantity::Mode(family, order) => format!("{} {order}", family.name()),
             Quantity::Lowest(place) => format!("mode {place}"),
             Quantity::BucklingLoadFactor => "buckling load factor".into(),
+            Quantity::Mass => "mass".into(),
+            Quantity::MotionsWithoutStiffness => "motions without stiffness".into(),
+            Quantity::Stiffness(i, j) => format!("K{}{}", i + 1, j + 1),
+            Quantity::Force(i) => format!("F{}", i + 1),
+            Quantity::Tension(line, true) => format!("line {line} V"),
+            Quantity::Tension(line, false) => format!("line {line} H"),
+            Quantity::Place(part, axis) => format!("{} {}", part.name(), AXES[axis]),
         }
     }
 
@@ -112,6 +168,16 @@ impl Expected {
             // The exact value may lie at the limit of the rounding.
             Digits::Printed => 0.5 * unit * (1.0 + 1e-9),
             Digits::Computed => unit,
+        }
+    }
+}
+
+impl Hanging {
+    fn name(self) -> String {
+        match self {
+            Self::Point(number) => format!("point {number}"),
+            Self::Body(number) => format!("body {number}"),
+            Self::Rod(number) => format!("rod {number}"),
         }
     }
 }

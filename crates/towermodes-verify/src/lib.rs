@@ -14,20 +14,23 @@
 mod case;
 mod chapter;
 mod expected;
+mod found;
 mod manual;
 mod markdown;
 mod row;
 #[cfg(feature = "serde")]
 mod row_keys;
+mod subject;
 pub mod towers;
 mod turning;
 
 pub use case::{Case, Run, Unit, Value};
 pub use chapter::Chapter;
-pub use expected::{Digits, Expected, Quantity};
+pub use expected::{Digits, Expected, Hanging, Quantity};
 pub use manual::{CHAPTERS, manual};
 pub use markdown::markdown;
 pub use row::{Row, Verification};
+pub use subject::Subject;
 pub use turning::Turning;
 
 /// The JSON schema of a [`Verification`] (draft 2020-12), indented, with a newline at the end. A

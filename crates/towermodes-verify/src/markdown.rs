@@ -27,6 +27,9 @@ pub fn markdown(rows: &[Row]) -> String {
         );
         for case in chapter.chunk_by(Row::is_of_the_case_of) {
             let _ = write!(text, "\n**{}** ({})\n\n", case[0].case, case[0].source);
+            if !case[0].remark.is_empty() {
+                let _ = write!(text, "{}\n\n", case[0].remark);
+            }
             text.push_str("| method | mode | expected | computed | difference | tolerance | |\n|---|---|---|---|---|---|---|\n");
             for row in case {
                 let _ = writeln!(text, "| {} |", cells(row).join(" | "));
@@ -39,8 +42,8 @@ pub fn markdown(rows: &[Row]) -> String {
 /// The cells of a row with the unit of its values.
 fn cells(row: &Row) -> [String; 7] {
     let mut cells = row.cells();
-    if row.unit == "Hz" {
-        cells[2].push_str(" Hz");
+    if row.unit != "1" {
+        cells[2].push_str(&format!(" {}", row.unit));
     }
     cells
 }

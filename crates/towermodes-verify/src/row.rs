@@ -12,11 +12,13 @@ pub struct Row {
     pub case: String,
     /// The source of the expected value.
     pub source: &'static str,
+    /// What a reader of the values should know; empty for nothing.
+    pub remark: &'static str,
     /// The name of the quantity: "bending 2".
     pub what: String,
     /// The method with its number of segments.
     pub method: String,
-    /// The unit of the values: `Hz`, or `1`.
+    /// The unit of the values: `Hz`, `kg`, `N/m`, or `1` for dimensionless ones.
     pub unit: &'static str,
     /// The expected value.
     pub expected: Expected,

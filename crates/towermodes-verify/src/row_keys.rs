@@ -16,12 +16,15 @@ struct RowKeys {
     case: String,
     /// The source of the expected value.
     source: &'static str,
+    /// What a reader of the values should know, such as which digits of the source are left out;
+    /// empty for nothing.
+    remark: &'static str,
     /// The method with its segments.
     method: String,
     /// The quantity of the value, for example "bending 2".
     #[serde(rename = "mode")]
     what: String,
-    /// `Hz`, or `1` for dimensionless frequencies.
+    /// `Hz`, `kg`, `N/m` and the like, or `1` for dimensionless values.
     unit: &'static str,
     /// The expected value.
     #[serde(getter = "expected")]

@@ -5,6 +5,7 @@ use towermodes::Family;
 use crate::case::{Case, Run, Unit};
 use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected};
+use crate::subject::Subject;
 use crate::towers::reference_table;
 
 pub(super) const CHAPTER: Chapter = Chapter {
@@ -86,8 +87,8 @@ pub(super) fn cases() -> Vec<Case> {
                 } else {
                     "BModes v3.00, run"
                 },
-                tower: reference_table(wall, top_kg),
-                turning: None,
+                subject: Subject::tower(reference_table(wall, top_kg)),
+                remark: "",
                 unit: Unit::HZ,
                 digits: Digits::Computed,
                 expected: expected(values),

@@ -5,6 +5,7 @@ use towermodes::{Family, Method, TowerDescription};
 use crate::case::{Case, Run, Unit};
 use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected};
+use crate::subject::Subject;
 use crate::towers::{reference, reference_350t};
 
 pub(super) const CHAPTER: Chapter = Chapter {
@@ -103,8 +104,8 @@ fn case((method, segments, has_top_mass, bending, others): Solution) -> Case {
         chapter: CHAPTER,
         name: name.into(),
         source: SOURCE,
-        tower,
-        turning: None,
+        subject: Subject::tower(tower),
+        remark: "",
         unit: Unit::HZ,
         digits: Digits::Computed,
         expected,

@@ -6,6 +6,7 @@ use super::uniform::{bending_case, runs_without_rotary_inertia};
 use crate::case::{Case, Run, Unit};
 use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected};
+use crate::subject::Subject;
 use crate::towers::{Uniform, reference_350t, reference_eccentric};
 
 pub(super) const CHAPTER: Chapter = Chapter {
@@ -105,8 +106,8 @@ fn load(name: &str, source: &'static str, tower: TowerDescription, factor: &str)
         chapter: CHAPTER,
         name: format!("buckling, {name}"),
         source,
-        tower,
-        turning: None,
+        subject: Subject::tower(tower),
+        remark: "",
         unit: Unit::NONE,
         digits: Digits::Computed,
         expected: vec![Expected::buckling_load_factor(factor)],

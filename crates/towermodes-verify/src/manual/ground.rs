@@ -9,6 +9,7 @@ use towermodes::{
 use crate::case::{Case, Run, Unit};
 use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected};
+use crate::subject::Subject;
 
 pub(super) const CHAPTER: Chapter = Chapter {
     name: "ground",
@@ -104,8 +105,8 @@ fn case(name: &str, edition: ApiEdition, layers: Vec<GroundLayer>, values: &str)
         chapter: CHAPTER,
         name: name.into(),
         source: "finite elements of degree 9 with the formula at every point",
-        tower: tower(tip_m, edition, layers),
-        turning: None,
+        subject: Subject::tower(tower(tip_m, edition, layers)),
+        remark: "",
         unit: Unit::HZ,
         digits: Digits::Computed,
         expected: Expected::series(Family::ForeAft, values),

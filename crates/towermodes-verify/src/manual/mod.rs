@@ -4,6 +4,7 @@ mod bmodes;
 mod elements;
 mod gravity;
 mod ground;
+mod offshore;
 mod paper;
 mod real;
 mod springs;
@@ -18,7 +19,7 @@ use crate::case::Case;
 use crate::chapter::Chapter;
 
 /// The chapters in their order.
-pub const CHAPTERS: [Chapter; 13] = [
+pub const CHAPTERS: [Chapter; 14] = [
     paper::CHAPTER,
     elements::CHAPTER,
     bmodes::CHAPTER,
@@ -32,6 +33,7 @@ pub const CHAPTERS: [Chapter; 13] = [
     gravity::CHAPTER,
     real::CHAPTER,
     turbine::CHAPTER,
+    offshore::CHAPTER,
 ];
 
 /// Every case in the order of the chapters.
@@ -50,6 +52,7 @@ pub fn manual() -> Vec<Case> {
         gravity::cases(),
         real::cases(),
         turbine::cases(),
+        offshore::cases(),
     ];
     chapters.into_iter().flatten().collect()
 }

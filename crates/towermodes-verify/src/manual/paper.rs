@@ -5,6 +5,7 @@ use towermodes::{Family, Method, TowerDescription};
 use crate::case::{Case, Run, Unit};
 use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected};
+use crate::subject::Subject;
 use crate::towers::{reference, reference_350t, reference_table};
 
 pub(super) const CHAPTER: Chapter = Chapter {
@@ -110,8 +111,8 @@ fn case(
         chapter: CHAPTER,
         name: name.into(),
         source,
-        tower,
-        turning: None,
+        subject: Subject::tower(tower),
+        remark: "",
         unit: Unit::HZ,
         digits: Digits::Printed,
         expected,

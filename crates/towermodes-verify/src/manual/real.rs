@@ -5,6 +5,7 @@ use towermodes::{Family, Method, TowerDescription};
 use crate::case::{Case, Run, Unit};
 use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected};
+use crate::subject::Subject;
 use crate::towers::{
     floater, reference, reference_350t, reference_eccentric, reference_in_soil,
     reference_on_springs, reference_with_machine,
@@ -119,8 +120,8 @@ fn case(name: &str, tower: TowerDescription, expected: Vec<Expected>, runs: Vec<
         chapter: CHAPTER,
         name: name.into(),
         source: "two independent Ritz solutions",
-        tower,
-        turning: None,
+        subject: Subject::tower(tower),
+        remark: "",
         unit: Unit::HZ,
         digits: Digits::Computed,
         expected,

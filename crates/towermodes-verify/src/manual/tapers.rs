@@ -5,6 +5,7 @@ use towermodes::{Family, Method};
 use crate::case::{Case, Run, Unit};
 use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected};
+use crate::subject::Subject;
 use crate::towers::Tapered;
 
 pub(super) const CHAPTER: Chapter = Chapter {
@@ -101,9 +102,9 @@ fn case(name: &str, beam: Tapered, values: &str, runs: Vec<Run>) -> Case {
         chapter: CHAPTER,
         name: name.into(),
         source: LITERATURE,
-        turning: None,
+        remark: "",
         unit: Unit::dimensionless(beam.unit_hz),
-        tower: beam.description,
+        subject: Subject::tower(beam.description),
         digits: Digits::Computed,
         expected: Expected::series(Family::ForeAft, values),
         runs,

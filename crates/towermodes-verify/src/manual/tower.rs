@@ -6,6 +6,7 @@ use super::uniform::{runs, runs_without_rotary_inertia};
 use crate::case::{Case, Run, Unit};
 use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected};
+use crate::subject::Subject;
 use crate::towers::{reference, reference_350t, reference_with_machine};
 
 pub(super) const CHAPTER: Chapter = Chapter {
@@ -85,8 +86,8 @@ fn case(name: &str, tower: TowerDescription, expected: Vec<Expected>, runs: Vec<
         chapter: CHAPTER,
         name: name.into(),
         source: "Ritz solution in 40 digits or more",
-        tower,
-        turning: None,
+        subject: Subject::tower(tower),
+        remark: "",
         unit: Unit::HZ,
         digits: Digits::Computed,
         expected,

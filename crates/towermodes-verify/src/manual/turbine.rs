@@ -6,6 +6,7 @@ use towermodes::turbine::{TurbineDescription, TurbineMesh};
 use crate::case::{Case, Run, Unit};
 use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected};
+use crate::subject::Subject;
 use crate::towers::{nrel_tower, nrel_turbine, uniform_tower, uniform_turbine};
 use crate::turning::Turning;
 
@@ -147,12 +148,15 @@ fn case(
         chapter: CHAPTER,
         name,
         source: SOURCE,
-        tower,
-        turning: Some(Turning {
-            machine,
-            rotor_speed_rpm,
-            mesh,
-        }),
+        subject: Subject::Turbine(
+            Box::new(tower),
+            Box::new(Turning {
+                machine,
+                rotor_speed_rpm,
+                mesh,
+            }),
+        ),
+        remark: "",
         unit: Unit::HZ,
         digits: Digits::Computed,
         expected: Expected::lowest(values),

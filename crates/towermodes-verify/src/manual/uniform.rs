@@ -5,6 +5,7 @@ use towermodes::{Family, Method};
 use crate::case::{Case, Run, Unit};
 use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected};
+use crate::subject::Subject;
 use crate::towers::Uniform;
 
 pub(super) const CHAPTER: Chapter = Chapter {
@@ -46,9 +47,9 @@ pub(super) fn bending_case(
         chapter,
         name,
         source,
-        turning: None,
+        remark: "",
         unit: Unit::dimensionless(beam.unit_hz),
-        tower: beam.description,
+        subject: Subject::tower(beam.description),
         digits: Digits::Computed,
         expected: Expected::series(Family::ForeAft, values),
         runs,
@@ -122,8 +123,8 @@ fn rod(name: &str, family: Family, modulus_pa: f64, mu: f64) -> Case {
         chapter: CHAPTER,
         name: name.into(),
         source,
-        tower: Uniform::new(0.02, None).with_tip(mu, 0.0, 0.0).description,
-        turning: None,
+        subject: Subject::tower(Uniform::new(0.02, None).with_tip(mu, 0.0, 0.0).description),
+        remark: "",
         unit: Unit::dimensionless(wave_m_per_s / Uniform::LENGTH_M / std::f64::consts::TAU),
         digits: Digits::Computed,
         expected: Expected::series(family, values),

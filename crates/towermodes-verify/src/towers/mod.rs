@@ -2,6 +2,7 @@
 
 mod beams;
 mod coupled;
+pub mod offshore;
 mod rotated;
 mod turbines;
 

@@ -1,8 +1,9 @@
 //! The stiffness is the derivative of the force, for every mooring of these tests, at the reference
 //! pose and far from it.
 
-use super::decks::{hywind, iea_22, oc4_semi, tlp, volturnus};
-use super::free_parts::{buoyant, buoys, clump, coupled, delta, rod};
+use super::decks::{
+    buoyant, buoys, clump, coupled, delta, hywind, iea_22, oc4_semi, rod, tlp, volturnus,
+};
 use towermodes::mooring::{Mooring, MooringDescription, MooringWorkspace, Pose};
 
 /// Half the step of the differences, m and rad.

@@ -1,7 +1,6 @@
 //! Results do not depend on the axes, on the reference point, or on evaluations before.
 
-use super::decks::{at_rest, oc4_semi};
-use super::free_parts::{buoys, clump, coupled, delta, rod};
+use super::decks::{at_rest, buoys, clump, coupled, delta, oc4_semi, rod};
 use towermodes::mooring::{
     Attachment, Carrier, Mooring, MooringDescription, MooringWorkspace, Pose,
 };

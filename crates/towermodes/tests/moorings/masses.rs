@@ -1,6 +1,6 @@
 //! The masses that ride on the platform, by hand.
 
-use super::free_parts::{buoys, clump, coupled};
+use super::decks::{buoys, clump, coupled};
 use towermodes::mooring::Mooring;
 use towermodes_testing::Close;
 

@@ -1,10 +1,9 @@
-//! Mooring systems: lines by hand and of MAP++, the 6×6 stiffness of public floaters, free points,
-//! bodies and rods, differences of the force, invariances, refusals, random lines.
+//! Mooring systems: lines by hand and of MAP++, published stiffness, differences of the force,
+//! invariances, refusals, random lines. The verification manual has more digits.
 
 mod decks;
 mod differences;
 mod foundation;
-mod free_parts;
 mod invariance;
 mod masses;
 mod platforms;

@@ -1,7 +1,6 @@
 //! Random free points, bodies and rods: wherever the search begins it ends at the same equilibrium.
 
-use super::decks::at_rest;
-use super::free_parts::{buoys, clump, delta, rod};
+use super::decks::{at_rest, buoys, clump, delta, rod};
 use towermodes::mooring::{Attachment, Mooring, MooringDescription, MooringError, Pose};
 use towermodes_random::Seed;
 use towermodes_testing::Close;

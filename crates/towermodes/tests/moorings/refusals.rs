@@ -1,7 +1,6 @@
 //! What no mooring system can have is refused with a sentence.
 
-use super::decks::hywind;
-use super::free_parts::{buoys, clump, rod};
+use super::decks::{buoys, clump, hywind, rod};
 use towermodes::mooring::{
     Attachment, Carrier, Mooring, MooringDescription, MooringError, MooringLine, MooringPoint, Pose,
 };

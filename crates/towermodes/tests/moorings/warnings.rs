@@ -1,7 +1,6 @@
 //! What is possible but probably a mistake is told.
 
-use super::decks::{at_rest, hywind, iea_22};
-use super::free_parts::buoyant;
+use super::decks::{at_rest, buoyant, hywind, iea_22};
 use towermodes::mooring::{LineType, Mooring, MooringDescription};
 use towermodes_testing::{Close, Says};
 
