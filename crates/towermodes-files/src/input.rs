@@ -256,6 +256,10 @@ pub struct ReadOptions {
     /// Whether a tower of OpenFAST is clamped at its base, even if the files of the structure below
     /// it are there.
     pub clamped: bool,
+    /// Members of the floating platform of a windIO file reach to the axes of the members on which
+    /// they begin; false: they are cut at the surface, unless the platform is nearer to balance
+    /// with whole members.
+    pub whole_members: bool,
 }
 
 /// How a rotor is held on its shaft, which decides how much inertia of rotor and generator acts on
@@ -281,6 +285,7 @@ impl Default for ReadOptions {
             rotor: RotorLock::Locked,
             without_gravity: false,
             clamped: false,
+            whole_members: false,
         }
     }
 }

@@ -43,5 +43,6 @@ mod turbine_table;
 mod whirl;
 mod windio;
 mod windio_files;
+mod windio_floater;
 mod windio_slips;
 mod written_decks;

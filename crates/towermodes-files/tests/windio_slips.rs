@@ -296,7 +296,14 @@ fn what_holds_the_tower_and_is_not_read_is_missing() {
         "components:\n    floating_platform: {joints: []}\n    mooring: {lines: []}\n",
         1,
     );
-    let missing = read(&text).description.missing_parts;
+    let clamped = ReadOptions {
+        clamped: true,
+        ..ReadOptions::default()
+    };
+    let missing = read_with(&text, &clamped)
+        .expect("a tower")
+        .description
+        .missing_parts;
     let holds = [MissingPart::Platform, MissingPart::MooringLines];
     // Its drivetrain is all that has a mass at the top.
     let above = [MissingPart::Hub, MissingPart::Blades];

@@ -77,6 +77,7 @@ impl Reading {
             rotor: self.rotor()?,
             without_gravity: self.no_gravity,
             clamped: self.clamped,
+            ..ReadOptions::default()
         })
     }
 

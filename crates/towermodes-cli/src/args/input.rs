@@ -242,6 +242,7 @@ impl ReadingArguments {
             },
             without_gravity: self.no_gravity,
             clamped: self.clamped,
+            ..ReadOptions::default()
         }
     }
 }

@@ -103,7 +103,7 @@ impl Stretch {
 }
 
 /// A disc with a hole, by its density, radii and thickness.
-fn disc([density, outer, inner]: [f64; 3], slice: &Slice, axis: Vector) -> RigidBody {
+pub(super) fn disc([density, outer, inner]: [f64; 3], slice: &Slice, axis: Vector) -> RigidBody {
     let squares = outer * outer + inner * inner;
     let mass_kg = density * PI * (outer * outer - inner * inner) * slice.length_m;
     let tensor = axial(0.25 * mass_kg * squares, 0.5 * mass_kg * squares, axis);

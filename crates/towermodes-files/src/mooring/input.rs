@@ -36,20 +36,30 @@ pub struct MooringInput {
 
 /// The bytes of the rows of a file.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Spans {
-    pub(super) site: Range<usize>,
-    pub(super) line_types: Vec<Range<usize>>,
-    pub(super) points: Vec<Range<usize>>,
-    pub(super) lines: Vec<Range<usize>>,
-    pub(super) bodies: Vec<Range<usize>>,
-    pub(super) rods: Vec<Range<usize>>,
+pub(crate) struct Spans {
+    pub(crate) site: Range<usize>,
+    pub(crate) line_types: Vec<Range<usize>>,
+    pub(crate) points: Vec<Range<usize>>,
+    pub(crate) lines: Vec<Range<usize>>,
+    pub(crate) bodies: Vec<Range<usize>>,
+    pub(crate) rods: Vec<Range<usize>>,
     /// The heading of the lines.
-    pub(super) heading: Range<usize>,
+    pub(crate) heading: Range<usize>,
     /// Whether rows were copied, so that parts have other numbers than their rows.
-    pub(super) is_repeated: bool,
+    pub(crate) is_repeated: bool,
 }
 
 impl MooringInput {
+    /// The mooring system of a file of another format, without notes.
+    pub(crate) fn new(description: MooringDescription, source: Source, spans: Spans) -> Self {
+        Self {
+            description,
+            notes: Vec::new(),
+            source,
+            spans,
+        }
+    }
+
     /// The mooring system.
     ///
     /// # Errors

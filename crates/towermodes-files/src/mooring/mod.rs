@@ -21,6 +21,7 @@ mod row;
 mod site;
 mod tables;
 
+pub(crate) use input::Spans;
 pub use input::{MooringInput, MooringSite};
 pub use map::read_map;
 pub use moordyn::read_moordyn;

@@ -3,12 +3,14 @@
 //!
 //! Sources: the schemas of windIO 1.0 and 2.x (`IEAontology_schema.yaml`, `turbine_schema.yaml`).
 
+mod floater;
 mod machine;
 mod support;
 mod text;
 mod write;
 
-use towermodes::{Damping, MissingPart, Rna, Rotor, TowerDescription};
+use towermodes::mooring::MooringDescription;
+use towermodes::{Damping, Foundation, MissingPart, Rna, Rotor, Tower, TowerDescription};
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
@@ -83,7 +85,8 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     let (rna, rotor) = top(&outline, version, options, reading);
     let structure = Structure::read(&outline, version, options.part, reading);
     let ((rna, without_mass), mut structure) = (rna?, structure?);
-    let mut missing_parts = missing_parts(&outline, reading);
+    let floats = options.part == TowerPart::All && !options.clamped;
+    let mut missing_parts = missing_parts(&outline, floats, reading);
     missing_parts.extend(without_mass);
     let in_soil = support::water::stand(&mut structure, &outline, options.part, reading);
     let in_soil = reading.keep(in_soil)?;
@@ -106,22 +109,77 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     let has_machine = has_rotor && !options.without_rna;
     let turbine_missing =
         has_machine.then(|| machine::turbine::missing(&outline, version, reading));
-    Some(Described {
-        description: TowerDescription {
-            name: name.unwrap_or_default().to_owned(),
-            rna,
-            damping: Damping {
-                rotor: aerodynamics,
-                ..Damping::default()
-            },
-            rotor: rotor?,
-            missing_parts,
-            ..description
+    let mut description = TowerDescription {
+        name: name.unwrap_or_default().to_owned(),
+        rna,
+        damping: Damping {
+            rotor: aerodynamics,
+            ..Damping::default()
         },
+        rotor: rotor?,
+        missing_parts,
+        ..description
+    };
+    if floats {
+        let afloat = afloat(&outline, version, options, &mut description, reading);
+        reading.keep(afloat)?;
+    }
+    Some(Described {
+        description,
         joint_m,
         blades,
         turbine_missing,
     })
+}
+
+/// The acceleration of gravity of the site, m/s².
+fn gravity(outline: &Outline, reading: &mut Reading<'_>) -> Result<f64, Diagnostic> {
+    let environment = outline.environment.as_ref();
+    let node = environment.and_then(|environment| environment.get("gravity"));
+    let Some(node) = node else {
+        let standard = MooringDescription::GRAVITY_M_PER_S2;
+        let message =
+            format!("the file has no gravity in its environment: {standard} m/s2 is assumed");
+        reading.note(Note::assumption(message));
+        return Ok(standard);
+    };
+    let found = node.number("gravity")?;
+    match found > 0.0 {
+        true => Ok(found),
+        false => {
+            let kind = DiagnosticKind::out_of_range_in("gravity", found, "m/s2", "positive");
+            Err(Diagnostic::new(node.span.clone(), kind))
+        }
+    }
+}
+
+/// Puts a tower on the floating platform of its file.
+fn afloat(
+    outline: &Outline,
+    version: Version,
+    options: &ReadOptions,
+    description: &mut TowerDescription,
+    reading: &mut Reading<'_>,
+) -> Result<(), Diagnostic> {
+    let components = outline.components.as_ref();
+    if components.is_none_or(|components| components.floating_platform.is_none()) {
+        return Ok(());
+    }
+    description.gravity_m_per_s2 = gravity(outline, reading)?;
+    // What no tower can have is reported when the tower is made.
+    let Ok(tower) = Tower::new(description.clone()) else {
+        return Ok(());
+    };
+    let afloat = floater::Afloat {
+        carried_kg: tower.mass_kg() + tower.rna().mass_kg,
+        gravity_m_per_s2: tower.gravity_m_per_s2(),
+        base_m: tower.base_m(),
+        whole_members: options.whole_members,
+    };
+    if let Some(platform) = floater::float(outline, version, &afloat, reading)? {
+        description.foundation = Foundation::Floating(Box::new(platform));
+    }
+    Ok(())
 }
 
 /// The rotor-nacelle assembly and its parts without mass.
@@ -158,18 +216,18 @@ fn outline(reading: &Reading<'_>) -> Result<Outline, Diagnostic> {
 }
 
 /// The parts under the tower that are left out, with notes.
-fn missing_parts(outline: &Outline, reading: &mut Reading<'_>) -> Vec<MissingPart> {
+fn missing_parts(outline: &Outline, floats: bool, reading: &mut Reading<'_>) -> Vec<MissingPart> {
     let Some(components) = &outline.components else {
         return Vec::new();
     };
     let parts = [
         (
-            components.floating_platform.is_some(),
+            components.floating_platform.is_some() && !floats,
             MissingPart::Platform,
-            "the floating platform is left out: the tower is clamped at its base; add [foundation] with type = \"floating\" after `convert --to toml`",
+            "the floating platform is left out: the tower is clamped at its base",
         ),
         (
-            components.mooring.is_some(),
+            components.mooring.is_some() && !(floats && components.floating_platform.is_some()),
             MissingPart::MooringLines,
             "the mooring lines are left out",
         ),

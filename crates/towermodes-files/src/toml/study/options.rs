@@ -42,6 +42,7 @@ pub(super) fn options(sweep: &Table<'_>, reading: &mut Reading) -> Option<ReadOp
         rotor: rotor?,
         without_gravity: without_gravity?,
         clamped: clamped?,
+        whole_members: default.whole_members,
     })
 }
 

@@ -55,6 +55,26 @@ impl<'a> Materials<'a> {
         Ok(self.used.len() - 1)
     }
 
+    /// The density of a material by its name, kg/m³; it needs no stiffness.
+    pub(crate) fn density(
+        &self,
+        name_node: &Node,
+        reading: &Reading<'_>,
+    ) -> Result<f64, Diagnostic> {
+        let name = name_node.name(&reading.source.text);
+        let node = self.find(name, name_node, reading)?;
+        let what = format!("material `{name}`");
+        let rho = node.require("rho", &what)?;
+        let density = rho.number(&format!("density of {what}"))?;
+        match density >= 0.0 {
+            true => Ok(density),
+            false => {
+                let kind = DiagnosticKind::out_of_range(what, density, "0 or positive");
+                Err(Diagnostic::new(rho.span.clone(), kind))
+            }
+        }
+    }
+
     fn find(&self, name: &str, at: &Node, reading: &Reading<'_>) -> Result<&'a Node, Diagnostic> {
         let list = self
             .list

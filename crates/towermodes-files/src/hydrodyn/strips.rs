@@ -1,0 +1,93 @@
+//! The water of strip members of any source as that of one rigid body, and rings of material
+//! along them.
+
+use std::f64::consts::PI;
+
+use towermodes::RigidBody;
+use towermodes::space::SpatialMatrix;
+
+use super::ends::{self, Joint};
+use super::growth::Growth;
+use super::strip::{Stretch, StripMember, blend};
+use super::strip_inertia::{added_mass, disc, slices};
+use super::water::SeaWater;
+use super::water_plane;
+
+/// Water for the motion (x, y, z, rotation about x, y, z) of the origin.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct StripWater {
+    /// Displaced volume, m³.
+    pub(crate) volume_m3: f64,
+    /// Centre of buoyancy, m.
+    pub(crate) center_m: [f64; 3],
+    /// Added mass: kg, kg m, kg m².
+    pub(crate) added_mass: SpatialMatrix,
+    /// Stiffness of water plane and buoyancy divided by ρ g: m², m³, m⁴.
+    pub(crate) hydrostatic: SpatialMatrix,
+}
+
+/// The water of members; joints by position and coefficient of added mass of ends, `joints_of`
+/// those of each member.
+pub(crate) fn strip_water(
+    members: &[StripMember],
+    joints: &[([f64; 3], f64)],
+    joints_of: &[[usize; 2]],
+    water: &SeaWater,
+) -> StripWater {
+    let joints = joints.iter().map(|(position_m, axial)| Joint {
+        name: String::new(),
+        position_m: *position_m,
+        axial: *axial,
+    });
+    let joints: Vec<Joint> = joints.collect();
+    let ends = ends::of(&joints, members, joints_of, &Growth::default(), water);
+    let hydrostatics = water_plane::of(members, water);
+    let volume_m3 = hydrostatics.load[2];
+    let center = |moment: f64| {
+        if volume_m3 > 0.0 {
+            moment / volume_m3
+        } else {
+            0.0
+        }
+    };
+    StripWater {
+        volume_m3,
+        center_m: [
+            center(-hydrostatics.load[4]),
+            center(hydrostatics.load[3]),
+            center(moment_of_height(members)),
+        ],
+        added_mass: added_mass(members, &ends, water.density_kg_per_m3),
+        hydrostatic: hydrostatics.stiffness,
+    }
+}
+
+/// ∫ z dV of what is in the water, m⁴.
+fn moment_of_height(members: &[StripMember]) -> f64 {
+    let mut moment = 0.0;
+    for member in members {
+        for stretch in member.stretches.iter().filter(|stretch| stretch.is_wet) {
+            for slice in slices(member, stretch, [0.0, 1.0]) {
+                let radius_m = blend(stretch.outer_radius_m, slice.fraction);
+                moment += PI * radius_m * radius_m * slice.length_m * slice.center_m[2];
+            }
+        }
+    }
+    moment
+}
+
+/// A ring of material along a stretch of a member: density, outer and inner radii at both ends.
+pub(crate) fn ring(
+    member: &StripMember,
+    stretch: &Stretch,
+    density_kg_per_m3: f64,
+    outer_radius_m: [f64; 2],
+    inner_radius_m: [f64; 2],
+) -> RigidBody {
+    let axis = member.axis();
+    let discs = slices(member, stretch, [0.0, 1.0]).map(|slice| {
+        let [outer, inner] = [outer_radius_m, inner_radius_m].map(|of| blend(of, slice.fraction));
+        disc([density_kg_per_m3, outer, inner], &slice, axis)
+    });
+    RigidBody::combined(&discs)
+}
