@@ -154,9 +154,9 @@ pub use tower::{
     PileFormula, PileTube, Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation,
     PyRow, Quantity, RectangularFooting, ReferredMatrix, RigidBody, Rna, Rock, Rotor,
     RotorAerodynamics, Sand, Scour, Shear, ShearModulus, Site, Slenderness, SoilBelow, SoilModel,
-    SoilProfile, SoilRow, SoilSpring, SoilStiffness, SpringsAt, Station, StiffnessFoundation,
-    SuctionCaisson, Support, Tower, TowerDescription, TowerError, Warning, Water, WinklerPile,
-    Wires, is_printable, printable,
+    SoilProfile, SoilRow, SoilSpring, SoilStiffness, SpringsAt, SpringsOfMember, Station,
+    StiffnessFoundation, SuctionCaisson, Support, Tower, TowerDescription, TowerError, Warning,
+    Water, WinklerPile, Wires, is_printable, printable,
 };
 
 /// The rooms of the solver, for its own tests and benchmarks: nothing here is promised.

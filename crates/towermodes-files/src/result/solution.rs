@@ -6,8 +6,8 @@ use std::io::Write;
 use serde::Serialize;
 use towermodes::modes::serialized::directions;
 use towermodes::{
-    Certificate, HeadStiffness, Method, MissingParts, Mode, Solution, SpringsAt, Statistics, Tower,
-    TowerDescription,
+    Certificate, HeadStiffness, Method, MissingParts, Mode, Solution, SpringsAt, SpringsOfMember,
+    Statistics, Tower, TowerDescription,
 };
 use towermodes_analysis::influence::{Influences, Tolerances};
 
@@ -83,10 +83,12 @@ struct GroundSummary {
     /// Height of the surface at the pile after scour, m.
     surface_m: f64,
     /// The static stiffness of the pile at this surface; null where the tip is held by more than
-    /// springs.
+    /// springs, and on members.
     pile_head: Option<HeadStiffness>,
     /// The springs by rising height; linear in between, twice at a height where they jump.
     springs: Vec<SpringsAt>,
+    /// The springs along the piles of the members below the tower, member by member.
+    members: Vec<SpringsOfMember>,
 }
 
 impl GroundSummary {
@@ -95,6 +97,7 @@ impl GroundSummary {
             surface_m: tower.ground_surface_m()?,
             pile_head: tower.pile_head(),
             springs: tower.springs_of_soil(),
+            members: tower.springs_of_members(),
         })
     }
 }

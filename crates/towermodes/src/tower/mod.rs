@@ -56,7 +56,7 @@ pub use pieces::section::{Section, SectionMasses, Tube};
 pub use pieces::shear::Shear;
 pub use support::base::Base;
 pub use support::independent::{Component, Motion, Motions};
-pub use support::pile_head::SpringsAt;
+pub use support::pile_head::{SpringsAt, SpringsOfMember};
 pub use warning::{Ineffective, Site, Warning};
 
 pub use crate::inputs::Quantity;

@@ -53,7 +53,7 @@ pub(super) fn scour(
 ) -> Result<Drawn, Failure> {
     let options = options(input, arguments)?;
     let description = &input.description;
-    let Some(diameter_m) = pile_diameter_m(input) else {
+    let Some(diameter_m) = description.pile_diameter_m() else {
         return Err(Failure::usage(
             "--what scour needs soil in layers around the pile: [ground] in the tower file",
         ));
@@ -71,14 +71,6 @@ pub(super) fn scour(
     let failed = curve.failed.iter();
     let failed = failed.map(|(depth_m, why)| format!("with scour of {depth_m:.2} m: {why}"));
     Ok(drawn(figure, &solution, failed))
-}
-
-/// The outer diameter of the pile in soil in layers: that of the lowest station, or given beside a
-/// table.
-fn pile_diameter_m(input: &TowerInput) -> Option<f64> {
-    let given = input.description.ground.as_ref()?.pile_diameter_m;
-    let lowest = input.description.stations.first();
-    given.or(lowest.map(|station| station.outer_diameter_m))
 }
 
 /// The rotor whose excitations are drawn; none if it is unknown.

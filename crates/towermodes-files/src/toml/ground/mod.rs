@@ -78,13 +78,14 @@ fn note_edition(table: &Table<'_>, ground: &Ground, reading: &mut Reading) {
     }
 }
 
-/// The support of the tip of a pile in ground, if the file has no `[foundation]`.
+/// The support of the tip of a pile in ground, if the file has neither `[foundation]` nor
+/// `[substructure]`, whose piles have the springs of the soil alone.
 pub(super) fn default_foundation(
     root: &Table<'_>,
     ground: &Ground,
     reading: &mut Reading,
 ) -> Option<Foundation> {
-    if root.get("foundation").is_some() {
+    if root.get("foundation").is_some() || root.get("substructure").is_some() {
         return None;
     }
     let place = root.get("ground").map_or(0, |value| value.span().start);

@@ -14,8 +14,11 @@ pub(super) fn ground(ground: &Ground, names: &[String], tower: &Tower) -> Vec<Ta
     let mut tables = vec![
         of_inputs("Soil in layers", ground, []),
         layers(ground, names),
-        springs(tower),
     ];
+    tables.push(match tower.frame() {
+        Some(_) => springs_of_members(tower),
+        None => springs(tower),
+    });
     tables.extend(tower.pile_head().map(|head| pile_head(tower, &head)));
     tables
 }
@@ -39,6 +42,33 @@ fn springs(tower: &Tower) -> Table {
             given(springs.rotation_n),
             given(springs.torsion_n),
         ]);
+    }
+    table.without_empty_columns().shortened()
+}
+
+fn springs_of_members(tower: &Tower) -> Table {
+    let mut table = Table::new(
+        "Springs per unit length of the piles below the surface, across and along each member; linear between rows",
+        [
+            "member",
+            "#height z (m)",
+            "#across k (N/m²)",
+            "#along (N/m²)",
+            "#rotation across (N)",
+            "#torsion (N)",
+        ],
+    );
+    for of_member in tower.springs_of_members() {
+        for springs in &of_member.springs {
+            table.push([
+                of_member.member.clone(),
+                length(springs.height_m),
+                given(springs.lateral_n_per_m2),
+                given(springs.vertical_n_per_m2),
+                given(springs.rotation_n),
+                given(springs.torsion_n),
+            ]);
+        }
     }
     table.without_empty_columns().shortened()
 }

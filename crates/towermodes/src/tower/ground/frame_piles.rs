@@ -118,6 +118,24 @@ impl FramePile {
     }
 }
 
+impl TowerDescription {
+    /// Outer diameter of the pile in the [ground](Self::ground) at its tip, m: that of the lowest
+    /// station, of the first pile of a frame below the tower, or the given one beside a table; none
+    /// without ground or pile.
+    pub fn pile_diameter_m(&self) -> Option<f64> {
+        let ground = self.ground.as_ref()?;
+        let of_frame = self.foundation.frame().map(|foundation| {
+            let frame = foundation.frame.description();
+            let piles = FramePile::all(frame, ground).ok()?;
+            let alone = piles.first()?.alone(frame, ground);
+            alone.stations.first().copied()
+        });
+        let lowest = of_frame.unwrap_or_else(|| self.stations.first().copied());
+        let own = lowest.map(|station| station.outer_diameter_m);
+        ground.pile_diameter_m.or(own)
+    }
+}
+
 impl Buried {
     /// Its upper and its lower joint, from 0.
     fn joints(&self, frame: &FrameDescription) -> [usize; 2] {

@@ -75,25 +75,74 @@ impl Tower {
     /// height: at both ends of each piece of the tower that is in soil, so twice at a step, with
     /// rows of [`soil`](crate::TowerDescription::soil) there. Empty without ground.
     pub fn springs_of_soil(&self) -> Vec<SpringsAt> {
-        let at = |height_m: f64, soil: &SoilStiffness| SpringsAt {
-            height_m,
-            lateral_n_per_m2: soil.x_n_per_m2,
-            vertical_n_per_m2: soil.z_n_per_m2,
-            rotation_n: soil.rotation_y_n,
-            torsion_n: soil.torsion_n,
-        };
         let mut springs: Vec<SpringsAt> = Vec::new();
         if self.ground.is_none() {
             return springs;
         }
         for piece in self.pieces() {
             if let Some([low, high]) = &piece.environment.soil {
-                springs.push(at(piece.base_m, low));
-                springs.push(at(piece.top_m, high));
+                springs.push(SpringsAt::new(piece.base_m, low));
+                springs.push(SpringsAt::new(piece.top_m, high));
             }
         }
         springs.dedup();
         springs
+    }
+}
+
+/// Springs of the soil along a member of the frame below a tower.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct SpringsOfMember {
+    /// Name of the member.
+    pub member: String,
+    /// By rising height, twice where they jump: lateral across the member, vertical along it, per
+    /// length of the member.
+    pub springs: Vec<SpringsAt>,
+}
+
+impl Tower {
+    /// The springs of the soil along the piles of the frame below a tower in
+    /// [ground](crate::TowerDescription::ground), member by member. Empty without both.
+    pub fn springs_of_members(&self) -> Vec<SpringsOfMember> {
+        let frame = self.frame.as_ref().filter(|_| self.ground.is_some());
+        let Some(frame) = frame.map(|foundation| foundation.frame.description()) else {
+            return Vec::new();
+        };
+        let members = frame
+            .members
+            .iter()
+            .filter(|member| !member.soil.is_empty());
+        let of_member = members.map(|member| {
+            let [from_m, to_m] = member.joints.map(|joint| frame.joints[joint].position_m[2]);
+            let rows = member.soil.iter().flat_map(|soil| &soil.rows);
+            let mut springs: Vec<SpringsAt> = rows
+                .map(|row| SpringsAt::new(from_m + row.fraction * (to_m - from_m), &row.stiffness))
+                .collect();
+            if to_m < from_m {
+                springs.reverse();
+            }
+            springs.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));
+            springs.dedup();
+            SpringsOfMember {
+                member: member.name.clone(),
+                springs,
+            }
+        });
+        of_member.collect()
+    }
+}
+
+impl SpringsAt {
+    fn new(height_m: f64, soil: &SoilStiffness) -> Self {
+        Self {
+            height_m,
+            lateral_n_per_m2: soil.x_n_per_m2,
+            vertical_n_per_m2: soil.z_n_per_m2,
+            rotation_n: soil.rotation_y_n,
+            torsion_n: soil.torsion_n,
+        }
     }
 }
 
