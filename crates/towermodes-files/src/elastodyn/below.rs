@@ -93,6 +93,9 @@ impl<'a> Model<'a> {
             subdyn.stand_on(&soil)?;
             parts.push(MissingPart::Soil);
         }
+        if subdyn.description.supports.is_empty() {
+            return Err(ReadError::mistake(self.fst, floats(file.span)));
+        }
         let mut below = Below {
             notes: subdyn.notes.clone(),
             parts,
@@ -208,6 +211,13 @@ impl<'a> Model<'a> {
             .or(self.main.gravity_m_per_s2)
             .unwrap_or(STANDARD_M_PER_S2)
     }
+}
+
+/// The mistake of a substructure that nothing holds: buoyancy and mooring lines would have to.
+fn floats(span: Range<usize>) -> Diagnostic {
+    let message = "nothing holds the substructure of SubDyn, so it floats: a flexible floater is not solved, because buoyancy and mooring lines have no place on its members";
+    let hint = "set CompSub to 0 for a rigid platform (with its mass in ElastoDyn), hold reaction joints, or use --clamped for the tower alone";
+    Diagnostic::new(span, DiagnosticKind::Unsupported(message.to_owned())).with_hint(hint)
 }
 
 /// The platform of ElastoDyn, with its centre from the reference point.

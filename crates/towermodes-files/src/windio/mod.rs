@@ -1,5 +1,5 @@
 //! Turbines in windIO, the ontology of IEA Wind, versions 1 and 2: reads
-//! tower and monopile, writes towers.
+//! tower, monopile and floating platform with its mooring lines, writes towers.
 //!
 //! Sources: the schemas of windIO 1.0 and 2.x (`IEAontology_schema.yaml`, `turbine_schema.yaml`).
 

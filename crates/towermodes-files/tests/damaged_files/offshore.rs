@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
 use towermodes::{Options, solve};
 use towermodes_files::{FileResolver, InMemory, Input, ReadOptions, Source, read_source};
-use towermodes_testing::with;
+use towermodes_testing::{Says, with};
 
 use super::damage::{self, Damage, any_damages};
 use super::is_inside_its_file;
@@ -18,6 +18,7 @@ use crate::moorings::texts::MAP;
 use crate::subdyn::damaged::texts as subdyn;
 use crate::subdyn::soildyn::sand;
 use crate::subdyn::texts::{SOIL, deck};
+use crate::windio_floater::texts::volturnus;
 
 /// No damaged model may take longer: an undamaged one takes some hundredths of a second.
 const LONGEST: Duration = Duration::from_secs(30);
@@ -107,6 +108,7 @@ pub(super) fn models() -> Vec<Model> {
             &format!("{wet}1 {lines}"),
             vec![("wet.dat", strips), ("lines.dat", MAP.to_owned())],
         ),
+        vec![("floater.yaml", volturnus(2.4e6))],
     ]
 }
 
@@ -162,16 +164,27 @@ fn undamaged_models_are_solved() {
         let Ok(Input::Tower(input)) = read else {
             panic!("{}: {:?}", model[0].1, read.err());
         };
-        assert!(
-            input.description.missing_parts.is_empty(),
-            "{:?}",
-            input.description.missing_parts
-        );
+        // The file in windIO has a mass at the top and no rotor.
+        let missing = &input.description.missing_parts;
+        assert!(missing.is_empty() || model.len() == 1, "{missing:?}");
         let tower = input.tower().unwrap_or_else(|error| panic!("{error}"));
         let solution = solve(&tower, &with!(Options, modes = 6));
         let solution = solution.unwrap_or_else(|error| panic!("{}: {error}", model[0].1));
         assert!(solution.certificate.complete, "{}", model[0].1);
     }
+}
+
+#[test]
+fn a_substructure_that_floats_is_refused() {
+    let mut model = models().swap_remove(2);
+    model[4].1 = deck(&[("NReact", "")]);
+    let main = Source {
+        name: model[0].0.to_owned(),
+        text: model[0].1.clone(),
+    };
+    let refused = read_source(main, &resolver(&model), &ReadOptions::default());
+    let error = refused.map(|_| ()).expect_err("it floats").to_string();
+    error.says_all("model.fst:5 & so it floats");
 }
 
 proptest! {
