@@ -51,11 +51,6 @@ pub struct Converted {
 /// Why a tower cannot be written in a format.
 #[derive(Debug, Error)]
 pub enum ConvertError {
-    /// A space frame, which a tower file has no place for yet.
-    #[error(
-        "the tower stands on a space frame, which a tower file cannot hold yet: use the .fst file itself, or read the tower with --clamped to write it alone"
-    )]
-    Frame,
     /// The input is not a valid tower.
     #[error(transparent)]
     Input(#[from] ReadError),
@@ -140,9 +135,6 @@ fn rotor_notes(input: &TowerInput, format: OutputFormat) -> Vec<Note> {
 fn to_toml(input: &TowerInput) -> Result<Converted, ConvertError> {
     // An invalid tower is not converted.
     input.tower()?;
-    if input.description.foundation.frame().is_some() {
-        return Err(ConvertError::Frame);
-    }
     let turbine = input.turbine.as_ref();
     let (text, mut notes) = write_toml_with(&input.description, turbine);
     if turbine.is_some_and(|turbine| can_be_written(turbine, &input.description)) {

@@ -35,6 +35,7 @@ mod soil_profiles;
 mod sources;
 mod station_tables;
 mod subdyn;
+mod substructure;
 mod sweep_studies;
 mod toml_write;
 mod tower_file_schema;

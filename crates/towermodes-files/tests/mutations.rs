@@ -6,12 +6,14 @@ use proptest::sample::Index;
 use towermodes::{Method, Options, solve};
 use towermodes_files::tower_from_toml;
 
-const FILES: [&str; 9] = [
+const FILES: [&str; 11] = [
     include_str!("../../../examples/reference-tower.toml"),
     include_str!("../../../examples/reference-tower-350t.toml"),
     include_str!("../../../examples/nrel-5mw.toml"),
     include_str!("../../../examples/monopile.toml"),
     include_str!("../../../examples/floating.toml"),
+    include_str!("../../../examples/floating-lines.toml"),
+    include_str!("../../../examples/jacket.toml"),
     include_str!("../../../examples/guyed.toml"),
     include_str!("../../../examples/nrel-5mw-turbine.toml"),
     r#"

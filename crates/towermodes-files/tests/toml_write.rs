@@ -88,6 +88,8 @@ fn every_example() {
         include_str!("../../../examples/nrel-5mw-table.toml"),
         include_str!("../../../examples/monopile.toml"),
         include_str!("../../../examples/floating.toml"),
+        include_str!("../../../examples/floating-lines.toml"),
+        include_str!("../../../examples/jacket.toml"),
         include_str!("../../../examples/guyed.toml"),
     ];
     for example in examples {

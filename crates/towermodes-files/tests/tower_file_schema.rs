@@ -148,6 +148,10 @@ fn file_with_a_date(table: &TableSchema, key: &str) -> String {
         None if table.name == "inertia" => {
             format!("[rna]\nmass = 1\ninertia = {{ {} }}\n", lines.join(", "))
         }
+        None if table.name == "coats" => {
+            let coat = lines.join(", ");
+            format!("[substructure]\nmember = [{{ coats = [{{ {coat} }}] }}]\n")
+        }
         None if table.name == "scour" => {
             format!("[ground]\nscour = {{ {} }}\n", lines.join(", "))
         }
@@ -195,7 +199,17 @@ fn every_key_is_read() {
 
 /// Numbers of the tower file that are no parameters: whole numbers, text for the eye, and what
 /// other numbers stand for.
-const NO_PARAMETERS: [(&str, &str); 6] = [
+const NO_PARAMETERS: [(&str, &str); 16] = [
+    ("[substructure]", "reference"),
+    ("[[substructure.joint]]", "axis"),
+    ("[[substructure.member]]", "spin"),
+    ("[[substructure.member]]", "area"),
+    ("[[substructure.member]]", "shear_areas"),
+    ("[[substructure.member]]", "second_moments"),
+    ("[[substructure.member]]", "polar_moment"),
+    ("[[substructure.member]]", "torsion_constant"),
+    ("[[substructure.member]]", "stiffness"),
+    ("[[substructure.member]]", "axes"),
     ("[drivetrain]", "rotor_inertia"),
     ("[drivetrain]", "generator_inertia"),
     ("[drivetrain]", "gear_ratio"),
@@ -205,8 +219,15 @@ const NO_PARAMETERS: [(&str, &str); 6] = [
 ];
 
 /// Tables without parameters: no frequency depends on `[damping]`, and the turbine is no part of
-/// the description of the tower, which has it as a rigid body.
-const TABLES_WITHOUT_PARAMETERS: [&str; 5] = [
+/// the description of the tower, which has it as a rigid body. The matrices on a frame and the
+/// bodies of a mooring system have no names.
+const TABLES_WITHOUT_PARAMETERS: [&str; 11] = [
+    "coats",
+    "[[substructure.support]]",
+    "[[substructure.added_mass]]",
+    "[[substructure.rider]]",
+    "[[mooring.body]]",
+    "[[mooring.rod]]",
     "[damping]",
     "[turbine]",
     "[turbine.nacelle]",
@@ -217,7 +238,8 @@ const TABLES_WITHOUT_PARAMETERS: [&str; 5] = [
 /// A file with every number of the schema has a parameter with the name and the unit of each.
 #[test]
 fn every_number_of_the_tower_file_is_a_parameter() {
-    let floating = text("examples/floating.toml");
+    let floating = text("examples/floating-lines.toml");
+    let jacket = text("examples/jacket.toml");
     let ground = with_other_numbers(GROUND);
     let files = [
         TUBES,
@@ -231,6 +253,8 @@ fn every_number_of_the_tower_file_is_a_parameter() {
         VESIC_PILE,
         &ground,
         &floating,
+        &jacket,
+        FRAME,
     ];
     let towers = files.map(description);
     for table in tower_file_schema() {
@@ -243,7 +267,14 @@ fn every_number_of_the_tower_file_is_a_parameter() {
             let names = names_of_parameters(table, key);
             for name in names {
                 // Layers of the ground have different numbers.
-                let of_layers = (0..4).map(|i| name.replace("layer[*]", &format!("layer[{i}]")));
+                // So have joints and members.
+                let one = |i: usize| {
+                    let lists = ["layer", "joint", "member"].into_iter();
+                    lists.fold(name.clone(), |name, list| {
+                        name.replace(&format!("{list}[*]"), &format!("{list}[{i}]"))
+                    })
+                };
+                let of_layers = (0..4).map(one);
                 let found = of_layers.into_iter().find_map(|name| {
                     towers.iter().find_map(|tower| {
                         let every = Parameter::parse_every(&name, tower).ok()?;
@@ -304,7 +335,9 @@ fn names_of_parameters(table: &TableSchema, key: &KeySchema) -> Vec<String> {
             &["height", "displacement", "reaction"],
         ),
         (_, Matrix, name) => vec![format!("{part}.{name}[*][*]")],
-        (_, Numbers, "center") => (0..3).map(|i| format!("{part}.center[{i}]")).collect(),
+        (_, Numbers, "center" | "position") => (0..3)
+            .map(|i| format!("{part}.{}[{i}]", key.name))
+            .collect(),
         (_, _, name) => vec![format!("{part}.{name}")],
     }
 }
@@ -315,6 +348,32 @@ fn description(text: &str) -> TowerDescription {
         Err(mistakes) => panic!("{mistakes:?}"),
     }
 }
+
+/// A frame with a cable, a pin and a mass.
+const FRAME: &str = r#"
+    [material]
+    density = 7850.0
+    youngs_modulus = 2.1e11
+    poissons_ratio = 0.3
+    [tower]
+    stations = [[10.0, 5.0, 0.03], [80.0, 4.0, 0.02]]
+    [substructure]
+    reference = [0.0, 0.0, 10.0]
+    interface = ["top"]
+    clamped = ["foot", "anchor"]
+    joint = [
+      { name = "foot", position = [0.0, 0.0, 0.0] },
+      { name = "pin", position = [0.0, 0.0, 5.0], kind = "pin", axis = [0.0, 1.0, 0.0], stiffness = 1e9 },
+      { name = "top", position = [0.0, 0.0, 10.0] },
+      { name = "anchor", position = [9.0, 0.0, 0.0] },
+    ]
+    member = [
+      { name = "lower", joints = ["foot", "pin"], outer_diameter = 5.0, wall_thickness = 0.04 },
+      { name = "upper", joints = ["pin", "top"], outer_diameter = [5.0, 4.0], wall_thickness = 0.04 },
+      { name = "stay", joints = ["top", "anchor"], kind = "cable", axial_stiffness = 1e9, mass_per_length = 50.0, pretension = 1e6 },
+    ]
+    mass = [{ joint = "top", mass = 1e4, center = [0.0, 0.0, 1.0], inertia = { xx = 1.0, yy = 2.0, zz = 3.0 } }]
+"#;
 
 const TUBES: &str = "
     [material]

@@ -1,10 +1,12 @@
 //! The whole file: its sections, and the tower that they describe.
 
-use towermodes::{PartNames, TowerDescription};
+use towermodes::{Foundation, PartNames, TowerDescription};
 
 use super::foundation::foundation;
 use super::ground::{default_foundation, ground};
+use super::mooring::mooring;
 use super::schema;
+use super::substructure::substructure;
 use super::tables::added_mass::added_mass;
 use super::tables::damping::damping;
 use super::tables::drivetrain::drivetrain;
@@ -30,22 +32,42 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
         .get("tower")
         .and_then(|tower| tower.get_ref().as_table())
         .is_some_and(|tower| tower.contains_key("properties"));
-    // A table of properties needs no material.
-    let materials = (!has_properties).then(|| materials(root, reading));
+    let has_materials = root.get("material").is_some() || root.get("materials").is_some();
+    let on_members = root.get("substructure").is_some();
+    // A table of properties needs no material, but members under it may.
+    let needs_materials = !has_properties || (on_members && has_materials);
+    let materials = needs_materials.then(|| materials(root, reading));
     let around = around(root, reading);
     let names = match &materials {
         Some(materials) => materials.as_ref().map(|materials| &materials.names[..]),
         None => Some(&[][..]),
     };
     let damping = damping(root, names, reading);
+    let of_members = materials.as_ref().and_then(Option::as_ref);
+    let substructure = substructure(root, of_members, reading);
+    let mooring = mooring(
+        root,
+        around.as_ref().map(|around| around.gravity_m_per_s2),
+        reading,
+    );
     let hint = "add [tower] with stations = [[height, diameter, wall], ...]";
     let value = root.require("tower", hint, reading)?;
     let tower = Table::of(value, "[tower]", &schema::TOWER, reading)?;
-    let body = match materials {
-        Some(materials) => of_tubes(&tower, materials, reading),
-        None => of_properties(root, &tower, reading),
+    let body = match (materials, has_properties) {
+        (Some(materials), false) => of_tubes(&tower, materials, reading),
+        (materials, _) => of_properties(root, &tower, materials, reading),
     };
-    let (around, body) = (around?, body?);
+    let (mut around, body) = (around?, body?);
+    if let Some(frame) = substructure? {
+        around.foundation = Foundation::Frame(Box::new(frame));
+    }
+    if let (Some(mooring), Foundation::Floating(platform)) = (mooring?, &mut around.foundation) {
+        let names = &mut around.part_names;
+        names.mooring_line_types = mooring.line_type_names;
+        names.mooring_points = mooring.point_names;
+        names.mooring_lines = mooring.line_names;
+        platform.mooring_lines = Some(Box::new(mooring.lines));
+    }
     Some(TowerDescription {
         name: name.unwrap_or_default().to_owned(),
         stations: body.stations,
@@ -143,20 +165,30 @@ const SHEAR_COLUMNS: &str = "give the table the columns shear_stiffness_fore_aft
 fn of_properties(
     root: &Table<'_>,
     tower: &Table<'_>,
+    materials: Option<Option<Materials>>,
     reading: &mut Reading,
 ) -> Option<TowerDescription> {
     let of_tubes = [
-        (root, "material", NOT_NEEDED),
-        (root, "materials", NOT_NEEDED),
         (tower, "stations", "keep one of the two"),
         (tower, "shear", SHEAR_COLUMNS),
+        (root, "material", NOT_NEEDED),
+        (root, "materials", NOT_NEEDED),
     ];
-    for (table, key, hint) in of_tubes {
+    // Members are made of them.
+    let refused = if materials.is_some() { 2 } else { 4 };
+    for (table, key, hint) in of_tubes.into_iter().take(refused) {
         table.refuse_unused(key, "beside [tower.properties]", hint, reading);
     }
     let value = tower.require("properties", "", reading)?;
+    let properties = properties(value, reading);
+    let materials = materials.unwrap_or_else(|| Some(Materials::default()))?;
     Some(TowerDescription {
-        properties: properties(value, reading)?,
+        properties: properties?,
+        part_names: PartNames {
+            materials: materials.own_names(),
+            ..PartNames::default()
+        },
+        materials: materials.list,
         ..TowerDescription::default()
     })
 }

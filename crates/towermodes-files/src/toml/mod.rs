@@ -6,9 +6,11 @@ mod foundation;
 mod ground;
 mod inputs;
 mod measured;
+mod mooring;
 mod schema;
 mod study;
 mod study_file;
+mod substructure;
 mod synonyms;
 mod tables;
 mod text;
@@ -74,7 +76,7 @@ pub(crate) fn read_toml(source: Source, files: &dyn FileResolver) -> Result<Towe
             let notes = described.notes.iter();
             let notes =
                 notes.map(|(at, message)| Note::left_out(*message).at(&input.sources[0], *at));
-            input.notes = notes.collect();
+            input.notes = notes.chain(described.other_notes).collect();
             input.places = described.places;
             input.sources.extend(described.others);
             input.turbine = described.turbine;
@@ -90,6 +92,8 @@ struct Described {
     description: TowerDescription,
     places: Places,
     notes: Vec<(usize, &'static str)>,
+    /// Notes on files beside it.
+    other_notes: Vec<Note>,
     others: Vec<Source>,
     turbine: Option<TurbineDescription>,
 }
@@ -170,6 +174,10 @@ fn describe(text: &str, files: Option<&dyn FileResolver>) -> Result<Described, R
     let mut reading = Reading {
         station_file,
         profiles: ground::profile_files(root, first, files),
+        substructure_file: substructure::subdyn_file(
+            named_file(root, &["substructure"], "file", files),
+            files,
+        ),
         blade_file: named_file(root, &["turbine", "blade"], "file", files),
         ..Reading::default()
     };
@@ -182,7 +190,11 @@ fn describe(text: &str, files: Option<&dyn FileResolver>) -> Result<Described, R
             description,
             places: reading.places,
             notes: reading.notes,
-            others: others(reading.others, reading.profiles, reading.blade_source),
+            other_notes: reading.substructure_notes,
+            others: others(reading.others, reading.profiles, reading.blade_source)
+                .into_iter()
+                .chain(reading.substructure_sources)
+                .collect(),
             turbine: reading.turbine,
         }),
         (_, Some((file, mistakes))) if reading.mistakes.is_empty() => {

@@ -6,6 +6,7 @@
 
 use std::sync::LazyLock;
 
+use towermodes::frame::MarineGrowth;
 use towermodes::inputs::{Given, Input, Inputs, every_input};
 use towermodes::{
     Damping, Drivetrain, Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, PointMass,
@@ -246,7 +247,8 @@ macro_rules! tables {
 /// ```
 pub fn tower_file_schema() -> &'static [&'static TableSchema] {
     static ALL: LazyLock<Vec<&TableSchema>> = LazyLock::new(|| {
-        let described: [&TableSchema; 8] = [
+        let described: [&TableSchema; 9] = [
+            &SUBSTRUCTURE_GROWTH,
             &RNA,
             &POINT_MASS,
             &WATER,
@@ -319,6 +321,12 @@ pub static RNA: LazyLock<TableSchema> = LazyLock::new(|| {
 pub static POINT_MASS: LazyLock<TableSchema> = LazyLock::new(|| {
     let inputs = every_input(&PointMass::blank());
     TableSchema::described("[[point_mass]]", NAME, &inputs, INERTIA_OF_BODY)
+});
+
+/// `[[substructure.growth]]`.
+pub static SUBSTRUCTURE_GROWTH: LazyLock<TableSchema> = LazyLock::new(|| {
+    let inputs = every_input(&MarineGrowth::blank());
+    TableSchema::described("[[substructure.growth]]", &[], &inputs, &[])
 });
 
 /// `[[wires]]`.
@@ -419,6 +427,8 @@ tables! {
         optional "drivetrain" Table "" "rotor and generator, for a rotor that turns freely";
         optional "point_mass" Table "" "a point mass, as often as needed";
         optional "foundation" Table "" "the foundation; without it the base is clamped";
+        optional "mooring" Table "" "mooring lines of a floating foundation";
+        optional "substructure" Table "" "joints and members under the tower, in place of the foundation";
         optional "soil" Table "" "a layer of soil springs, as often as needed";
         optional "ground" Table "" "soil in layers around the embedded pile";
         optional "added_mass" Table "" "a table of added mass, as often as needed";
@@ -540,6 +550,153 @@ tables! {
         optional "hydrostatic" Matrix "N/m, N, N m" "of water plane and buoyancy";
         optional "mooring_height" Number "m" "of the reference point of the matrix";
         optional "mooring" Matrix "N/m, N, N m" "x, y, z, rotation about x, y, z";
+
+    /// `[mooring]`.
+    MOORING = "[mooring]":
+        required "depth" Number "m" "of the seabed below still water";
+        optional "still_water" Number "m" "height of still water in the datum of the stations, 0 by default";
+        optional "water_density" Number "kg/m3" "1025 by default";
+        optional "gravity" Number "m/s2" "that of [gravity], or 9.80665";
+        required "line_type" Table "" "a chain or rope, as often as needed";
+        required "point" Table "" "where lines end, as often as needed";
+        required "line" Table "" "a line, as often as needed";
+        optional "body" Table "" "a body that lines hold or that is fixed to the platform, as often as needed";
+        optional "rod" Table "" "a rod that lines hold or that is fixed to the platform, as often as needed";
+
+    /// `[[mooring.line_type]]`.
+    MOORING_LINE_TYPE = "[[mooring.line_type]]":
+        required "name" Text "" "";
+        required "diameter" Number "m" "of the cylinder that displaces as much water";
+        required "mass_per_length" Number "kg/m" "in air";
+        required "axial_stiffness" Number "N" "EA";
+        optional "seabed_friction" Number "" "coefficient of friction on the seabed, 0 by default";
+
+    /// `[[mooring.point]]`.
+    MOORING_POINT = "[[mooring.point]]":
+        required "name" Text "" "";
+        required "kind" Text "" "anchor, fairlead, free, body or rod";
+        optional "position" Numbers "m" "from the tower's axis, z from still water; on a body from its origin";
+        optional "mass" Number "kg" "";
+        optional "volume" Number "m3" "of water that it displaces";
+        optional "body" Text "" "the body that it is on";
+        optional "rod" Text "" "the rod that it is on";
+        optional "end" Text "" "of the rod: a or b";
+
+    /// `[[mooring.line]]`.
+    MOORING_LINE = "[[mooring.line]]":
+        required "name" Text "" "";
+        required "line_type" Text "" "its line_type";
+        required "length" Number "m" "without tension";
+        required "points" Any "" "the names of its two points";
+
+    /// `[[mooring.body]]`.
+    MOORING_BODY = "[[mooring.body]]":
+        required "name" Text "" "";
+        required "carrier" Text "" "fixed, platform or free";
+        required "position" Numbers "m" "of its origin, z from still water";
+        optional "angles" Numbers "rad" "about its own x, y and z axes, one after the other";
+        required "mass" Number "kg" "";
+        optional "center" Numbers "m" "centre of mass from the origin, in its axes";
+        optional "principal_inertia" Numbers "kg m2" "about its axes through the centre of mass";
+        required "volume" Number "m3" "of water that it displaces";
+
+    /// `[[mooring.rod]]`.
+    MOORING_ROD = "[[mooring.rod]]":
+        required "name" Text "" "";
+        required "carrier" Text "" "fixed, platform or free";
+        required "ends" Rows "" "positions of its ends a and b in m, z from still water";
+        required "diameter" Number "m" "";
+        required "mass_per_length" Number "kg/m" "";
+
+    /// `[substructure]`.
+    SUBSTRUCTURE = "[substructure]":
+        optional "file" Text "" "input file of SubDyn, in place of joints and members";
+        required "reference" Numbers "m" "reference point of the transition piece, where the tower stands";
+        optional "interface" Any "" "the names of the joints that carry the tower";
+        optional "clamped" Any "" "the names of the joints that do not move";
+        optional "weight_on_members" Flag "" "whether the weight at rest softens members, true by default";
+        optional "flooded" Any "" "the names of the members with water inside, up to the level of [water]";
+        optional "platform" Table "" "the transition piece as a rigid body";
+        optional "growth" Table "" "marine growth between two heights, as often as needed";
+        optional "joint" Table "" "a joint, as often as needed";
+        optional "member" Table "" "a member, as often as needed";
+        optional "support" Table "" "a joint that is held in some motions or by springs, as often as needed";
+        optional "mass" Table "" "a rigid body on a joint, as often as needed";
+        optional "added_mass" Table "" "inertia without weight on a joint, as often as needed";
+        optional "rider" Table "" "inertia without weight on a member, as often as needed";
+
+    /// `platform` of `[substructure]`.
+    SUBSTRUCTURE_PLATFORM = "[substructure.platform]":
+        required "mass" Number "kg" "";
+        optional "center" Numbers "m" "centre of mass from the reference point";
+        optional "inertia" Table "kg m2" "about the centre of mass";
+
+    /// `[[substructure.joint]]`.
+    SUBSTRUCTURE_JOINT = "[[substructure.joint]]":
+        required "name" Text "" "";
+        required "position" Numbers "m" "x, y, z in the datum of the stations";
+        optional "kind" Text "" "welded, the default, pin, universal or ball";
+        optional "axis" Numbers "" "direction of the axis of a pin";
+        optional "stiffness" Number "N m" "per radian, of the springs of a pin, universal or ball joint";
+
+    /// `[[substructure.member]]`.
+    SUBSTRUCTURE_MEMBER = "[[substructure.member]]":
+        required "name" Text "" "";
+        required "joints" Any "" "the names of its two joints";
+        optional "kind" Text "" "tube, the default, rectangle, section, cable, rigid or spring";
+        optional "outer_diameter" Any "m" "one number or [at the first joint, at the second joint]";
+        optional "wall_thickness" Any "m" "one number or [at the first joint, at the second joint]";
+        optional "material" Text "" "name of one of [materials]; without it [material]";
+        optional "shear" Flag "" "whether it deforms in shear, true by default";
+        optional "spin" Number "degrees" "rotation of the section about the axis";
+        optional "sides" Any "m" "of a rectangle along its axes x and y";
+        optional "area" Number "m2" "of a section";
+        optional "shear_areas" Numbers "m2" "of a section in x and y";
+        optional "second_moments" Numbers "m4" "of a section about x and y";
+        optional "polar_moment" Number "m4" "of a section, for its inertia about the axis";
+        optional "torsion_constant" Number "m4" "of a section";
+        optional "axial_stiffness" Number "N" "EA of a cable";
+        optional "mass_per_length" Number "kg/m" "of a cable or a rigid link";
+        optional "pretension" Number "N" "of a cable";
+        optional "stiffness" Matrix "N/m, N, N m" "of a spring: x, y, z, rotation about x, y, z";
+        optional "axes" Rows "" "of a spring: three unit vectors; without them the axes of the member";
+        optional "coats" Table "" "growth, water inside or added mass, in place of that of [water]";
+
+    /// `coats` of a member.
+    SUBSTRUCTURE_COAT = "coats":
+        required "kind" Text "" "solid or added-mass";
+        optional "range" Numbers "" "of the length from the first joint; [0, 1] by default";
+        required "density" Any "kg/m3" "one number or [where it begins, where it ends]";
+        optional "outer_radius" Any "m" "of a solid";
+        optional "inner_radius" Any "m" "of a solid, 0 by default";
+        optional "radius" Any "m" "for the added mass";
+        optional "across" Any "" "coefficient of added mass across the axis, 1 by default";
+        optional "along" Any "" "coefficient of added mass along the axis, 0 by default";
+
+    /// `[[substructure.support]]`.
+    SUBSTRUCTURE_SUPPORT = "[[substructure.support]]":
+        required "joint" Text "" "its name";
+        optional "fixed" Any "" "which motions are held: x, y, z, rotation about x, y, z, each true or false";
+        optional "stiffness" Matrix "N/m, N, N m" "x, y, z, rotation about x, y, z";
+        optional "inertia" Matrix "kg, kg m, kg m2" "of soil that moves with the joint";
+
+    /// `[[substructure.mass]]`.
+    SUBSTRUCTURE_MASS = "[[substructure.mass]]":
+        required "joint" Text "" "its name";
+        required "mass" Number "kg" "";
+        optional "center" Numbers "m" "centre of mass from the joint";
+        optional "inertia" Table "kg m2" "about the centre of mass";
+
+    /// `[[substructure.added_mass]]`.
+    SUBSTRUCTURE_ADDED_MASS = "[[substructure.added_mass]]":
+        required "joint" Text "" "its name";
+        required "matrix" Matrix "kg, kg m, kg m2" "x, y, z, rotation about x, y, z";
+
+    /// `[[substructure.rider]]`.
+    SUBSTRUCTURE_RIDER = "[[substructure.rider]]":
+        required "member" Text "" "its name";
+        required "fraction" Number "" "of the length from the first joint";
+        required "matrix" Matrix "kg, kg m, kg m2" "x, y, z, rotation about x, y, z";
 
     /// `[[soil]]`.
     SOIL = "[[soil]]":

@@ -28,7 +28,7 @@ pub use static_stiffness::static_stiffness;
 
 pub use crate::tower::frame::{
     CoatKind, Frame, FrameCoat, FrameDescription, FrameError, FrameFoundation, FrameJoint,
-    FrameMember, FramePlace, FrameProblem, FrameRider, FrameSoil, FrameSoilRow, FrameSpring,
-    FrameSupport, GivenSection, JointKind, MemberKind, Rectangle, SectionEnds, Transition,
-    spin_of_axes,
+    FrameMember, FramePart, FramePlace, FrameProblem, FrameRider, FrameSoil, FrameSoilRow,
+    FrameSpring, FrameSupport, GivenSection, JointKind, MarineGrowth, MemberKind, MembersInWater,
+    Rectangle, SectionEnds, Transition, spin_of_axes,
 };

@@ -17,10 +17,12 @@ mod every;
 mod foundation;
 mod ground;
 mod holder;
+mod mooring;
 mod name;
 mod number;
 mod part;
 mod structure;
+mod substructure;
 mod surroundings;
 mod table;
 
@@ -60,6 +62,15 @@ static PARTS: LazyLock<Vec<Holder>> = LazyLock::new(|| {
         Holder::Part(&foundation::FLOATING_ADDED_MASS),
         Holder::Part(&foundation::FLOATING_HYDROSTATIC),
         Holder::Part(&foundation::FLOATING_MOORING),
+        Holder::Part(&mooring::MOORING),
+        Holder::Part(&mooring::LINE_TYPES),
+        Holder::Part(&mooring::POINTS),
+        Holder::Part(&mooring::LINES),
+        Holder::Part(&substructure::JOINTS),
+        Holder::Part(&substructure::MEMBERS),
+        Holder::Part(&substructure::MASSES),
+        Holder::Part(&substructure::PLATFORM),
+        Holder::Part(&substructure::GROWTH),
         Holder::Part(&surroundings::SOIL),
         Holder::table(&ground::GROUND),
         Holder::table(&ground::LAYERS),

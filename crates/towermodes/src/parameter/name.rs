@@ -171,6 +171,9 @@ fn with_index_of_material(name: &str, description: &TowerDescription) -> String 
     {
         return numbered(index, key);
     }
+    if let Some(numbered) = with_index_of_part(name, description) {
+        return numbered;
+    }
     let named = name.strip_prefix("materials.");
     if let Some((material, key)) = named.and_then(|rest| rest.rsplit_once('.')) {
         let material = material.trim_matches('"');
@@ -179,6 +182,52 @@ fn with_index_of_material(name: &str, description: &TowerDescription) -> String 
         }
     }
     name.to_owned()
+}
+
+/// `substructure.member[leg 1].outer_diameter` with the index of the part; a whole number without
+/// quotation marks is an index, as everywhere.
+fn with_index_of_part(name: &str, description: &TowerDescription) -> Option<String> {
+    let (list, rest) = name.split_once('[')?;
+    let (written, key) = rest.split_once(']')?;
+    let quoted = written.strip_prefix('"').and_then(|w| w.strip_suffix('"'));
+    let is_index = written == "*" || written.trim().parse::<usize>().is_ok();
+    let part = match quoted {
+        Some(quoted) => quoted,
+        None if is_index => return None,
+        None => written.trim(),
+    };
+    let index = names_of(list, description).position(|name| name == part)?;
+    Some(format!("{list}[{index}]{key}"))
+}
+
+/// The names of a list of parts.
+fn names_of<'d>(
+    list: &str,
+    description: &'d TowerDescription,
+) -> Box<dyn Iterator<Item = &'d str> + 'd> {
+    let names = &description.part_names;
+    let of_lines = match list {
+        "mooring.line_type" => &names.mooring_line_types,
+        "mooring.point" => &names.mooring_points,
+        "mooring.line" => &names.mooring_lines,
+        _ => return names_of_frame(list, description),
+    };
+    Box::new(of_lines.iter().map(String::as_str))
+}
+
+fn names_of_frame<'d>(
+    list: &str,
+    description: &'d TowerDescription,
+) -> Box<dyn Iterator<Item = &'d str> + 'd> {
+    let Some(frame) = description.foundation.frame() else {
+        return Box::new(std::iter::empty());
+    };
+    let frame = frame.frame.description();
+    match list {
+        "substructure.joint" => Box::new(frame.joints.iter().map(|joint| &*joint.name)),
+        "substructure.member" => Box::new(frame.members.iter().map(|member| &*member.name)),
+        _ => Box::new(std::iter::empty()),
+    }
 }
 
 /// The indices of a name that has the form of a pattern; none if it has another form.

@@ -2,7 +2,7 @@
 
 use super::part::{Indices, Key, Part, fields, is_there};
 use crate::inputs::Nature;
-use crate::tower::{Material, Place, Properties, Shear, TowerDescription};
+use crate::tower::{Foundation, Material, Place, Properties, Shear, TowerDescription};
 
 /// `[material]`: the only material.
 pub(super) static MATERIAL: Part = Part {
@@ -37,7 +37,7 @@ static MATERIAL_KEYS: [Key; 4] = [
         get: |d, i| Some(material(d, i)?.density_kg_per_m3),
         set: |d, i, value| {
             d.materials.get_mut(i[0])?.density_kg_per_m3 = value;
-            Some(())
+            renew_members(d)
         },
         is_listed: is_there,
     },
@@ -50,7 +50,7 @@ static MATERIAL_KEYS: [Key; 4] = [
         get: |d, i| Some(material(d, i)?.youngs_modulus_pa),
         set: |d, i, value| {
             d.materials.get_mut(i[0])?.set_youngs_modulus(value);
-            Some(())
+            renew_members(d)
         },
         is_listed: is_there,
     },
@@ -65,7 +65,7 @@ static MATERIAL_KEYS: [Key; 4] = [
             let material = d.materials.get_mut(i[0])?;
             material.shear_modulus_pa = value;
             material.given_poissons_ratio = None;
-            Some(())
+            renew_members(d)
         },
         is_listed: |d, i| material(d, i).is_some_and(|m| m.given_poissons_ratio.is_none()),
     },
@@ -84,11 +84,19 @@ static MATERIAL_KEYS: [Key; 4] = [
             let material = d.materials.get_mut(i[0])?;
             material.given_poissons_ratio = Some(value);
             material.set_youngs_modulus(material.youngs_modulus_pa);
-            Some(())
+            renew_members(d)
         },
         is_listed: |d, i| material(d, i).is_some_and(|m| m.given_poissons_ratio.is_some()),
     },
 ];
+
+/// The members of a frame are made of these materials.
+fn renew_members(description: &mut TowerDescription) -> Option<()> {
+    if let Foundation::Frame(foundation) = &mut description.foundation {
+        foundation.take_materials(&description.materials);
+    }
+    Some(())
+}
 
 fn material(description: &TowerDescription, indices: Indices) -> Option<&Material> {
     description.materials.get(indices[0])

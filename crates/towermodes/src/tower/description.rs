@@ -241,6 +241,14 @@ impl Default for TowerDescription {
 }
 
 impl TowerDescription {
+    /// The same with a frame whose members have their materials and the water on them.
+    pub(super) fn with_complete_frame(mut self) -> Self {
+        if let Foundation::Frame(frame) = &mut self.foundation {
+            frame.complete(&self.materials, self.water.as_ref());
+        }
+        self
+    }
+
     /// The same tower with a rotor that turns freely, without [`Drivetrain`]; none if it has none.
     pub fn with_free_rotor(&self) -> Option<Self> {
         let drivetrain = self.drivetrain?;

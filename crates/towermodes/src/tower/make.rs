@@ -29,6 +29,7 @@ impl Tower {
     /// [`TowerError`] with the place and the numbers of the first thing that no tower can have.
     pub fn new(description: TowerDescription) -> Result<Self, TowerError> {
         validate::validate(&description)?;
+        let description = description.with_complete_frame();
         if description.ground.is_some() {
             return Self::in_ground(&description);
         }

@@ -3,6 +3,7 @@
 pub(super) mod choice;
 pub(super) mod entry;
 pub(super) mod kind;
+pub(super) mod names;
 pub(super) mod numbers;
 pub(super) mod reading;
 pub(super) mod rewrite;

@@ -6,8 +6,11 @@ use towermodes::Place;
 use towermodes::turbine::TurbineDescription;
 
 use crate::diagnostic::Diagnostic;
+use crate::error::ReadError;
+use crate::note::Note;
 use crate::places::Places;
 use crate::source::{FileError, Source};
+use crate::subdyn::SubdynInput;
 
 /// Mistakes beyond this number are not collected: each may list many names.
 const MAX_MISTAKES: usize = 100;
@@ -42,6 +45,11 @@ pub(crate) struct Reading {
     pub(crate) others: Vec<Source>,
     /// The blade file that was read.
     pub(crate) blade_source: Option<Source>,
+    /// The substructure in the file of SubDyn that the tower file names, until it is used.
+    pub(crate) substructure_file: Option<Result<SubdynInput, ReadError>>,
+    /// The files of that substructure, and the notes on it.
+    pub(crate) substructure_sources: Vec<Source>,
+    pub(crate) substructure_notes: Vec<Note>,
     /// The turbine.
     pub(crate) turbine: Option<TurbineDescription>,
     /// Notes with their bytes in the file.

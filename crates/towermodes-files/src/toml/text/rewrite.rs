@@ -239,8 +239,14 @@ impl<'a> Values<'a> {
             _ => Some(*value),
         };
         let indices = indices_at_end(tail);
+        // The place of a part is its table.
+        let list = tail.split('[').next().filter(|_| !indices.is_empty());
+        let value = match (value.get_ref(), list) {
+            (DeValue::Table(table), Some(list)) => table.get(list).unwrap_or(value),
+            _ => *value,
+        };
         let entry = |path: &[usize]| {
-            path.iter().try_fold(*value, |value, index| {
+            path.iter().try_fold(value, |value, index| {
                 value.get_ref().as_array()?.get(*index)
             })
         };

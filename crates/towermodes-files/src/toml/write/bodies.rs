@@ -44,6 +44,11 @@ pub(super) fn point_masses(masses: &[PointMass], names: &[String], writing: &mut
 
 /// `inertia` with the entries that are not zero and those that must be there.
 pub(super) fn inertia_with(inertia: &Inertia, required: &[&str], writing: &mut Writing) {
+    writing.value("inertia", &inertia_of(inertia, required));
+}
+
+/// The table of an inertia.
+pub(super) fn inertia_of(inertia: &Inertia, required: &[&str]) -> String {
     let entries = [
         ("xx", inertia.xx),
         ("yy", inertia.yy),
@@ -57,8 +62,7 @@ pub(super) fn inertia_with(inertia: &Inertia, required: &[&str], writing: &mut W
     let written: Vec<String> = written
         .map(|(key, value)| format!("{key} = {}", number(value)))
         .collect();
-    let table = format!("{{ {} }}", written.join(", "));
-    writing.value("inertia", &table);
+    format!("{{ {} }}", written.join(", "))
 }
 
 pub(super) fn drivetrain(drivetrain: Option<&Drivetrain>, writing: &mut Writing) {

@@ -1,10 +1,15 @@
 //! `[foundation]`.
 
 use towermodes::space::SpatialMatrix;
-use towermodes::{FloatingPlatform, Foundation, ReferredMatrix, StiffnessFoundation, Support};
+use towermodes::{
+    FloatingPlatform, ReferredMatrix, StiffnessFoundation, Support, TowerDescription,
+};
 
 use super::bodies::inertia_with;
 use super::inputs::values;
+use super::materials::MaterialNames;
+use super::mooring::mooring;
+use super::substructure::substructure;
 use super::text::triple;
 use super::writing::Writing;
 use crate::toml::schema::{self, TableSchema};
@@ -12,17 +17,21 @@ use crate::toml::schema::{self, TableSchema};
 const NONE: SpatialMatrix = [[0.0; 6]; 6];
 
 /// Left out where the base is clamped.
-pub(super) fn foundation(foundation: &Foundation, writing: &mut Writing) {
-    match foundation.support() {
+pub(super) fn foundation(description: &TowerDescription, writing: &mut Writing) {
+    match description.foundation.support() {
         Support::Clamped => {}
         Support::Stiffness(foundation) => stiffness(foundation, writing),
         Support::Springs(springs) => {
             kind("springs", &schema::SPRINGS, writing);
             values(springs, writing);
         }
-        Support::Floating(platform) => floating(platform, writing),
-        // The reader refuses it: a tower file has no members yet.
-        Support::Frame(_) => kind("frame", &schema::SPRINGS, writing),
+        Support::Floating(platform) => {
+            floating(platform, writing);
+            if let Some(lines) = &platform.mooring_lines {
+                mooring(lines, &description.part_names, writing);
+            }
+        }
+        Support::Frame(frame) => substructure(frame, &MaterialNames::of(description), writing),
         Support::Form(form) => {
             let name = form.kind().name;
             kind(name, schema::closed_form(name), writing);
@@ -52,9 +61,6 @@ fn stiffness(foundation: &StiffnessFoundation, writing: &mut Writing) {
 
 fn floating(platform: &FloatingPlatform, writing: &mut Writing) {
     kind("floating", &schema::FLOATING, writing);
-    // The lines of a tower were checked.
-    let linear = platform.with_linear_moorings();
-    let platform = &linear.unwrap_or_else(|_| platform.clone());
     writing.number("mass", platform.mass_kg);
     writing.value("center", &triple(platform.center_m));
     inertia_with(&platform.inertia_kg_m2, &["xx", "yy", "zz"], writing);

@@ -6,7 +6,9 @@ mod foundation;
 mod ground;
 mod inputs;
 mod materials;
+mod mooring;
 mod properties;
+mod substructure;
 mod surroundings;
 mod text;
 mod turbine;
@@ -37,6 +39,8 @@ pub fn write_toml_with(
     turbine: Option<&TurbineDescription>,
 ) -> (String, Vec<Note>) {
     let turbine = turbine.filter(|turbine| can_be_written(turbine, description));
+    let listed = substructure::with_listed_materials(description);
+    let description = listed.as_ref().unwrap_or(description);
     let mut writing = Writing::default();
     writing.line("# A tower for towermodes. Lengths in m, masses in kg, forces in N; z is up, x fore-aft (downwind), y side-side.");
     if !description.name.is_empty() {
@@ -53,7 +57,7 @@ pub fn write_toml_with(
     bodies::drivetrain(description.drivetrain.as_ref(), &mut writing);
     let names = &description.part_names.point_masses;
     bodies::point_masses(&description.point_masses, names, &mut writing);
-    foundation::foundation(&description.foundation, &mut writing);
+    foundation::foundation(description, &mut writing);
     if let Some(ground) = &description.ground {
         ground::ground(ground, &description.part_names.ground, &mut writing);
     }
@@ -87,9 +91,10 @@ fn missing_parts(parts: &[MissingPart], writing: &mut Writing) {
 fn tower(description: &TowerDescription, writing: &mut Writing) {
     let has_stations = !description.stations.is_empty() || description.properties.is_empty();
     let names = MaterialNames::of(description);
-    if has_stations {
+    if has_stations || description.foundation.frame().is_some() {
         materials::materials(&description.materials, &names, writing);
-    } else {
+    }
+    if !has_stations {
         unused_beside_properties(description, writing);
     }
     writing.section(&schema::TOWER);
@@ -112,7 +117,8 @@ fn tower(description: &TowerDescription, writing: &mut Writing) {
 /// have them.
 fn unused_beside_properties(description: &TowerDescription, writing: &mut Writing) {
     let count = description.materials.len();
-    if count > 0 {
+    // Members are made of them.
+    if count > 0 && description.foundation.frame().is_none() {
         writing.note(format!(
             "the materials ({count}) are left out: the table of properties has the masses and the stiffness"
         ));

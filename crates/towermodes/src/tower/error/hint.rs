@@ -151,7 +151,8 @@ impl Problem {
             Self::RotorTooFast { .. } => "the unit is revolutions per minute (rpm)",
             Self::Blades { .. } => "give the number of blades, for example 3, or omit [rotor]",
             // Its message says what would be right.
-            Self::Mooring(_)
+            Self::Frame { .. }
+            | Self::Mooring(_)
             | Self::NotPositive { .. }
             | Self::Negative { .. }
             | Self::UnknownMaterial { .. } => {

@@ -38,6 +38,12 @@ pub enum Problem {
     /// Mooring lines that cannot be.
     #[error(transparent)]
     Mooring(#[from] MooringError),
+    /// A frame that cannot be.
+    #[error("{message}")]
+    Frame {
+        /// The part and what is wrong with it, of a [`FrameError`](crate::frame::FrameError).
+        message: String,
+    },
     /// A size that no quantity of a tower has, and that would not leave the numbers computed from
     /// it finite.
     #[error(

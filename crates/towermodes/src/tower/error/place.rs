@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::super::frame::part::FramePart;
 use crate::mooring::MooringItem;
 
 /// The place of a value in a [`TowerDescription`](crate::tower::TowerDescription), for errors and
@@ -48,6 +49,11 @@ pub enum Place {
     Mooring {
         /// Which part.
         item: MooringItem,
+    },
+    /// A part of the frame that carries the tower.
+    Substructure {
+        /// Which part.
+        part: FramePart,
     },
     /// One value of a layer of soil: `rows`, or of one of its rows `height`, `x`, `y`, `z`,
     /// `torsion`.
@@ -135,6 +141,7 @@ impl fmt::Display for Place {
             Self::Rna { .. } => write!(f, "rotor-nacelle assembly"),
             Self::Foundation { .. } => write!(f, "foundation"),
             Self::Mooring { item } => write!(f, "{item}"),
+            Self::Substructure { .. } => write!(f, "substructure"),
             Self::Soil { layer, row, .. } => {
                 write!(f, "row {} of soil layer {}", row + 1, layer + 1)
             }

@@ -5,6 +5,7 @@ use std::fmt;
 use thiserror::Error;
 
 use super::super::error::Problem;
+use super::part::FramePart;
 use crate::number::Plain;
 
 /// An invalid description of a frame.
@@ -36,6 +37,21 @@ pub enum FramePlace {
     AddedMass(usize, String),
     /// The transition piece.
     Transition,
+}
+
+impl FramePlace {
+    /// The part by its number.
+    pub fn part(&self) -> FramePart {
+        match *self {
+            Self::Frame => FramePart::Whole,
+            Self::Joint(index, _) => FramePart::Joint(index),
+            Self::Member(index, _) => FramePart::Member(index),
+            Self::Support(index, _) => FramePart::Support(index),
+            Self::Mass(index, _) => FramePart::Mass(index),
+            Self::AddedMass(index, _) => FramePart::AddedMass(index),
+            Self::Transition => FramePart::Transition,
+        }
+    }
 }
 
 impl fmt::Display for FramePlace {

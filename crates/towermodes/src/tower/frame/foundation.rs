@@ -1,8 +1,12 @@
 //! A frame as the foundation of a tower.
 
+use super::super::parts::material::Material;
 use super::super::parts::rigid_body::RigidBody;
+use super::super::parts::surroundings::Water;
 use super::description::FrameDescription;
 use super::error::{FrameError, FramePlace, FrameProblem};
+use super::in_water::MembersInWater;
+use super::member::MemberKind;
 use super::validate::Frame;
 
 /// A frame that carries a tower on its transition piece.
@@ -15,6 +19,11 @@ pub struct FrameFoundation {
     /// Whether the weight of the structure changes the stiffness of the members (geometric
     /// stiffness of their forces at rest). OpenFAST's SubDyn leaves it out.
     pub weight_on_members: bool,
+    /// Of each member, which of the tower's materials it is made of; a member without one, or
+    /// beyond the end of the list, has a material of its own.
+    pub materials: Vec<Option<usize>>,
+    /// What the water of the tower finds on members.
+    pub in_water: MembersInWater,
     reference_m: [f64; 3],
 }
 
@@ -31,6 +40,8 @@ impl FrameFoundation {
                 frame,
                 platform,
                 weight_on_members: true,
+                materials: Vec::new(),
+                in_water: MembersInWater::default(),
             }),
             None => Err(FrameError {
                 place: FramePlace::Transition,
@@ -55,6 +66,37 @@ impl FrameFoundation {
     /// Removes the springs of the soil along members, whose elements stay as they are.
     pub(crate) fn remove_soil(&mut self) {
         self.frame.remove_soil();
+    }
+
+    /// The numbers of the frame, to change them. [`Tower::new`](crate::Tower::new) checks them.
+    pub fn numbers_mut(&mut self) -> &mut FrameDescription {
+        self.frame.numbers_mut()
+    }
+
+    /// Gives members the materials of the tower and puts its water on them.
+    pub(in crate::tower) fn complete(&mut self, materials: &[Material], water: Option<&Water>) {
+        self.take_materials(materials);
+        if let Some(water) = water {
+            self.in_water.put_on(self.frame.numbers_mut(), water);
+        }
+    }
+
+    /// Gives members the materials of the tower.
+    pub(crate) fn take_materials(&mut self, materials: &[Material]) {
+        let frame = self.frame.numbers_mut();
+        for (member, index) in frame.members.iter_mut().zip(&self.materials) {
+            let of_tower = index.and_then(|index| materials.get(index));
+            if let (MemberKind::Beam { material, .. }, Some(own)) = (&mut member.kind, of_tower) {
+                *material = *own;
+            }
+        }
+    }
+
+    /// Height of the lowest joint, m.
+    pub fn lowest_m(&self) -> f64 {
+        let joints = self.frame.description().joints.iter();
+        let heights_m = joints.map(|joint| joint.position_m[2]);
+        heights_m.fold(f64::INFINITY, f64::min)
     }
 
     /// The reference point of the transition piece, m; the axis of the tower goes through it.

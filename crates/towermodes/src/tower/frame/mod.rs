@@ -5,7 +5,9 @@ mod coat;
 mod description;
 mod error;
 mod foundation;
+mod in_water;
 mod member;
+pub(super) mod part;
 mod soil;
 mod validate;
 
@@ -17,6 +19,8 @@ pub use description::{
 };
 pub use error::{FrameError, FramePlace, FrameProblem};
 pub use foundation::FrameFoundation;
+pub use in_water::{MarineGrowth, MembersInWater};
 pub use member::{FrameMember, FrameSpring, GivenSection, MemberKind, Rectangle, SectionEnds};
+pub use part::FramePart;
 pub use soil::{FrameSoil, FrameSoilRow};
 pub use validate::Frame;

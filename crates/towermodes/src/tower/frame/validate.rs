@@ -33,9 +33,22 @@ impl Frame {
         Ok(Self { description })
     }
 
+    /// Checks it again after a change of its numbers.
+    ///
+    /// # Errors
+    /// [`FrameError`]: the first impossible value, with its place.
+    pub(crate) fn check(&self) -> Result<(), FrameError> {
+        check(&self.description)
+    }
+
     /// A frame near one that was checked.
     pub(crate) fn unchecked(description: FrameDescription) -> Self {
         Self { description }
+    }
+
+    /// The numbers of a frame that will be checked again.
+    pub(super) fn numbers_mut(&mut self) -> &mut FrameDescription {
+        &mut self.description
     }
 
     /// The description that was checked.

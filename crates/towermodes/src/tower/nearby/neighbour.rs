@@ -49,8 +49,9 @@ impl Neighbours {
     /// [`TowerError`], as [`Tower::new`].
     pub(crate) fn of(description: &TowerDescription) -> Result<Self, TowerError> {
         let checked = Tower::new(description.clone())?;
-        let plan = GroundPlan::of(description);
-        let rows = with_rows(description.clone(), &plan);
+        let complete = description.clone().with_complete_frame();
+        let plan = GroundPlan::of(&complete);
+        let rows = with_rows(complete, &plan);
         let pieces = pieces_of(&rows, Rows::Each);
         let mut tower = Tower::made_of(&mut rows.clone(), pieces);
         tower.base.units = checked.base.units;
@@ -78,6 +79,14 @@ impl Neighbours {
     /// The tower of a description near that of the first; none if its structure is another one.
     /// It is not checked.
     pub(crate) fn near(&self, description: &TowerDescription) -> Option<Neighbour> {
+        let complete;
+        let description = match description.foundation.frame() {
+            Some(_) => {
+                complete = description.clone().with_complete_frame();
+                &complete
+            }
+            None => description,
+        };
         let in_rows;
         let description = match description.ground {
             Some(_) => {
@@ -94,6 +103,10 @@ impl Neighbours {
         let pieces = cut_in_environment(pieces, description, &cuts_m);
         let mut tower = Tower::made_of_parts(&mut without_rows(description), pieces);
         let (own, base) = (&self.tower, &mut tower.base);
+        // The trees that carry the joints of a frame follow from its numbers.
+        if own.frame != tower.frame {
+            return None;
+        }
         if base.moves != own.base.moves || tower.pieces.len() != own.pieces.len() {
             return None;
         }

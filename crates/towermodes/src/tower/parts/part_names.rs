@@ -17,6 +17,12 @@ pub struct PartNames {
     pub ground: Vec<String>,
     /// Of the tables of added mass.
     pub added_mass: Vec<String>,
+    /// Of the types of mooring lines.
+    pub mooring_line_types: Vec<String>,
+    /// Of the points of mooring lines.
+    pub mooring_points: Vec<String>,
+    /// Of the mooring lines.
+    pub mooring_lines: Vec<String>,
     /// Of the sets of wires.
     pub wires: Vec<String>,
 }

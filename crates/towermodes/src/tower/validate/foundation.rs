@@ -13,6 +13,7 @@ use crate::tower::closed_form::ClosedForm;
 use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
 use crate::tower::foundation::{FloatingPlatform, Foundation, StiffnessFoundation, Support};
+use crate::tower::frame::{FrameFoundation, FramePart};
 
 /// Entries of a stiffness that should be equal may differ by this fraction of their diagonal
 /// entries: they are often printed rounded.
@@ -32,8 +33,7 @@ pub(super) fn check_foundation(foundation: &Foundation) -> Result<(), TowerError
         Support::Springs(springs) => check_springs(springs),
         Support::Floating(platform) => check_platform(platform),
         Support::Form(form) => check_form(form),
-        // It was checked when it was made.
-        Support::Frame(_) => Ok(()),
+        Support::Frame(foundation) => check_frame(foundation),
     }
 }
 
@@ -130,6 +130,27 @@ fn check_platform(platform: &FloatingPlatform) -> Result<(), TowerError> {
     let what = "mass of the platform with its added mass";
     let base = Base::new(&foundation, platform.center_m[2], 0.0);
     check_not_indefinite("added_mass", what, &base.inertia)
+}
+
+/// The numbers of a frame may have changed since it was made.
+fn check_frame(foundation: &FrameFoundation) -> Result<(), TowerError> {
+    let site = |part| Place::Substructure { part };
+    for (index, growth) in foundation.in_water.growth.iter().enumerate() {
+        let place = site(FramePart::Growth(index));
+        check_inputs(growth, |_| place)?;
+        if growth.bottom_m >= growth.top_m {
+            let (bottom_m, top_m) = (growth.bottom_m, growth.top_m);
+            return error(place, Problem::LayerUpsideDown { bottom_m, top_m });
+        }
+    }
+    match foundation.frame.check() {
+        Ok(()) => Ok(()),
+        Err(problem) => {
+            let place = site(problem.place.part());
+            let message = problem.to_string();
+            error(place, Problem::Frame { message })
+        }
+    }
 }
 
 /// The lines can be, and they reach the platform at its reference position.

@@ -19,6 +19,9 @@ pub(super) fn check_surroundings(
         check_added_mass(table, rows, base_m, top_m)?;
     }
     if let Some(water) = &description.water {
+        // The members of a frame may reach down to it.
+        let frame = description.foundation.frame();
+        let base_m = frame.map_or(base_m, |frame| base_m.min(frame.lowest_m()));
         if !description.properties.is_empty() {
             return error(Place::Water { key: "level" }, Problem::WaterAroundTable);
         }

@@ -1,0 +1,85 @@
+//! Parts that others call by their names.
+
+use std::collections::HashMap;
+
+use super::reading::Reading;
+use super::table::suggestion;
+use super::values::{Value, every_row, list, text};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+
+/// The parts of a list by name.
+pub(crate) struct Names {
+    what: &'static str,
+    names: Vec<String>,
+    by_name: HashMap<String, usize>,
+    /// Whether the list has mistakes, so that any name may be one of it.
+    is_unknown: bool,
+}
+
+impl Names {
+    /// Of a list; the first of those with the same name counts.
+    pub(crate) fn of<'n>(what: &'static str, names: impl Iterator<Item = &'n str>) -> Self {
+        let names: Vec<String> = names.map(str::to_owned).collect();
+        let numbered = names.iter().cloned().enumerate().rev();
+        Self {
+            what,
+            by_name: numbered.map(|(index, name)| (name, index)).collect(),
+            names,
+            is_unknown: false,
+        }
+    }
+
+    /// Of a list whose mistakes were reported: every name may be one of it.
+    pub(crate) fn unknown(what: &'static str) -> Self {
+        Self {
+            is_unknown: true,
+            ..Self::of(what, std::iter::empty())
+        }
+    }
+
+    /// The part that a value names.
+    pub(crate) fn one(&self, value: &Value<'_>, key: &str, reading: &mut Reading) -> Option<usize> {
+        let name = text(value, key, reading)?;
+        if let Some(index) = self.by_name.get(name) {
+            return Some(*index);
+        }
+        if self.is_unknown {
+            return Some(0);
+        }
+        // Listing the names takes time, and not all of many mistakes are shown.
+        if reading.is_full() {
+            return None;
+        }
+        let known: Vec<&str> = self.names.iter().map(String::as_str).collect();
+        let hint = suggestion(name, &known, "names:");
+        let (what, name) = (self.what, name.to_owned());
+        let kind = DiagnosticKind::UnknownName { what, name };
+        reading.refuse(Diagnostic::new(value.span(), kind).with_hint(hint))
+    }
+
+    /// The parts that a list names.
+    pub(crate) fn all(
+        &self,
+        value: &Value<'_>,
+        key: &str,
+        reading: &mut Reading,
+    ) -> Option<Vec<usize>> {
+        let values = list(value, key, reading)?;
+        every_row(values, |_, value| self.one(value, key, reading))
+    }
+
+    /// The two parts that a list names.
+    pub(crate) fn pair(
+        &self,
+        value: &Value<'_>,
+        key: &str,
+        reading: &mut Reading,
+    ) -> Option<[usize; 2]> {
+        let all = self.all(value, key, reading)?;
+        let found = all.len();
+        all.try_into().ok().or_else(|| {
+            let kind = DiagnosticKind::wrong_count(key, found, 2);
+            reading.refuse(Diagnostic::new(value.span(), kind))
+        })
+    }
+}

@@ -1,0 +1,285 @@
+//! `[substructure]` and `[mooring]` of the tower file: mistakes with their place, numbers by name,
+//! water on members, files of SubDyn.
+
+use towermodes::{Change, Options, Parameter, Solver, Tower, TowerDescription, solve};
+use towermodes_files::{
+    FileResolver, InMemory, Input, ReadError, ReadOptions, SiblingFiles, Source, TowerInput,
+    description_from_toml, read_source, tower_from_toml, write_toml,
+};
+use towermodes_testing::{Says, rows};
+
+const JACKET: &str = include_str!("../../../examples/jacket.toml");
+const SPAR: &str = include_str!("../../../examples/floating-lines.toml");
+const FRAME: &str = include_str!("../../../recorded-runs/kinds/substructure.toml");
+
+fn description(text: &str) -> TowerDescription {
+    description_from_toml(text).unwrap_or_else(|mistakes| panic!("{mistakes:?}"))
+}
+
+fn frequencies_hz(description: TowerDescription) -> Vec<f64> {
+    let tower = Tower::new(description).expect("a tower");
+    let solution = solve(&tower, &Options::default()).expect("modes");
+    solution.modes.iter().map(|m| m.frequency_hz).collect()
+}
+
+fn close(a: &[f64], b: &[f64], tolerance: f64) {
+    assert_eq!(a.len(), b.len());
+    for (a, b) in a.iter().zip(b) {
+        assert!((a / b - 1.0).abs() <= tolerance, "{a} {b}");
+    }
+}
+
+/// Changes a text at one place; the first mistake is there and says what would be right.
+fn refused(text: &str, table: &str) {
+    for [from, to, at, message] in rows::<4>(table) {
+        let place = text.find(from).unwrap_or_else(|| panic!("no {from}"));
+        let changed = text.replacen(from, to, 1);
+        let mistakes = tower_from_toml(&changed).expect_err(to);
+        let first = &mistakes[0];
+        let said = format!("{first}");
+        assert!(said.contains(message), "{to}: {said}");
+        let found = &changed[first.span.start..];
+        // The whole table of a part, where the mistake is no single value.
+        let is_around = at == "-" && first.span.start > 0 && first.span.start <= place + to.len();
+        let is_there = found.starts_with(at) || is_around;
+        assert!(is_there, "{to}: at {:.60}", found);
+    }
+}
+
+#[test]
+fn mistakes_in_a_substructure_have_a_place() {
+    refused(
+        JACKET,
+        r#"
+        joints = ["a1", "a2"]      | joints = ["a1", "zz"]      | "zz"         | zz
+        joints = ["a1", "a2"]      | joints = ["a1", "a1"]      | { name       | its joints are 0 m apart
+        joints = ["a1", "a2"]      | joints = ["a1"]            | ["a1"]       | 2
+        joints = ["a1", "a2"]      | joint = ["a1", "a2"]       | joint =      | did you mean `joints`?
+        wall_thickness = 0.045     | wall_thickness = 0.9       | { name       | more than half of the 1.4 m
+        outer_diameter = 1.4       | outer_diameter = -1.4      | { name       | must be positive
+        outer_diameter = 1.4       | outer_diameter = [1, 2, 3] | [1, 2, 3]    | 2
+        interface = ["a3",         | interface = ["x3",         | "x3"         | x3
+        name = "b1", position      | name = "a1", position      | { name       | the name stands twice
+        "a1", position = [-12.0,   | "a1", position = [         | [ -12        | 3
+        flooded = ["leg a1"        | flooded = ["leg z1"        | "leg z1"     | leg z1
+        [substructure]             | [foundation]\ntype = "clamped"\n[substructure] | - | keep one
+        "#,
+    );
+}
+
+#[test]
+fn mistakes_in_supports_and_pins_have_a_place() {
+    refused(
+        FRAME,
+        r#"
+        clamped = ["foot",   | clamped = ["feet",       | "feet"  | did you mean `foot`?
+        interface = ["top"]  | interface = ["foot"]     | ["foot" | supported and belongs to the transition
+        clamped = ["foot", "anchor"] | clamped = ["foot", "pin"] | - | cannot carry a support
+        kind = "pin", axis = [0.0, 1.0, 0.0] | kind = "pin" | { name | has no `axis`
+        kind = "pin", axis = [0.0, 1.0, 0.0] | kind = "pin", axis = [0, 0, 0] | { name | axis of the pin is zero
+        kind = "pin", axis   | kind = "ball", axis      | [0.0, 1 | only a pin
+        pretension = 1e6     | pretension = -1e6        | { name  | a cable cannot be compressed
+        pretension = 1e6     | area = 1.0               | 1.0     | it belongs to members of kind "section"
+        joints = ["top", "anchor"] | joints = ["top", "foot"] | - | no member ends at this joint
+        "#,
+    );
+}
+
+#[test]
+fn mistakes_in_mooring_lines_have_a_place() {
+    refused(
+        SPAR,
+        r#"
+        length = 880.0             | length = 300.0             | [[mooring.line]] | too short
+        line_type = "chain"        | line_type = "chian"        | "chian"      | did you mean `chain`?
+        kind = "anchor"            | kind = "ancor"             | "ancor"      | did you mean `anchor`?
+        "anchor 1", "fairlead 1"]  | "anchor 1", "anchor 1"]    | -            | both ends of line 1
+        depth = 300.0              | depth = 200.0              | -            | under the seabed
+        axial_stiffness = 3.8e8    | ea = 3.8e8                 | ea           | no `ea`
+        "#,
+    );
+}
+
+/// The same water, given as coats of each member.
+#[test]
+fn coats_are_the_water_of_the_tower_file() {
+    let plain = FRAME.replace("[water]\nlevel = 8.0\n", "");
+    let added = |range: &str| {
+        format!(
+            ", coats = [{{ kind = \"added-mass\", range = {range}, density = 1025.0, radius = 2.5 }}]"
+        )
+    };
+    let lower = "outer_diameter = 5.0, wall_thickness = 0.04";
+    let upper = "outer_diameter = [5.0, 4.0], wall_thickness = 0.04";
+    // The level is at 0.6 of the upper member, where the radius is 2.2 m.
+    let coated = plain
+        .replace(lower, &format!("{lower}{}", added("[0.0, 1.0]")))
+        .replace(
+            upper,
+            &format!(
+                "{upper}{}",
+                added("[0.0, 0.6]").replace("2.5 }", "[2.5, 2.2] }")
+            ),
+        );
+    assert_ne!(plain, coated);
+    let wet = frequencies_hz(description(FRAME));
+    close(&wet, &frequencies_hz(description(&coated)), 1e-12);
+    let dry = frequencies_hz(description(&plain));
+    assert!(wet[0] < dry[0] * (1.0 - 1e-4), "{} {}", wet[0], dry[0]);
+}
+
+#[test]
+fn numbers_have_the_names_of_their_parts() {
+    let jacket = description(JACKET);
+    let by_name = Parameter::parse("substructure.member[leg a1].outer_diameter", &jacket);
+    let by_index = Parameter::parse("substructure.member[4].outer_diameter", &jacket);
+    assert_eq!(by_name.expect("a number"), by_index.expect("a number"));
+    let foot = Parameter::parse("substructure.joint[a1].position[2]", &jacket).expect("a number");
+    assert_eq!(foot.value(&jacket), -45.0);
+    let spar = description(SPAR);
+    let length = Parameter::parse("mooring.line[line 2].length", &spar).expect("a number");
+    assert_eq!(length.value(&spar), 880.0);
+    let mut shorter = spar.clone();
+    length.set(&mut shorter, 870.0);
+    let (before, after) = (frequencies_hz(spar), frequencies_hz(shorter));
+    assert!(after[0] > before[0] * 1.001, "{} {}", after[0], before[0]);
+}
+
+/// A number of a material changes the members that are made of it.
+#[test]
+fn members_follow_their_material() {
+    let mut changed = description(FRAME);
+    let density = Parameter::parse("material.density", &changed).expect("a number");
+    density.set(&mut changed, 8000.0);
+    let written = description(&FRAME.replace("density = 7850.0", "density = 8000.0"));
+    close(&frequencies_hz(changed), &frequencies_hz(written), 1e-15);
+}
+
+/// Derivatives against central differences of solved frequencies, whose error is h²/6 f‴ and
+/// rounding.
+#[test]
+fn derivatives_are_differences() {
+    let names = [
+        "substructure.member[lower].wall_thickness",
+        "substructure.joint[pin].stiffness",
+        "material.youngs_modulus",
+        "stations[0].diameter",
+    ];
+    let tower = description(FRAME);
+    let changes = Change::parse_all(names, &tower).expect("numbers");
+    let found = Solver::default()
+        .sensitivities(&tower, &changes)
+        .expect("derivatives");
+    for (change, of) in changes.iter().zip(&found.changes) {
+        let h = 1e-4 * of.value;
+        let at = |value: f64| {
+            let mut other = tower.clone();
+            change.apply(&mut other, value);
+            frequencies_hz(other)[0]
+        };
+        let difference = (at(of.value + h) - at(of.value - h)) / (2.0 * h);
+        let derivative = of.modes[0].expect("a derivative").hz_per_unit;
+        let scale = found.modes[0].frequency_hz / of.value;
+        let is_near = (derivative - difference).abs() <= 1e-5 * scale;
+        assert!(is_near, "{}: {derivative} {difference}", change.name());
+    }
+}
+
+#[test]
+fn written_files_are_the_same_tower() {
+    for text in [JACKET, SPAR, FRAME] {
+        let first = description(text);
+        let (written, notes) = write_toml(&first);
+        assert_eq!(notes, []);
+        let again = description(&written);
+        assert_eq!(again, first);
+        assert_eq!(write_toml(&again).0, written);
+    }
+}
+
+fn read(source: Source, files: &dyn FileResolver) -> Result<TowerInput, ReadError> {
+    match read_source(source, files, &ReadOptions::default())? {
+        Input::Tower(input) => Ok(*input),
+        _ => panic!("no tower"),
+    }
+}
+
+const OF_FILE: &str = r#"
+[tower.properties]
+z_m = [10.0, 80.0]
+mass_kg_per_m = [4000.0, 3000.0]
+ei_fore_aft_n_m2 = [4e11, 2e11]
+gj_n_m2 = [inf, inf]
+ea_n = [inf, inf]
+polar_inertia_kg_m = [0.0, 0.0]
+[substructure]
+file = "tripod_SubDyn.dat"
+reference = [0.0, 0.0, 10.0]
+"#;
+
+/// The members of a file of SubDyn, and the same written into the tower file.
+#[test]
+fn a_file_of_subdyn_is_a_substructure() {
+    let mut files = InMemory::default();
+    for (name, text) in [
+        (
+            "tripod_SubDyn.dat",
+            include_str!("../../../examples/tripod_SubDyn.dat"),
+        ),
+        (
+            "tripod_soil.txt",
+            include_str!("../../../examples/tripod_soil.txt"),
+        ),
+    ] {
+        files.files.insert(name.to_owned(), text.to_owned());
+    }
+    let source = |text: &str| Source {
+        name: "tower.toml".to_owned(),
+        text: text.to_owned(),
+    };
+    let input = read(source(OF_FILE), &files);
+    let input = input.unwrap_or_else(|error| panic!("{error}"));
+    let (written, _) = write_toml(&input.description);
+    let again = description(&written);
+    close(
+        &frequencies_hz(input.description.clone()),
+        &frequencies_hz(again),
+        1e-12,
+    );
+    let absent = OF_FILE.replace("tripod_S", "other_S");
+    let error = read(source(&absent), &files);
+    error
+        .expect_err("no such file")
+        .to_string()
+        .says("tower.toml:10:8");
+}
+
+/// The tower files that `convert` writes have the frequencies of their models: numbers are written
+/// with all digits, so that only the order of sums differs.
+#[test]
+fn converted_models_of_openfast_keep_their_frequencies() {
+    let Some(folder) = std::env::var_os("TOWERMODES_PEER_DATA") else {
+        eprintln!("skipped: TOWERMODES_PEER_DATA is not set");
+        return;
+    };
+    let folder = std::path::PathBuf::from(folder).join("offshore");
+    let models = [
+        "fast8/Test19.fst",
+        "fast8/Test20.fst",
+        "fast8/Test21.fst",
+        "fast8/Test24.fst",
+        "fast8/Test25.fst",
+        "iea15-volturnus/OpenFAST/IEA-15-240-RWT-UMaineSemi/IEA-15-240-RWT-UMaineSemi.fst",
+        "iea15-monopile/OpenFAST/IEA-15-240-RWT-Monopile/IEA-15-240-RWT-Monopile.fst",
+    ];
+    for model in models {
+        let path = folder.join(model);
+        let source = Source::from_path(&path).expect("a model");
+        let input = read(source, &SiblingFiles::of(&path));
+        let input = input.unwrap_or_else(|error| panic!("{error}"));
+        let (written, _) = write_toml(&input.description);
+        let again = description(&written);
+        let own = frequencies_hz(input.description);
+        close(&own, &frequencies_hz(again), 1e-12);
+    }
+}
