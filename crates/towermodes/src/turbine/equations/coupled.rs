@@ -42,7 +42,7 @@ impl TurbineModel {
 }
 
 /// The places of tower, machine and frame in a vector.
-fn split_mut<'x>((tower, machine): (usize, usize), x: &'x mut [Complex]) -> [&'x mut [Complex]; 3] {
+fn split_mut((tower, machine): (usize, usize), x: &mut [Complex]) -> [&mut [Complex]; 3] {
     let (tower, rest) = x.split_at_mut(tower);
     let (machine, frame) = rest.split_at_mut(machine);
     [tower, machine, frame]
