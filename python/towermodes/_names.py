@@ -21,6 +21,7 @@ if TYPE_CHECKING:
         "roll",
         "pitch",
         "yaw",
+        "substructure",
     ]
     #: How modes are chosen: a number of the lowest ones, or names.
     Modes = SupportsIndex | str | Sequence[tuple[str, int] | str]
@@ -36,6 +37,7 @@ FAMILIES = (
     "roll",
     "pitch",
     "yaw",
+    "substructure",
 )
 
 #: How a list of modes is written.

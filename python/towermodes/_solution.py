@@ -335,7 +335,8 @@ class Mode(ModeNumbers):
         """The type of motion: "fore-aft", "side-side", "torsion" or "axial".
 
         For rigid-body motions of a floating tower "surge", "sway", "heave", "roll", "pitch" or
-        "yaw". Where motions are coupled, `share` says how much of the energy is in this one.
+        "yaw"; for local modes of a frame under the tower "substructure". Where motions are
+        coupled, `share` says how much of the energy is in this one.
         """
         return self._solution.names[self._index][0]
 

@@ -11,6 +11,7 @@
 
 mod class;
 mod features;
+mod frames;
 pub mod paths;
 mod rotors;
 mod sample;
@@ -21,6 +22,7 @@ mod tubes;
 mod turning;
 
 pub use class::Class;
+pub use frames::{Lattice, random_frame, tower_on};
 pub use rotors::{RandomTurbine, TurbineClass};
 pub use sample::{Fineness, Sample, samples};
 pub use seed::Seed;

@@ -591,3 +591,74 @@ fn a_frame_reduced_to_its_transition_piece_has_the_counts_of_the_whole() {
         assert_eq!(count, expected, "{hz} Hz");
     }
 }
+
+#[test]
+fn a_mechanism_under_a_tower_is_refused_with_its_joint() {
+    let pin = JointKind::Pin {
+        axis: [0.0, 1.0, 0.0],
+        stiffness_n_m_per_rad: 0.0,
+    };
+    let pinned = with_joint(frame(&HALVES, &IN_LINE, &[0]), 1, pin);
+    let mut rotating = frame(&HALVES, &IN_LINE, &[0]);
+    rotating.supports[0].fixed[3] = false;
+    let mut loose = frame(&HALVES, &IN_LINE, &[0]);
+    loose.supports[0].fixed = [false; 6];
+    let cases = [
+        (
+            pinned,
+            "the frame is a mechanism: 1 motion has no stiffness, in joint 2",
+        ),
+        (
+            rotating,
+            "the frame is a mechanism: 1 motion has no stiffness, in joint 1",
+        ),
+        (loose, "nothing holds the frame"),
+    ];
+    for (description, expected) in cases {
+        for (gravity_m_per_s2, method) in [
+            (0.0, Method::Spectral),
+            (9.81, Method::Spectral),
+            (9.81, Method::RmjeExact),
+        ] {
+            let foundation = on_frame(description.clone(), &[2], [0.0; 3]);
+            let tower = tower_on(foundation, 0.0, gravity_m_per_s2);
+            let options = Options {
+                method,
+                ..Options::default()
+            };
+            let refused = solve(&tower, &options)
+                .expect_err("a mechanism")
+                .to_string();
+            assert!(refused.starts_with(expected), "{refused}");
+        }
+    }
+}
+
+#[test]
+fn local_modes_of_braces_have_names_of_their_own() {
+    let labels = |modes: usize| -> Vec<String> {
+        let tower = towermodes_random::Lattice::jacket().with_tower();
+        let options = Options {
+            modes,
+            ..Options::default()
+        };
+        let solution = solve(&tower, &options).expect("a solution");
+        solution.modes.iter().map(towermodes::Mode::label).collect()
+    };
+    let all = labels(16);
+    for (label, expected) in all.iter().zip(["1st side-side", "1st fore-aft"]) {
+        assert!(label.starts_with(expected), "{all:?}");
+    }
+    let local: Vec<&String> = all.iter().filter(|l| l.contains("local")).collect();
+    for (k, label) in local.iter().enumerate() {
+        let ordinal = towermodes::modes::Ordinal(k + 1);
+        assert_eq!(
+            **label,
+            format!("{ordinal} local substructure bending"),
+            "{all:?}"
+        );
+    }
+    assert!(local.len() > 3, "{all:?}");
+    // A longer list changes no name.
+    assert_eq!(labels(9), all[..9]);
+}

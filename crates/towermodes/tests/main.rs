@@ -16,6 +16,7 @@ mod energy_parts;
 mod estimates;
 mod footings;
 mod frame;
+mod frame_dense;
 mod frequencies;
 mod ground;
 mod independence;

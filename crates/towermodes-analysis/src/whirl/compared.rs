@@ -83,6 +83,7 @@ fn part(family: Family) -> Option<TurbinePart> {
         | Family::Roll
         | Family::Pitch
         | Family::Yaw => Some(TurbinePart::Platform(family)),
+        Family::Substructure => None,
         _ => None,
     }
 }

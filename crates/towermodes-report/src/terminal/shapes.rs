@@ -114,9 +114,9 @@ fn coupled_parts(mode: &Mode) -> [Part; 2] {
 /// The drawn quantity, if the name of the mode does not give it.
 fn to_the_right(family: Family) -> Option<&'static str> {
     match family.motion() {
-        Motion::Torsion => Some("rotation about z"),
-        Motion::Axial => Some("axial motion"),
-        Motion::Bending(_) => None,
+        Some(Motion::Torsion) => Some("rotation about z"),
+        Some(Motion::Axial) => Some("axial motion"),
+        Some(Motion::Bending(_)) | None => None,
     }
 }
 

@@ -19,13 +19,47 @@ const POINTS_OF_A_PART: usize = 4;
 /// Makes elements one by one, with memory that is reused.
 #[derive(Debug, Default)]
 pub(crate) struct MemberElement {
-    beam: Beam<6>,
+    in_plane: Beam<2>,
+    in_line: Beam<1>,
+    in_space: Beam<6>,
     stencil: Stencil,
     sections: Vec<Section>,
     compressions_n: Vec<f64>,
     /// ξ and weight of each number of points that was needed.
     points: Vec<Vec<(f64, f64)>>,
 }
+
+/// Motions of an element that couple with no others, and their matrices.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct MemberPart {
+    /// The components of the motion of an end, in the axes of the member.
+    pub(crate) components: &'static [Component],
+    /// The motion of the far end for the part's own coordinates, whose stiffness is the identity: a
+    /// row for each component.
+    pub(crate) tips: Vec<Vec<f64>>,
+    /// Inertia, stiffness to the ground and geometric stiffness for the motion of the near end and
+    /// the own coordinates, row by row; empty where it has none.
+    pub(crate) matrices: [Vec<f64>; 3],
+}
+
+/// What an element is made of.
+pub(crate) struct MemberSlice<'a> {
+    /// Length, m.
+    pub(crate) length_m: f64,
+    /// The section at a distance (m) from the near end.
+    pub(crate) section_at: &'a dyn Fn(f64) -> Section,
+    /// The compression (N) there, if it is known.
+    pub(crate) compression_n: Option<&'a dyn Fn(f64) -> f64>,
+    /// Inertia that moves with the section at a distance (m) from the near end. It can couple all
+    /// motions.
+    pub(crate) bodies: &'a [(f64, SpatialMatrix)],
+    /// Springs to the ground between two distances (m) from the near end, with the stiffness at
+    /// both and linear between them. They have kinks, so each part is integrated by itself.
+    pub(crate) soil: &'a [SoilPart],
+}
+
+/// A part of an element, and the springs at both ends.
+pub(crate) type SoilPart = ([f64; 2], [SoilStiffness; 2]);
 
 /// The strains of an element: how many polynomials each has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,7 +74,8 @@ impl MemberStrains {
     /// Spectral elements of a degree; see [`BeamRecipe`](super::BeamRecipe).
     pub(crate) fn of_degree(degree: usize, shears: bool) -> Self {
         Self {
-            curvature: degree - 1,
+            // One curvature alone would tie the rotation of the far end to its deflection.
+            curvature: (degree - 1).max(2),
             shear: if shears { degree } else { 0 },
             torsion: degree,
             axial: degree,
@@ -59,36 +94,22 @@ impl MemberStrains {
 }
 
 impl MemberElement {
-    /// Makes an element of a length (m) with the section and the compression (N) at each distance
-    /// from its near end.
+    /// Makes an element in its parts: each motion by itself, or all as one where bodies on it can
+    /// couple them.
     pub(crate) fn make(
         &mut self,
         strains: MemberStrains,
-        length_m: f64,
-        section_at: impl Fn(f64) -> Section,
-        compression_n: Option<&dyn Fn(f64) -> f64>,
-    ) {
-        let motions = Motion::ALL.into_iter().map(Motions::only);
-        let motions = motions.fold(Motions::default(), Motions::and);
-        let count = |strain| match strain {
-            Strain::Curvature(_) => strains.curvature,
-            Strain::Shear(_) => strains.shear,
-            Strain::Twist => strains.torsion,
-            Strain::Stretch => strains.axial,
-        };
-        self.beam.clear();
-        self.beam
-            .set_deformations(deformations(motions, &ALL, count));
+        element: &MemberSlice<'_>,
+    ) -> Vec<MemberPart> {
         let most = strains.most();
         self.stencil.prepare(most + EXTRA_POINTS, most.max(2));
-        let at = |height_m: f64| section_at(height_m);
+        let length_m = element.length_m;
+        let heights_m = || self.stencil.heights_m(0.0, length_m);
         self.sections.clear();
-        self.sections
-            .extend(self.stencil.heights_m(0.0, length_m).map(at));
+        self.sections.extend(heights_m().map(element.section_at));
         self.compressions_n.clear();
-        if let Some(compression_n) = compression_n {
-            let heights_m = self.stencil.heights_m(0.0, length_m);
-            self.compressions_n.extend(heights_m.map(compression_n));
+        if let Some(compression_n) = element.compression_n {
+            self.compressions_n.extend(heights_m().map(compression_n));
         }
         let slice = Slice {
             base_m: 0.0,
@@ -97,75 +118,151 @@ impl MemberElement {
             compressions_n: &self.compressions_n,
             rotary_inertia: true,
         };
-        self.stencil.add_element(&mut self.beam, &ALL, &slice);
-    }
-
-    /// Adds an inertia that moves with the section at a distance (m) from the near end.
-    pub(crate) fn add_inertia(&mut self, distance_m: f64, inertia: &SpatialMatrix) {
-        let (rows, shape) = (self.beam.rows(), self.shape_at(distance_m));
-        let matrix = self.beam.last_matrix(place(MatrixKind::Inertia));
-        add_congruent(inertia, &shape, rows, matrix);
-    }
-
-    /// Adds springs to the ground between two distances (m) from the near end, with the stiffness
-    /// at both and linear between them.
-    ///
-    /// The springs of an element have kinks, so each part is integrated by itself. The polynomials
-    /// of the element vary in a part of it about as those of degree p √share do.
-    pub(crate) fn add_soil(&mut self, [from_m, to_m]: [f64; 2], springs: [SoilStiffness; 2]) {
-        let counts = self.beam.deformations().iter().map(|d| d.count);
-        let most = counts.max().unwrap_or(0) + 2;
-        let share = (to_m - from_m) / self.beam.length_m(0);
-        let needed = POINTS_OF_A_PART + (most as f64 * share.sqrt()).ceil() as usize;
-        let rows = self.beam.rows();
-        for (xi, weight) in self.points(needed.min(most + 1)) {
-            let s = 0.5 * (1.0 + xi);
-            let per_m = soil(&springs[0].blend(&springs[1], s));
-            let here = per_m.map(|spring| 0.5 * weight * (to_m - from_m) * spring);
-            let shape = self.shape_at(from_m + s * (to_m - from_m));
-            let matrix = self.beam.last_matrix(place(MatrixKind::Foundation));
-            add_squares(&here, &shape, rows, matrix);
+        let (stencil, points) = (&mut self.stencil, &mut self.points);
+        if !element.bodies.is_empty() {
+            let motions = Motion::ALL.into_iter().map(Motions::only);
+            let motions = motions.fold(Motions::default(), Motions::and);
+            let beam = &mut self.in_space;
+            fill(beam, stencil, (motions, &ALL), strains, &slice);
+            add_soil(beam, &ALL, element.soil, points);
+            for (distance_m, inertia) in element.bodies {
+                add_inertia(beam, *distance_m, inertia);
+            }
+            return vec![part_of(beam, &ALL)];
         }
-    }
-
-    fn points(&mut self, count: usize) -> Vec<(f64, f64)> {
-        if self.points.len() <= count {
-            self.points.resize_with(count + 1, Vec::new);
+        let mut parts: Vec<MemberPart> = Vec::with_capacity(Motion::ALL.len());
+        for motion in Motion::ALL {
+            let (motions, components) = (Motions::only(motion), motion.components());
+            parts.push(match (motion, parts.first()) {
+                (Motion::Bending(_), Some(first))
+                    if planes_are_equal(&self.sections, element.soil) =>
+                {
+                    MemberPart {
+                        components,
+                        ..first.clone()
+                    }
+                }
+                (Motion::Bending(_), _) => {
+                    let beam = &mut self.in_plane;
+                    fill(beam, stencil, (motions, components), strains, &slice);
+                    add_soil(beam, components, element.soil, points);
+                    part_of(beam, components)
+                }
+                (Motion::Torsion | Motion::Axial, _) => {
+                    let beam = &mut self.in_line;
+                    fill(beam, stencil, (motions, components), strains, &slice);
+                    add_soil(beam, components, element.soil, points);
+                    part_of(beam, components)
+                }
+            });
         }
-        let points = &mut self.points[count];
-        if points.is_empty() {
-            *points = gauss_points(count);
-        }
-        points.clone()
-    }
-
-    /// The motion of the section at a distance (m) from the near end, for that of the near end and
-    /// its own coordinates: 6 rows.
-    fn shape_at(&self, distance_m: f64) -> Vec<f64> {
-        let length_m = self.beam.length_m(0);
-        let deformations = self.beam.deformations();
-        let count = deformations.iter().map(|d| d.count).max();
-        let terms = Legendre::at(2.0 * distance_m / length_m - 1.0);
-        let terms: Vec<Term> = terms.take(count.unwrap_or(0)).collect();
-        let mut shape = vec![0.0; 6 * self.beam.rows()];
-        let root = &self.beam.roots;
-        write_shape(&terms, length_m, distance_m, deformations, root, &mut shape);
-        shape
-    }
-
-    /// The motion of its far end for its own coordinates, whose stiffness is the identity: 6 rows.
-    pub(crate) fn tip(&self) -> impl Iterator<Item = &[f64]> {
-        self.beam.tip_rows(0)
-    }
-
-    /// Inertia, stiffness to the ground and geometric stiffness for the motion of its near end and
-    /// its own coordinates, row by row; empty where it has none.
-    pub(crate) fn matrices(&self) -> &[Vec<f64>; 3] {
-        &self.beam.matrices
+        parts
     }
 
     /// The motion of its far end for that of its near end, if it does not deform.
     pub(crate) fn rigid(length_m: f64) -> SpatialMatrix {
         rigid_motion(length_m)
     }
+}
+
+/// Makes the only element of a beam.
+fn fill<const D: usize>(
+    beam: &mut Beam<D>,
+    stencil: &mut Stencil,
+    (motions, components): (Motions, &[Component]),
+    strains: MemberStrains,
+    slice: &Slice<'_>,
+) {
+    let components: [Component; D] = std::array::from_fn(|d| components[d]);
+    let count = |strain| match strain {
+        Strain::Curvature(_) => strains.curvature,
+        Strain::Shear(_) => strains.shear,
+        Strain::Twist => strains.torsion,
+        Strain::Stretch => strains.axial,
+    };
+    beam.clear();
+    beam.set_deformations(deformations(motions, &components, count));
+    stencil.add_element(beam, &components, slice);
+}
+
+fn part_of<const D: usize>(beam: &Beam<D>, components: &'static [Component]) -> MemberPart {
+    MemberPart {
+        components,
+        tips: beam.tip_rows(0).map(<[f64]>::to_vec).collect(),
+        matrices: beam.matrices.clone(),
+    }
+}
+
+/// Whether an element is the same in both bending planes.
+fn planes_are_equal(sections: &[Section], soil: &[SoilPart]) -> bool {
+    let is_equal = |soil: &SoilStiffness| {
+        soil.x_n_per_m2 == soil.y_n_per_m2 && soil.rotation_x_n == soil.rotation_y_n
+    };
+    let of_section = |section: &Section| {
+        let planes = [
+            section.bending_n_m2,
+            section.shear_flexibility_per_n,
+            section.masses.rotary_inertia_kg_m,
+        ];
+        planes.iter().all(|p| p.fore_aft == p.side_side) && is_equal(&section.soil)
+    };
+    sections.iter().all(of_section) && soil.iter().flat_map(|(_, s)| s).all(is_equal)
+}
+
+/// Adds an inertia that moves with the section at a distance (m) from the near end.
+fn add_inertia(beam: &mut Beam<6>, distance_m: f64, inertia: &SpatialMatrix) {
+    let (rows, shape) = (beam.rows(), shape_at(beam, distance_m));
+    let matrix = beam.last_matrix(place(MatrixKind::Inertia));
+    add_congruent(inertia, &shape, rows, matrix);
+}
+
+/// Adds springs to the ground. The polynomials of the element vary in a part of it about as those
+/// of degree p √share do.
+fn add_soil<const D: usize>(
+    beam: &mut Beam<D>,
+    components: &[Component],
+    parts: &[SoilPart],
+    points: &mut Vec<Vec<(f64, f64)>>,
+) {
+    for ([from_m, to_m], springs) in parts {
+        let counts = beam.deformations().iter().map(|d| d.count);
+        let most = counts.max().unwrap_or(0) + 2;
+        let share = (to_m - from_m) / beam.length_m(0);
+        let needed = POINTS_OF_A_PART + (most as f64 * share.sqrt()).ceil() as usize;
+        let rows = beam.rows();
+        for (xi, weight) in points_of(needed.min(most + 1), points) {
+            let s = 0.5 * (1.0 + xi);
+            let per_m = soil(&springs[0].blend(&springs[1], s));
+            let weight = 0.5 * weight * (to_m - from_m);
+            let here: [f64; D] = std::array::from_fn(|d| weight * per_m[components[d].0]);
+            let shape = shape_at(beam, from_m + s * (to_m - from_m));
+            let matrix = beam.last_matrix(place(MatrixKind::Foundation));
+            add_squares(&here, &shape, rows, matrix);
+        }
+    }
+}
+
+fn points_of(count: usize, known: &mut Vec<Vec<(f64, f64)>>) -> Vec<(f64, f64)> {
+    if known.len() <= count {
+        known.resize_with(count + 1, Vec::new);
+    }
+    let points = &mut known[count];
+    if points.is_empty() {
+        *points = gauss_points(count);
+    }
+    points.clone()
+}
+
+/// The motion of the section at a distance (m) from the near end, for that of the near end and its
+/// own coordinates: D rows.
+fn shape_at<const D: usize>(beam: &Beam<D>, distance_m: f64) -> Vec<f64> {
+    let length_m = beam.length_m(0);
+    let deformations = beam.deformations();
+    let count = deformations.iter().map(|d| d.count).max();
+    let terms = Legendre::at(2.0 * distance_m / length_m - 1.0);
+    let terms: Vec<Term> = terms.take(count.unwrap_or(0)).collect();
+    let mut shape = vec![0.0; D * beam.rows()];
+    let root = &beam.roots;
+    write_shape(&terms, length_m, distance_m, deformations, root, &mut shape);
+    shape
 }

@@ -24,7 +24,7 @@ pub(crate) use blade::turning::congruent;
 pub use blade::turning::{BladeFactors, TurningBlade};
 pub use elimination::Condensed;
 pub(crate) use elimination::{eliminate, first_block};
-pub(crate) use member::{MemberElement, MemberStrains};
+pub(crate) use member::{MemberElement, MemberPart, MemberSlice, MemberStrains, SoilPart};
 pub use model::Beam;
 pub(crate) use space_vectors::TopWorkspace;
 pub(crate) use substitution::{reduce, substitute};

@@ -7,10 +7,9 @@ use super::equations::{Chord, ELASTIC, Equations, GROUND, INERTIA, KINDS, Link};
 use super::error::FrameSolveError;
 use super::graph::{Branch, Edge, EdgeKind, Graph, Node};
 use super::hinge::{Hinge, UNIT, spring};
+use super::parts::Parts;
 use super::recipe::{FrameRecipe, Stretch};
-use super::rigid::{
-    self, Motion, NONE, Vector, identity, product, rigid_transfer, transposed_product,
-};
+use super::rigid::{self, Motion, NONE, Vector, identity, rigid_transfer};
 use super::tension::Tension;
 use crate::beam::MemberElement;
 use crate::space::{SpatialMatrix, add_scaled};
@@ -31,8 +30,12 @@ pub(super) struct Assembled {
     pub(super) transition: Node,
     /// The positions of the nodes, m.
     pub(super) positions_m: Vec<Vector>,
+    /// The joint of each node, or that where its member begins.
+    pub(super) joint_of_node: Vec<usize>,
     /// The elements of beams.
     pub(super) elements: Vec<PlacedElement>,
+    /// The tension in them, by edge.
+    pub(super) tensions: Vec<(usize, Tension)>,
 }
 
 /// Where an element of a beam is in the equations.
@@ -95,11 +98,14 @@ fn made(
     let joints = assembly.joints.clone();
     let transition = assembly.transition;
     let positions_m = assembly.graph.positions_m.clone();
+    let joint_of_node = assembly.graph.joints.clone();
     let (equations, elements) = assembly.equations()?;
     Ok(Assembled {
         positions_m,
+        joint_of_node,
         equations,
         elements,
+        tensions: tensions.to_vec(),
         joints,
         transition,
     })
@@ -239,14 +245,10 @@ impl<'a> Assembly<'a> {
 
     /// Adds a matrix for the motions of two nodes: its blocks near-near, near-far, far-far.
     fn add_nodal(&mut self, kind: usize, ends: [Node; 2], blocks: [SpatialMatrix; 3]) {
-        let [near, across, far] = blocks;
-        let mut matrices = [const { Vec::new() }; KINDS];
-        matrices[kind] = joined(&near, &across, &far);
         self.matrices.push(Chord {
             ends,
             first: 0,
-            bubbles: 0,
-            matrices,
+            parts: Parts::of_nodal(kind, &blocks),
         });
     }
 
@@ -393,7 +395,7 @@ impl<'a> Assembly<'a> {
             if let Some(chord) = self.chord(edge, equations.unknowns) {
                 let carrier = Carrier::Chord(equations.chords.len());
                 elements.extend(self.placed(edge, carrier, false));
-                equations.unknowns += chord.bubbles;
+                equations.unknowns += chord.parts.bubbles();
                 equations.chords.push(chord);
             }
         }
@@ -483,7 +485,14 @@ impl<'a> Assembly<'a> {
         rotates
     }
 
-    fn element(&mut self, edge: usize, index: usize, from: f64, to: f64) -> Option<Element> {
+    /// The element of a stretch of a member, and its axes.
+    fn element(
+        &mut self,
+        edge: usize,
+        index: usize,
+        from: f64,
+        to: f64,
+    ) -> Option<(Element, [Vector; 3])> {
         let member = &self.frame.description().members[index];
         let [x, y, z] = self.frame.axes(member);
         // From the second joint to the first the axes are turned about x.
@@ -510,7 +519,7 @@ impl<'a> Assembly<'a> {
                 .collect(),
         };
         let element = self.recipe.element(&stretch, &mut self.memory)?;
-        Some(element.out_of_axes(&axes))
+        Some((element, axes))
     }
 
     /// The link of a branch, whose coordinates begin at `first`.
@@ -527,9 +536,9 @@ impl<'a> Assembly<'a> {
             transfer,
             first,
             coordinates: tip.len(),
+            parts: Parts::none(tip.len()),
             tip,
             own,
-            matrices: [const { Vec::new() }; KINDS],
         };
         match edge.kind {
             EdgeKind::Rigid => {
@@ -555,14 +564,18 @@ impl<'a> Assembly<'a> {
                 } else {
                     (from, to)
                 };
-                let Some(element) = self.element(branch.edge, member, from, to) else {
+                let Some((element, axes)) = self.element(branch.edge, member, from, to) else {
                     return link(identity(), Vec::new(), 0.0);
                 };
-                let [inertia, ground, geometric] = element.matrices;
+                let transfer = rigid::matrix_out_of_axes(&axes, &element.transfer);
+                let tip = element.tip();
+                let tip = tip
+                    .map(|column| rigid::out_of_axes(&axes, column))
+                    .collect();
                 Link {
-                    coordinates: element.coordinates,
-                    matrices: [inertia, ground, geometric, Vec::new()],
-                    ..link(element.transfer, element.tip, 1.0)
+                    coordinates: element.coordinates(),
+                    parts: Parts::of_link(&element, Some(axes)),
+                    ..link(transfer, tip, 1.0)
                 }
             }
         }
@@ -575,8 +588,12 @@ impl<'a> Assembly<'a> {
         let EdgeKind::Element { member, from, to } = kind else {
             return None;
         };
-        let element = self.element(edge, member, from, to)?;
-        Some(chord_of(&element, ends, first))
+        let (element, axes) = self.element(edge, member, from, to)?;
+        Some(Chord {
+            ends,
+            first,
+            parts: Parts::of_chord(&element, axes),
+        })
     }
 }
 
@@ -586,112 +603,4 @@ fn body_inertia(body: &RigidBody) -> SpatialMatrix {
 
 fn diagonal(values: Motion) -> SpatialMatrix {
     std::array::from_fn(|i| std::array::from_fn(|j| if i == j { values[i] } else { 0.0 }))
-}
-
-/// The 12 rows of a symmetric matrix by its blocks.
-fn joined(near: &SpatialMatrix, across: &SpatialMatrix, far: &SpatialMatrix) -> Vec<f64> {
-    let mut all = vec![0.0; 144];
-    for i in 0..6 {
-        for j in 0..6 {
-            all[i * 12 + j] = near[i][j];
-            all[i * 12 + 6 + j] = across[i][j];
-            all[(6 + j) * 12 + i] = across[i][j];
-            all[(6 + i) * 12 + 6 + j] = far[i][j];
-        }
-    }
-    all
-}
-
-/// An element as a chord: its coordinates s that move the far end are L⁻¹ (q_far − X q_near), and
-/// its elastic energy is sᵀ s.
-fn chord_of(element: &Element, ends: [Node; 2], first: usize) -> Chord {
-    let inverse = inverse_of_columns(&element.tip);
-    let to_near = product(&inverse, &element.transfer).map(|row| row.map(|entry| -entry));
-    let bubbles = element.coordinates - element.tip.len();
-    let rows = 12 + bubbles;
-    // v and y for (q_near, q_far, bubbles).
-    let old = 6 + element.coordinates;
-    let mut change = vec![0.0; old * rows];
-    for i in 0..6 {
-        change[i * rows + i] = 1.0;
-        let row = &mut change[(6 + i) * rows..][..12];
-        row[..6].copy_from_slice(&to_near[i]);
-        row[6..].copy_from_slice(&inverse[i]);
-    }
-    for bubble in 0..bubbles {
-        change[(12 + bubble) * rows + 12 + bubble] = 1.0;
-    }
-    let [inertia, ground, geometric] = &element.matrices;
-    let congruent = |matrix: &Vec<f64>| congruence(matrix, &change, old, rows);
-    let near = transposed_product(&to_near, &to_near);
-    let across = transposed_product(&to_near, &inverse);
-    let far = transposed_product(&inverse, &inverse);
-    let joined = joined(&near, &across, &far);
-    let mut elastic = vec![0.0; rows * rows];
-    for (row, own) in elastic.chunks_exact_mut(rows).zip(joined.chunks_exact(12)) {
-        row[..12].copy_from_slice(own);
-    }
-    Chord {
-        ends,
-        first,
-        bubbles,
-        matrices: [
-            congruent(inertia),
-            congruent(ground),
-            congruent(geometric),
-            elastic,
-        ],
-    }
-}
-
-/// The inverse of the matrix with these columns, by Gauss-Jordan elimination with pivots.
-pub(super) fn inverse_of_columns(columns: &[Motion]) -> SpatialMatrix {
-    let mut a: [[f64; 12]; 6] = std::array::from_fn(|i| {
-        std::array::from_fn(|j| match j < 6 {
-            true => columns.get(j).map_or(0.0, |column| column[i]),
-            false => f64::from(u8::from(i == j - 6)),
-        })
-    });
-    for k in 0..6 {
-        let pivot = (k..6)
-            .max_by(|i, j| a[*i][k].abs().total_cmp(&a[*j][k].abs()))
-            .unwrap_or(k);
-        a.swap(k, pivot);
-        let row = a[k].map(|entry| entry / a[k][k]);
-        for (i, other) in a.iter_mut().enumerate() {
-            let factor = other[k];
-            if i != k {
-                other
-                    .iter_mut()
-                    .zip(row)
-                    .for_each(|(x, r)| *x -= factor * r);
-            }
-        }
-        a[k] = row;
-    }
-    a.map(|row| std::array::from_fn(|j| row[6 + j]))
-}
-
-/// Cᵀ M C for a matrix M of `old` rows and C of `old` rows and `rows` columns; empty if M is.
-fn congruence(matrix: &[f64], change: &[f64], old: usize, rows: usize) -> Vec<f64> {
-    if matrix.is_empty() {
-        return Vec::new();
-    }
-    let mut half = vec![0.0; old * rows];
-    for (out, row) in half.chunks_exact_mut(rows).zip(matrix.chunks_exact(old)) {
-        for (factor, change) in row.iter().zip(change.chunks_exact(rows)) {
-            out.iter_mut()
-                .zip(change)
-                .for_each(|(o, c)| *o += factor * c);
-        }
-    }
-    let mut sum = vec![0.0; rows * rows];
-    for (half, change) in half.chunks_exact(rows).zip(change.chunks_exact(rows)) {
-        for (out, factor) in sum.chunks_exact_mut(rows).zip(change) {
-            if *factor != 0.0 {
-                out.iter_mut().zip(half).for_each(|(o, h)| *o += factor * h);
-            }
-        }
-    }
-    sum
 }

@@ -202,7 +202,7 @@ impl FrameBelow {
         let links = self.equations.links.iter().filter(|link| link.own != 0.0);
         let of_links = links.map(|link| (link.first, link.coordinates));
         let chords = self.equations.chords.iter();
-        let of_chords = chords.map(|chord| (chord.first, chord.bubbles));
+        let of_chords = chords.map(|chord| (chord.first, chord.parts.bubbles()));
         let all: Vec<(usize, usize)> = of_links.chain(of_chords).collect();
         let all = all.into_iter().filter(|(_, count)| *count > 0);
         all.flat_map(|(first, count)| &x[first - OF_TRANSITION..][..count])

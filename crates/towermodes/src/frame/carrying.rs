@@ -3,94 +3,159 @@
 use std::ops::Range;
 
 use super::assembly::{Assembled, assemble};
-use super::element::Element;
+use super::element::{ALL, Element, Part};
 use super::elimination::Factors;
 use super::equations::{ELASTIC, Equations, GEOMETRIC, GROUND, INERTIA, KINDS, Link};
 use super::error::FrameSolveError;
+use super::finer::Finer;
+use super::local::Local;
+use super::mechanism::mechanism;
 use super::order::Order;
+use super::parts::Parts;
 use super::product::Sweep;
 use super::recipe::FrameRecipe;
 use super::rigid::{Motion, NONE, rigid_transfer};
 use super::statics::with_tensions;
+use super::tension::Tension;
+use crate::beam::MemberPart;
 use crate::space::{SpatialMatrix, add_scaled};
 use crate::subsystem::{
-    Branch, Coefficients, MatrixKind, Resultant, SegmentCurves, ShearFraction, Subsystem,
+    Branch, Coefficients, Energies, InternalForces, MatrixKind, Resultant, SegmentCurves,
+    ShearFraction, Subsystem,
 };
 use crate::tower::frame::FrameFoundation;
-use crate::tower::{Motions, RigidBody, spatial_inertia};
+use crate::tower::{Motions, RigidBody, Tower, spatial_inertia};
+
+/// The equations of a frame under a tower, with the platform and the stiffness of the weight of
+/// all, but without the tower: the same on every mesh of the tower.
+#[derive(Debug)]
+pub(crate) struct BareFrame {
+    /// For which tower they are.
+    tower: Tower,
+    /// Of which degree the elements of its members are.
+    degree: usize,
+    equations: Equations,
+    /// The node of the transition piece.
+    node: usize,
+    /// Positions of the nodes of the frame about the axis of the tower, m.
+    levers_m: Vec<[f64; 2]>,
+    /// The tension in its elements, by edge.
+    tensions: Vec<(usize, Tension)>,
+    /// The same frame with elements of a higher degree, when it was needed.
+    finer: Option<Equations>,
+    /// The joint of each of its nodes.
+    joint_of_node: Vec<usize>,
+    /// What its members do by themselves; none yet, or none if they cannot.
+    local: Option<Option<Local>>,
+}
 
 /// A tower of any kind of elements, in which all motions are coupled, on a frame.
 pub(crate) struct OnFrame {
     tower: Box<dyn Subsystem>,
-    equations: Equations,
+    /// The frame, whose equations are here with those of the tower.
+    frame: BareFrame,
     order: Order,
     /// Which links are those of the tower.
     branch: Range<usize>,
     /// The changed elements of these links.
-    elements: Vec<Element>,
+    elements: Vec<Part>,
     /// The motion of the tower's base for each of its coordinates.
     units: Motion,
     foot: usize,
-    /// Positions of the nodes of the frame about the axis of the tower, m.
-    levers_m: Vec<[f64; 2]>,
     factors: Factors,
     counted: Factors,
     sweep: Sweep,
     product: Vec<f64>,
 }
 
-impl OnFrame {
-    /// A tower, which has its base at a height (m) and carries gravity (m/s²), on a frame whose
-    /// members have elements of this degree.
+impl BareFrame {
+    /// The frame of a tower, whose elements are `branch`, with elements of this degree.
     ///
     /// # Errors
     /// [`FrameSolveError`].
-    pub(crate) fn new(
-        tower: Box<dyn Subsystem>,
+    fn new(
+        tower: &Tower,
         foundation: &FrameFoundation,
-        (base_m, gravity_m_per_s2): (f64, f64),
+        branch: &Branch,
         degree: usize,
     ) -> Result<Self, FrameSolveError> {
         let [x, y, z] = foundation.reference_m();
-        let branch = tower.branch().unwrap_or_default();
-        let recipe = FrameRecipe::Spectral { degree };
-        let mut carried = None;
+        let gravity_m_per_s2 = tower.gravity_m_per_s2();
         let members_n = if foundation.weight_on_members {
             gravity_m_per_s2
         } else {
             0.0
         };
+        let mut bare = (0, 0);
         let Assembled {
-            equations,
+            mut equations,
             positions_m,
+            joint_of_node,
+            transition,
+            tensions,
             ..
         } = with_tensions(
             &foundation.frame,
             members_n,
-            |frame, tensions| assemble(frame, recipe, tensions),
+            |frame, tensions| assemble(frame, FrameRecipe::Spectral { degree }, tensions),
             |assembled| {
-                let on = assembled.transition.map(|node| {
+                if let Some(node) = assembled.transition {
                     let equations = &mut assembled.equations;
+                    bare = (equations.nodes.len(), equations.links.len());
                     add_platform(equations, node, &foundation.platform, gravity_m_per_s2);
-                    let first = equations.links.len();
-                    let (foot, elements) = add_tower(equations, &branch, node, base_m - z);
-                    (foot, elements, first..equations.links.len())
-                });
-                carried = on;
+                    add_tower(equations, branch, node, tower.base_m() - z);
+                }
             },
         )?;
-        let (foot, elements, branch_links) = carried.ok_or(FrameSolveError::NoTransition)?;
-        let units = branch.units;
-        let levers_m = positions_m.iter().map(|p| [p[0] - x, p[1] - y]).collect();
+        equations.shrink(bare);
         Ok(Self {
-            tower,
-            order: Order::new(&equations),
-            branch: branch_links,
+            tower: tower.clone(),
+            degree,
+            node: transition.ok_or(FrameSolveError::NoTransition)?,
             equations,
+            levers_m: positions_m.iter().map(|p| [p[0] - x, p[1] - y]).collect(),
+            joint_of_node,
+            tensions,
+            finer: None,
+            local: None,
+        })
+    }
+
+    fn is_of(&self, tower: &Tower, degree: usize) -> bool {
+        self.degree == degree && self.tower == *tower
+    }
+}
+
+impl OnFrame {
+    /// A tower on its frame, whose members have elements of this degree; `model` are the tower's
+    /// own equations. The bare frame of another mesh of the same tower is not made again.
+    ///
+    /// # Errors
+    /// [`FrameSolveError`].
+    pub(crate) fn new(
+        tower: &Tower,
+        model: Box<dyn Subsystem>,
+        foundation: &FrameFoundation,
+        degree: usize,
+        before: Option<BareFrame>,
+    ) -> Result<Self, FrameSolveError> {
+        let branch = model.branch().unwrap_or_default();
+        let mut frame = match before.filter(|frame| frame.is_of(tower, degree)) {
+            Some(frame) => frame,
+            None => BareFrame::new(tower, foundation, &branch, degree)?,
+        };
+        let first = frame.equations.links.len();
+        let [.., z] = foundation.reference_m();
+        let rise_m = tower.base_m() - z;
+        let (foot, elements) = add_tower(&mut frame.equations, &branch, frame.node, rise_m);
+        Ok(Self {
+            tower: model,
+            order: Order::new(&frame.equations),
+            branch: first..frame.equations.links.len(),
+            frame,
             elements,
-            units,
+            units: branch.units,
             foot,
-            levers_m,
             factors: Factors::default(),
             counted: Factors::default(),
             sweep: Sweep::default(),
@@ -98,16 +163,112 @@ impl OnFrame {
         })
     }
 
+    /// The shares of the kinetic and of the strain energy of a mode that members of the frame have
+    /// by themselves; none if no members can.
+    pub(crate) fn local_shares(&mut self, x: &[f64]) -> Option<[f64; 2]> {
+        let whole = [Coefficients::MASS, Coefficients::STIFFNESS].map(|a| self.energy(&a, x));
+        let (nodes, links) = (self.foot, self.branch.start);
+        let BareFrame {
+            equations,
+            node,
+            local,
+            ..
+        } = &mut self.frame;
+        let local =
+            local.get_or_insert_with(|| Local::new(&equations.first((nodes, links)), *node));
+        let local = local.as_ref()?;
+        let mut motions = Vec::new();
+        equations.set_motions(x, &mut motions);
+        let own = local.energies(equations, *node, x, &motions);
+        let share = |k: usize| {
+            if whole[k] > 0.0 {
+                own[k] / whole[k]
+            } else {
+                0.0
+            }
+        };
+        Some([share(0), share(1)])
+    }
+
+    /// By how much the eigenvalue λ (rad²/s²) of a vector changes with elements of the frame of a
+    /// degree higher by two.
+    ///
+    /// # Errors
+    /// [`FrameSolveError`].
+    pub(crate) fn change_on_finer(
+        &mut self,
+        lambda: f64,
+        x: &[f64],
+    ) -> Result<f64, FrameSolveError> {
+        let BareFrame {
+            tower,
+            degree,
+            equations,
+            tensions,
+            finer,
+            ..
+        } = &mut self.frame;
+        let Some(foundation) = tower.frame() else {
+            return Ok(0.0);
+        };
+        let finer = match finer {
+            Some(finer) => finer,
+            None => {
+                let recipe = FrameRecipe::Spectral {
+                    degree: *degree + 2,
+                };
+                finer.insert(assemble(&foundation.frame, recipe, tensions)?.equations)
+            }
+        };
+        let change = Finer::default().change((equations, finer), lambda, x);
+        Ok(change / self.energy(&Coefficients::MASS, x))
+    }
+
+    /// Why the frame is a mechanism under its tower, if it is one.
+    pub(crate) fn mechanism(&self) -> Option<FrameSolveError> {
+        let BareFrame {
+            tower,
+            equations,
+            joint_of_node,
+            ..
+        } = &self.frame;
+        let foundation = tower.frame()?;
+        mechanism(&foundation.frame, (equations, &self.order), joint_of_node)
+    }
+
+    /// The frame without the tower.
+    pub(crate) fn into_bare(mut self) -> BareFrame {
+        // The tower's first node is its foot.
+        self.frame.equations.shrink((self.foot, self.branch.start));
+        self.frame
+    }
+
+    /// Number of unknowns of the frame, which are the first.
+    fn of_frame(&self) -> usize {
+        self.frame.equations.links[self.branch.start].first
+    }
+
+    /// Number of coordinates of the tower's base, if it stands by itself.
+    fn base_coordinates(&self) -> usize {
+        self.units.iter().filter(|unit| **unit != 0.0).count()
+    }
+
+    /// The links of the tower's elements: the first of the branch is rigid, from the transition
+    /// piece to the base.
+    fn links_of_tower(&self) -> impl Iterator<Item = &Link> {
+        self.frame.equations.links[self.branch.clone()]
+            .iter()
+            .skip(1)
+    }
+
     /// The vector of the tower by itself, for a vector of the whole.
     fn tower_vector(&self, x: &[f64]) -> Vec<f64> {
         let mut motions = Vec::new();
-        self.equations.set_motions(x, &mut motions);
+        self.frame.equations.set_motions(x, &mut motions);
         let base = self.units.iter().zip(motions[self.foot]);
         let moving = base.filter(|(unit, _)| **unit != 0.0);
         let mut own: Vec<f64> = moving.map(|(unit, motion)| motion / unit).collect();
-        // The first link of the branch is rigid: from the transition piece to the base.
-        let links = &self.equations.links[self.branch.clone()][1..];
-        for (link, element) in links.iter().zip(&self.elements) {
+        for (link, element) in self.links_of_tower().zip(&self.elements) {
             let from = own.len();
             own.extend_from_slice(&x[link.first..][..link.coordinates]);
             element.change_back(&mut own[from..]);
@@ -119,16 +280,16 @@ impl OnFrame {
     /// along the axes, but for a common rotation about the axis of the tower.
     fn energy_of_frame(&mut self, of_all: f64, of_tower: f64, x: &[f64]) -> [f64; 6] {
         let mut motions = std::mem::take(&mut self.sweep.motions);
-        self.equations.set_motions(x, &mut motions);
+        self.frame.equations.set_motions(x, &mut motions);
         let (mut turned, mut squares) = (0.0, 0.0);
-        for ([x_m, y_m], motion) in self.levers_m.iter().zip(&motions) {
+        for ([x_m, y_m], motion) in self.frame.levers_m.iter().zip(&motions) {
             turned += x_m * motion[1] - y_m * motion[0];
             squares += x_m * x_m + y_m * y_m;
         }
         let angle = if squares > 0.0 { turned / squares } else { 0.0 };
         let mut shares = [0.0; 6];
         shares[5] = angle * angle * squares;
-        for ([x_m, y_m], motion) in self.levers_m.iter().zip(&motions) {
+        for ([x_m, y_m], motion) in self.frame.levers_m.iter().zip(&motions) {
             let rest = [motion[0] + angle * y_m, motion[1] - angle * x_m, motion[2]];
             (0..3).for_each(|i| shares[i] += rest[i] * rest[i]);
         }
@@ -168,25 +329,32 @@ fn add_tower(
     branch: &Branch,
     node: usize,
     rise_m: f64,
-) -> (usize, Vec<Element>) {
+) -> (usize, Vec<Part>) {
     let foot = add_rigidly(equations, (node, rise_m), branch.base);
     let (mut parent, mut elements) = (foot, Vec::with_capacity(branch.links.len()));
     for link in &branch.links {
         let child = add_node(equations, &link.body);
-        let element = Element::new(link.transfer, link.tips.clone(), link.matrices.clone());
-        let [inertia, ground, geometric] = element.matrices.clone();
+        let made = MemberPart {
+            components: &ALL,
+            tips: link.tips.to_vec(),
+            matrices: link.matrices.clone(),
+        };
+        let element = Element {
+            transfer: link.transfer,
+            parts: vec![Part::new(made)],
+        };
         equations.links.push(Link {
             parent: Some(parent),
             child,
             transfer: element.transfer,
-            tip: element.tip.clone(),
+            tip: element.tip().copied().collect(),
             first: equations.unknowns,
-            coordinates: element.coordinates,
+            coordinates: element.coordinates(),
             own: 1.0,
-            matrices: [inertia, ground, geometric, Vec::new()],
+            parts: Parts::of_link(&element, None),
         });
-        equations.unknowns += element.coordinates;
-        elements.push(element);
+        equations.unknowns += element.coordinates();
+        elements.extend(element.parts);
         parent = child;
     }
     (foot, elements)
@@ -207,7 +375,7 @@ pub(super) fn add_rigidly(
         first: equations.unknowns,
         coordinates: 0,
         own: 0.0,
-        matrices: [const { Vec::new() }; KINDS],
+        parts: Parts::none(0),
     });
     child
 }
@@ -242,7 +410,7 @@ impl Subsystem for OnFrame {
     }
 
     fn degrees_of_freedom(&self) -> usize {
-        self.equations.unknowns
+        self.frame.equations.unknowns
     }
 
     fn is_finite(&self) -> bool {
@@ -272,23 +440,29 @@ impl Subsystem for OnFrame {
     fn product(&mut self, a: &Coefficients, x: &[f64], out: &mut [f64]) {
         let (factors, own) = factors_of(a);
         let a = (&factors, own);
-        self.equations.product(a, &mut self.sweep, x, out);
+        self.frame.equations.product(a, &mut self.sweep, x, out);
     }
 
     fn count_negative(&mut self, a: &Coefficients) -> usize {
         let (factors, own) = factors_of(a);
         let a = (&factors, own);
-        self.equations.factorize(&self.order, a, &mut self.counted)
+        self.frame
+            .equations
+            .factorize(&self.order, a, &mut self.counted)
     }
 
     fn factorize(&mut self, a: &Coefficients) -> usize {
         let (factors, own) = factors_of(a);
         let a = (&factors, own);
-        self.equations.factorize(&self.order, a, &mut self.factors)
+        self.frame
+            .equations
+            .factorize(&self.order, a, &mut self.factors)
     }
 
     fn solve(&mut self, x: &mut [f64]) {
-        self.equations.solve(&self.order, &mut self.factors, x);
+        self.frame
+            .equations
+            .solve(&self.order, &mut self.factors, x);
     }
 
     fn energy(&mut self, a: &Coefficients, x: &[f64]) -> f64 {
@@ -298,6 +472,42 @@ impl Subsystem for OnFrame {
         let energy = product.iter().zip(x).map(|(a, b)| a * b).sum();
         self.product = product;
         energy
+    }
+
+    fn energies(&mut self, x: &[f64]) -> Energies {
+        let energies = self.frame.equations.energies(&mut self.sweep, x);
+        Energies {
+            elastic: energies[ELASTIC],
+            foundation: energies[GROUND],
+            gravity: 0.0 - energies[GEOMETRIC],
+            mass: energies[INERTIA],
+        }
+    }
+
+    fn internal_forces(&self, x: &[f64], forces: &mut InternalForces) -> bool {
+        let is_known = self.tower.internal_forces(&self.tower_vector(x), forces);
+        // The frame is the same on any mesh.
+        forces.base.truncate(self.base_coordinates());
+        forces.base.extend_from_slice(&x[..self.of_frame()]);
+        is_known
+    }
+
+    fn with_internal_forces(&self, forces: &InternalForces, jumps_m: &[f64], out: &mut [f64]) {
+        let (base, of_frame) = forces.base.split_at(self.base_coordinates());
+        out[..of_frame.len()].copy_from_slice(of_frame);
+        let own = InternalForces {
+            base: base.to_vec(),
+            ..forces.clone()
+        };
+        let mut vector = vec![0.0; self.tower.degrees_of_freedom()];
+        self.tower.with_internal_forces(&own, jumps_m, &mut vector);
+        let mut rest = &mut vector[base.len()..];
+        for (link, element) in self.links_of_tower().zip(&self.elements) {
+            let (own, above) = rest.split_at_mut(link.coordinates);
+            element.change(own);
+            out[link.first..][..link.coordinates].copy_from_slice(own);
+            rest = above;
+        }
     }
 
     fn strain_energies(&self, x: &[f64], part: &mut dyn FnMut(f64, f64)) {
@@ -315,7 +525,7 @@ impl Subsystem for OnFrame {
     }
 
     fn start(&mut self, out: &mut [f64]) {
-        self.equations.start(out);
+        self.frame.equations.start(out);
     }
 
     fn curves<'a>(

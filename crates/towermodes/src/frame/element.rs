@@ -4,51 +4,90 @@
 //! stiffness is the identity. An orthogonal change of coordinates keeps the identity and brings T
 //! to [L 0], with L lower triangular. So L Lᵀ is the flexibility of the element, and the bubbles
 //! are its vibration between held ends.
+//!
+//! An element consists of parts that nothing couples, in the axes of its member: bending in each
+//! plane, torsion, axial motion; or all of them as one.
 
-use super::rigid::{self, Motion};
-use crate::beam::MemberElement;
+use super::rigid::Motion;
+use crate::beam::{MemberElement, MemberPart};
 use crate::space::SpatialMatrix;
+use crate::tower::Component;
 
 /// A row of T with a smaller part that is independent of the rows before is taken as dependent.
 const INDEPENDENT: f64 = 1e-12;
+
+/// All components, none backwards.
+pub(super) const ALL: [Component; 6] = [(0, 1.0), (1, 1.0), (2, 1.0), (3, 1.0), (4, 1.0), (5, 1.0)];
 
 /// An element in the axes of its member.
 #[derive(Debug, Clone)]
 pub(super) struct Element {
     /// X.
     pub(super) transfer: SpatialMatrix,
-    /// The columns of L: the motion of the far end for each coordinate that moves it.
+    pub(super) parts: Vec<Part>,
+}
+
+/// A part of an element.
+#[derive(Debug, Clone)]
+pub(super) struct Part {
+    /// The components of the motion of an end that it has, each with its sign.
+    pub(super) components: &'static [Component],
+    /// The columns of L, in all components: the motion of the far end for each coordinate that
+    /// moves it.
     pub(super) tip: Vec<Motion>,
     /// All coordinates, the bubbles last.
     pub(super) coordinates: usize,
-    /// Inertia, stiffness to the ground, geometric stiffness for v and y: 6 + coordinates rows;
-    /// empty where there is none.
+    /// Inertia, stiffness to the ground, geometric stiffness for v and y: a row for each component
+    /// and coordinate; empty where there is none.
     pub(super) matrices: [Vec<f64>; 3],
     /// The unit vectors of the reflections that changed the coordinates.
     reflectors: Vec<Vec<f64>>,
 }
 
 impl Element {
-    /// The element that was made last.
-    pub(super) fn of(made: &MemberElement, length_m: f64) -> Self {
-        let mut tips = made.tip().map(<[f64]>::to_vec);
-        let tips = std::array::from_fn(|_| tips.next().unwrap_or_default());
-        Self::new(
-            MemberElement::rigid(length_m),
-            tips,
-            made.matrices().clone(),
-        )
+    /// An element of a length, m, from its parts.
+    pub(super) fn of(parts: Vec<MemberPart>, length_m: f64) -> Self {
+        Self {
+            transfer: MemberElement::rigid(length_m),
+            parts: parts.into_iter().map(Part::new).collect(),
+        }
     }
 
-    /// An element with these rows of T.
-    pub(super) fn new(
-        transfer: SpatialMatrix,
-        mut tips: [Vec<f64>; 6],
-        mut matrices: [Vec<f64>; 3],
-    ) -> Self {
-        let coordinates = tips[0].len();
+    /// The columns of L of all parts.
+    pub(super) fn tip(&self) -> impl Iterator<Item = &Motion> {
+        self.parts.iter().flat_map(|part| &part.tip)
+    }
+
+    /// All coordinates.
+    pub(super) fn coordinates(&self) -> usize {
+        self.parts.iter().map(|part| part.coordinates).sum()
+    }
+
+    /// The same without its bubbles, and with more inertia, given for the motions of both ends (12
+    /// rows).
+    pub(super) fn with_nodal_inertia(&self, inertia: &[[f64; 12]; 12]) -> Self {
+        let parts = self.parts.iter();
+        Self {
+            transfer: self.transfer,
+            parts: parts
+                .map(|part| part.with_nodal_inertia(&self.transfer, inertia))
+                .collect(),
+        }
+    }
+}
+
+impl Part {
+    /// A part with changed coordinates.
+    pub(super) fn new(made: MemberPart) -> Self {
+        let MemberPart {
+            components,
+            mut tips,
+            mut matrices,
+        } = made;
+        let coordinates = tips.first().map_or(0, Vec::len);
+        let own = components.len();
         let (mut rank, mut reflectors) = (0, Vec::new());
-        for d in 0..6 {
+        for d in 0..own {
             let Some(reflector) = reflector(&tips[d], rank) else {
                 continue;
             };
@@ -56,18 +95,56 @@ impl Element {
                 reflect(&reflector, &mut row[rank..]);
             }
             for matrix in matrices.iter_mut().filter(|matrix| !matrix.is_empty()) {
-                reflect_matrix(&reflector, 6 + coordinates, 6 + rank, matrix);
+                reflect_matrix(&reflector, own + coordinates, own + rank, matrix);
             }
             rank += 1;
             reflectors.push(reflector);
         }
-        let column = |k: usize| std::array::from_fn(|d| tips[d][k]);
+        let column = |k: usize| {
+            let mut motion = [0.0; 6];
+            for ((component, sign), row) in components.iter().zip(&tips) {
+                motion[*component] = sign * row[k];
+            }
+            motion
+        };
         Self {
-            transfer,
+            components,
             tip: (0..rank).map(column).collect(),
             coordinates,
             matrices,
             reflectors,
+        }
+    }
+
+    /// How many coordinates move the far end.
+    pub(super) fn moving(&self) -> usize {
+        self.tip.len()
+    }
+
+    /// Its matrices for the components of the motion themselves, without their signs.
+    pub(super) fn in_motions(&self) -> [Vec<f64>; 3] {
+        let own = self.components.len();
+        let rows = own + self.coordinates;
+        let sign = |k: usize| self.components.get(k).map_or(1.0, |(_, sign)| *sign);
+        let mut matrices = self.matrices.clone();
+        for matrix in matrices.iter_mut().filter(|m| !m.is_empty()) {
+            for (i, row) in matrix.chunks_exact_mut(rows).enumerate() {
+                for (j, entry) in row
+                    .iter_mut()
+                    .enumerate()
+                    .filter(|(j, _)| i < own || *j < own)
+                {
+                    *entry *= sign(i) * sign(j);
+                }
+            }
+        }
+        matrices
+    }
+
+    /// The coordinates y after the change, from those before it, in place.
+    pub(super) fn change(&self, own: &mut [f64]) {
+        for (rank, reflector) in self.reflectors.iter().enumerate() {
+            reflect(reflector, &mut own[rank..]);
         }
     }
 
@@ -78,18 +155,24 @@ impl Element {
         }
     }
 
-    /// The same without its bubbles, and with more inertia, given for the motions of both ends (12
-    /// rows).
-    pub(super) fn with_nodal_inertia(&self, inertia: &[[f64; 12]; 12]) -> Self {
-        let moving = self.tip.len();
-        let rows = 6 + moving;
-        // Both ends for (v, y).
-        let ends = |i: usize, j: usize| match (i < 6, j < 6) {
-            (true, _) => f64::from(u8::from(i == j)),
-            (false, true) => self.transfer[i - 6][j],
-            (false, false) => self.tip[j - 6][i - 6],
+    fn with_nodal_inertia(&self, transfer: &SpatialMatrix, inertia: &[[f64; 12]; 12]) -> Self {
+        let (own, moving) = (self.components.len(), self.moving());
+        let rows = own + moving;
+        // The motion of both ends for each of (v, y).
+        let ends = |row: usize| -> [f64; 12] {
+            let mut near = [0.0; 6];
+            let far = match row.checked_sub(own) {
+                None => {
+                    let (component, sign) = self.components[row];
+                    near[component] = sign;
+                    super::rigid::moved(transfer, &near)
+                }
+                Some(k) => self.tip[k],
+            };
+            std::array::from_fn(|i| if i < 6 { near[i] } else { far[i - 6] })
         };
-        let old = 6 + self.coordinates;
+        let ends: Vec<[f64; 12]> = (0..rows).map(ends).collect();
+        let old = own + self.coordinates;
         let leading = |matrix: &Vec<f64>| -> Vec<f64> {
             let rows_of = matrix.chunks_exact(old).take(rows);
             rows_of.flat_map(|row| row[..rows].to_vec()).collect()
@@ -97,41 +180,20 @@ impl Element {
         let [carried, ground, geometric] = &self.matrices;
         let mut sum = leading(carried);
         sum.resize(rows * rows, 0.0);
-        for i in 0..rows {
-            let left: [f64; 12] =
-                std::array::from_fn(|b| (0..12).map(|a| ends(a, i) * inertia[a][b]).sum());
-            for j in 0..rows {
-                sum[i * rows + j] += (0..12).map(|b| left[b] * ends(b, j)).sum::<f64>();
+        for (i, left) in ends.iter().enumerate() {
+            let forces = inertia.map(|row| row.iter().zip(left).map(|(m, x)| m * x).sum::<f64>());
+            for (j, right) in ends.iter().enumerate() {
+                let product = forces.iter().zip(right).map(|(f, x)| f * x);
+                sum[i * rows + j] += product.sum::<f64>();
             }
         }
         Self {
-            transfer: self.transfer,
+            components: self.components,
             tip: self.tip.clone(),
             coordinates: moving,
             reflectors: Vec::new(),
             matrices: [sum, leading(ground), leading(geometric)],
         }
-    }
-
-    /// The same in global axes; the axes of the member are the rows of `axes`.
-    pub(super) fn out_of_axes(mut self, axes: &[[f64; 3]; 3]) -> Self {
-        let rows = 6 + self.coordinates;
-        self.transfer = rigid::matrix_out_of_axes(axes, &self.transfer);
-        for column in &mut self.tip {
-            *column = rigid::out_of_axes(axes, column);
-        }
-        for matrix in self.matrices.iter_mut().filter(|matrix| !matrix.is_empty()) {
-            for row in matrix.chunks_exact_mut(rows) {
-                let near: Motion = std::array::from_fn(|k| row[k]);
-                row[..6].copy_from_slice(&rigid::out_of_axes(axes, &near));
-            }
-            for j in 0..rows {
-                let near: Motion = std::array::from_fn(|k| matrix[k * rows + j]);
-                let turned = rigid::out_of_axes(axes, &near);
-                (0..6).for_each(|k| matrix[k * rows + j] = turned[k]);
-            }
-        }
-        self
     }
 }
 

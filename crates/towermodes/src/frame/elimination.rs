@@ -5,8 +5,10 @@
 //! and by the coordinates y of its link, and y is eliminated. All are steps of L D Lᵀ, so the
 //! negative pivots are the negative eigenvalues (Sylvester).
 
-use super::equations::{Chord, Equations, KINDS, Link, add_force, add_matrices, motion_of};
+use super::equations::{Equations, Link, add_force, motion_of};
+use super::kinds::Combination;
 use super::order::{Block, Order, Step};
+use super::parts::{MOST_ENDS, Side};
 use super::rigid::{Motion, NONE, add_transposed, moved, product, transposed, transposed_product};
 use crate::beam::{eliminate, first_block};
 use crate::space::{SpatialMatrix, add_scaled};
@@ -14,10 +16,12 @@ use crate::space::{SpatialMatrix, add_scaled};
 /// Factors of a matrix, and working memory; reused from factorization to factorization.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Factors {
-    /// The matrix of each link after its bubbles were eliminated.
+    /// The matrix of each block of links and then of chords after its bubbles were eliminated.
+    blocks_of_parts: Vec<Vec<f64>>,
+    /// What is left of each link for its ends.
     links: Vec<Vec<f64>>,
-    /// The same of each chord.
-    chords: Vec<Vec<f64>>,
+    /// What is left of a chord.
+    chord: Vec<f64>,
     /// The front of each step after its coordinates were eliminated: the rows of the coordinates.
     fronts: Vec<Vec<f64>>,
     diagonal: Vec<SpatialMatrix>,
@@ -26,9 +30,6 @@ pub(super) struct Factors {
     motions: Vec<Motion>,
     at: Vec<f64>,
 }
-
-/// A = Σ factor·matrix + `own` times the stiffness of the coordinates.
-pub(super) type Combination<'a> = (&'a [f64; KINDS], f64);
 
 impl Equations {
     /// Factors A and returns the number of its negative eigenvalues.
@@ -76,8 +77,9 @@ impl Equations {
     /// Adds what is attached to the nodes and eliminates all bubbles.
     fn begin(&self, order: &Order, (a, own): Combination<'_>, factors: &mut Factors) -> usize {
         let Factors {
+            blocks_of_parts,
             links,
-            chords,
+            chord: rest,
             diagonal,
             blocks,
             ..
@@ -93,13 +95,14 @@ impl Equations {
         }));
         let mut negative = 0;
         links.resize(self.links.len(), Vec::new());
-        for (link, matrix) in self.links.iter().zip(links) {
-            negative += condense_link(link, (a, own), matrix);
+        blocks_of_parts.resize(order.blocks_of_parts, Vec::new());
+        let mut factors = blocks_of_parts.iter_mut();
+        for (link, rest) in self.links.iter().zip(links) {
+            negative += link.parts.condense((a, own * link.own), &mut factors, rest);
         }
-        chords.resize(self.chords.len(), Vec::new());
-        for ((chord, matrix), block) in self.chords.iter().zip(chords).zip(&order.chords) {
-            negative += condense_chord(chord, (a, own), matrix);
-            add_chord(chord, matrix, *block, diagonal, blocks);
+        for (chord, block) in self.chords.iter().zip(&order.chords) {
+            negative += chord.parts.condense((a, own), &mut factors, rest);
+            add_chord(chord.ends, rest, *block, diagonal, blocks);
         }
         negative
     }
@@ -146,8 +149,7 @@ impl Equations {
 
     fn reduce(&self, steps: &[Step], factors: &mut Factors, x: &mut [f64]) {
         let Factors {
-            links,
-            chords,
+            blocks_of_parts,
             fronts,
             forces,
             at,
@@ -155,23 +157,22 @@ impl Equations {
         } = factors;
         forces.clear();
         forces.resize(self.nodes.len(), [0.0; 6]);
-        for (link, matrix) in self.links.iter().zip(&*links) {
-            let (rows, lead) = (link.rows(), 6 + link.tip.len());
-            at.clear();
-            at.resize(6, 0.0);
-            at.extend_from_slice(&x[link.first..][..link.coordinates]);
-            forward(matrix, rows, lead, at);
-            x[link.first..][..link.coordinates].copy_from_slice(&at[6..]);
-            add_force(forces, link.parent, &at[..6]);
+        let mut factors = blocks_of_parts.iter();
+        for link in &self.links {
+            let moving = link.tip.len();
+            let mut ends = [0.0; MOST_ENDS];
+            let (own, bubbles) = x[link.first..][..link.coordinates].split_at_mut(moving);
+            ends[6..6 + moving].copy_from_slice(own);
+            link.parts.forward(&mut factors, &mut ends, bubbles, at);
+            own.copy_from_slice(&ends[6..6 + moving]);
+            add_force(forces, link.parent, &link.parts.out_of_axes(&ends[..6]));
         }
-        for (chord, matrix) in self.chords.iter().zip(&*chords) {
-            at.clear();
-            at.resize(12, 0.0);
-            at.extend_from_slice(&x[chord.first..][..chord.bubbles]);
-            forward(matrix, chord.rows(), 12, at);
-            x[chord.first..][..chord.bubbles].copy_from_slice(&at[12..]);
-            add_force(forces, chord.ends[0], &at[..6]);
-            add_force(forces, chord.ends[1], &at[6..12]);
+        for chord in &self.chords {
+            let mut ends = [0.0; MOST_ENDS];
+            let bubbles = &mut x[chord.first..][..chord.parts.bubbles()];
+            chord.parts.forward(&mut factors, &mut ends, bubbles, at);
+            add_force(forces, chord.ends[0], &chord.parts.out_of_axes(&ends[..6]));
+            add_force(forces, chord.ends[1], &chord.parts.out_of_axes(&ends[6..]));
         }
         for (step, front) in steps.iter().zip(&*fronts) {
             forward_node(&self.links[step.link], step, front, forces, at, x);
@@ -180,8 +181,7 @@ impl Equations {
 
     fn substitute(&self, steps: &[Step], factors: &mut Factors, x: &mut [f64]) {
         let Factors {
-            links,
-            chords,
+            blocks_of_parts,
             fronts,
             motions,
             at,
@@ -190,63 +190,41 @@ impl Equations {
         for (step, front) in steps.iter().zip(&*fronts).rev() {
             backward_node(&self.links[step.link], step, front, motions, at, x);
         }
-        for (link, matrix) in self.links.iter().zip(&*links) {
-            at.clear();
-            at.extend(motion_of(motions, link.parent));
-            at.extend_from_slice(&x[link.first..][..link.coordinates]);
-            backward(matrix, link.rows(), 6 + link.tip.len(), at);
-            x[link.first..][..link.coordinates].copy_from_slice(&at[6..]);
+        let mut factors = blocks_of_parts.iter();
+        for link in &self.links {
+            let Side { ends, .. } = link.side(x, &motion_of(motions, link.parent));
+            let bubbles = &mut x[link.first + link.tip.len()..];
+            link.parts.backward(&mut factors, &ends, bubbles, at);
         }
-        for (chord, matrix) in self.chords.iter().zip(&*chords) {
-            at.clear();
-            at.extend(motion_of(motions, chord.ends[0]));
-            at.extend(motion_of(motions, chord.ends[1]));
-            at.extend_from_slice(&x[chord.first..][..chord.bubbles]);
-            backward(matrix, chord.rows(), 12, at);
-            x[chord.first..][..chord.bubbles].copy_from_slice(&at[12..]);
+        for chord in &self.chords {
+            let Side { ends, .. } = chord.side(x, chord.ends.map(|end| motion_of(motions, end)));
+            let bubbles = &mut x[chord.first..][..chord.parts.bubbles()];
+            chord.parts.backward(&mut factors, &ends, bubbles, at);
         }
     }
-}
-
-fn condense_link(link: &Link, (a, own): Combination<'_>, matrix: &mut Vec<f64>) -> usize {
-    let rows = link.rows();
-    matrix.clear();
-    matrix.resize(rows * rows, 0.0);
-    add_matrices(a, &link.matrices, matrix);
-    (6..rows).for_each(|i| matrix[i * rows + i] += own * link.own);
-    eliminate(matrix, rows, 6 + link.tip.len())
-}
-
-fn condense_chord(chord: &Chord, (a, own): Combination<'_>, matrix: &mut Vec<f64>) -> usize {
-    let rows = chord.rows();
-    matrix.clear();
-    matrix.resize(rows * rows, 0.0);
-    add_matrices(a, &chord.matrices, matrix);
-    (12..rows).for_each(|i| matrix[i * rows + i] += own);
-    eliminate(matrix, rows, 12)
 }
 
 /// Adds what is left of a chord to the nodes at its ends.
 fn add_chord(
-    chord: &Chord,
-    matrix: &[f64],
+    ends: [Option<usize>; 2],
+    rest: &[f64],
     block: Option<Block>,
     diagonal: &mut [SpatialMatrix],
     blocks: &mut [SpatialMatrix],
 ) {
-    let rows = chord.rows();
-    if let Some(near) = chord.ends[0] {
-        add_scaled(&mut diagonal[near], 1.0, &first_block(matrix, rows));
+    let part = |row: usize, column: usize| -> SpatialMatrix {
+        let entry = |i: usize, j: usize| rest[(row + i) * MOST_ENDS + column + j];
+        std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
+    };
+    if let Some(near) = ends[0] {
+        add_scaled(&mut diagonal[near], 1.0, &part(0, 0));
     }
-    if let Some(far) = chord.ends[1] {
-        let of_far = |i: usize, j: usize| matrix[(6 + i.max(j)) * rows + 6 + i.min(j)];
-        let own = std::array::from_fn(|i| std::array::from_fn(|j| of_far(i, j)));
-        add_scaled(&mut diagonal[far], 1.0, &own);
+    if let Some(far) = ends[1] {
+        add_scaled(&mut diagonal[far], 1.0, &part(6, 6));
     }
     if let Some(block) = block {
         // Rows are the near end, columns the far one.
-        let across = std::array::from_fn(|i| std::array::from_fn(|j| matrix[(6 + j) * rows + i]));
-        add_block(blocks, block, &across);
+        add_block(blocks, block, &part(0, 6));
     }
 }
 
@@ -282,7 +260,7 @@ fn eliminate_node(link: &Link, step: &Step, factors: &mut Factors, front: &mut V
         blocks,
         ..
     } = factors;
-    let (own, rows) = (&links[step.link], link.rows());
+    let (own, rows) = (&links[step.link], link.parts.ends);
     let at_node = diagonal[step.node];
     for (t, column) in link.tip.iter().enumerate() {
         let row = &mut front[(n + t) * size..(n + t + 1) * size];
@@ -350,28 +328,8 @@ fn carry_to_parent(
     }
     let carried = transposed_product(x, &product(&at_node, x));
     add_scaled(&mut diagonal[node], 1.0, &carried);
-    let own = first_block::<6, f64>(own, link.rows());
+    let own = first_block::<6, f64>(own, link.parts.ends);
     add_scaled(&mut diagonal[node], 1.0, &own);
-}
-
-/// Forward substitution of the rows from `first` on, the last one first; these are not divided yet.
-fn forward(matrix: &[f64], rows: usize, first: usize, x: &mut [f64]) {
-    for last in (first..rows).rev() {
-        let row = &matrix[last * rows..last * rows + last + 1];
-        let factor = x[last] / row[last];
-        for (x, entry) in x[..last].iter_mut().zip(row) {
-            *x -= entry * factor;
-        }
-    }
-}
-
-/// Backward substitution of the rows from `first` on.
-fn backward(matrix: &[f64], rows: usize, first: usize, x: &mut [f64]) {
-    for last in first..rows {
-        let row = &matrix[last * rows..last * rows + last + 1];
-        let sum: f64 = row[..last].iter().zip(&*x).map(|(a, x)| a * x).sum();
-        x[last] = (x[last] - sum) / row[last];
-    }
 }
 
 fn forward_node(

@@ -9,16 +9,11 @@
 //! Stiff and short members are links, whose stiffness is the identity for their own coordinates: it
 //! never meets the rigid motions of the rest, so a member of a millimetre costs no digit.
 
+use super::parts::{MOST_ENDS, Parts, Side};
 use super::rigid::Motion;
 use crate::space::SpatialMatrix;
 
-/// The kinds of matrices: inertia, stiffness to the ground, geometric stiffness, and elastic
-/// stiffness of what has no own coordinates.
-pub(super) const KINDS: usize = 4;
-pub(super) const INERTIA: usize = 0;
-pub(super) const GROUND: usize = 1;
-pub(super) const GEOMETRIC: usize = 2;
-pub(super) const ELASTIC: usize = 3;
+pub(super) use super::kinds::{ELASTIC, GEOMETRIC, GROUND, INERTIA, KINDS};
 
 /// What carries a node.
 #[derive(Debug, Clone)]
@@ -36,14 +31,8 @@ pub(super) struct Link {
     pub(super) coordinates: usize,
     /// Stiffness for each coordinate: 1 of an element, 0 of a hinge or a support that moves.
     pub(super) own: f64,
-    /// For the motion of the parent and the coordinates: 6 + coordinates rows, or empty.
-    pub(super) matrices: [Vec<f64>; KINDS],
-}
-
-impl Link {
-    pub(super) fn rows(&self) -> usize {
-        6 + self.coordinates
-    }
+    /// For the motion of the parent, the coordinates that move the child, and the bubbles.
+    pub(super) parts: Parts,
 }
 
 /// An element between two nodes that other links carry.
@@ -53,15 +42,8 @@ pub(super) struct Chord {
     pub(super) ends: [Option<usize>; 2],
     /// Place of the first bubble among the unknowns.
     pub(super) first: usize,
-    pub(super) bubbles: usize,
-    /// For the motions of both ends and the bubbles: 12 + bubbles rows, or empty.
-    pub(super) matrices: [Vec<f64>; KINDS],
-}
-
-impl Chord {
-    pub(super) fn rows(&self) -> usize {
-        12 + self.bubbles
-    }
+    /// For the motions of both ends and the bubbles.
+    pub(super) parts: Parts,
 }
 
 /// The equations of a frame.
@@ -76,6 +58,49 @@ pub(super) struct Equations {
     pub(super) unknowns: usize,
 }
 
+impl Link {
+    /// Its ends and bubbles for the unknowns x and the motion of the node that it hangs on.
+    pub(super) fn side<'a>(&self, x: &'a [f64], near: &Motion) -> Side<'a> {
+        let moving = self.tip.len();
+        let (own, bubbles) = x[self.first..][..self.coordinates].split_at(moving);
+        let mut ends = [0.0; MOST_ENDS];
+        ends[..6].copy_from_slice(&self.parts.into_axes(near));
+        ends[6..6 + moving].copy_from_slice(own);
+        Side { ends, bubbles }
+    }
+}
+
+impl Chord {
+    /// Its ends and bubbles for the unknowns x and the motions of its ends.
+    pub(super) fn side<'a>(&self, x: &'a [f64], motions: [Motion; 2]) -> Side<'a> {
+        let [near, far] = motions.map(|motion| self.parts.into_axes(&motion));
+        let mut ends = [0.0; MOST_ENDS];
+        ends[..6].copy_from_slice(&near);
+        ends[6..].copy_from_slice(&far);
+        Side {
+            ends,
+            bubbles: &x[self.first..][..self.parts.bubbles()],
+        }
+    }
+}
+
+impl Equations {
+    /// The equations of these numbers of nodes and links alone, as [`shrink`](Self::shrink).
+    pub(super) fn first(&self, bare: (usize, usize)) -> Self {
+        let mut first = self.clone();
+        first.shrink(bare);
+        first
+    }
+
+    /// Removes nodes and links beyond these numbers: what hangs on the others, without chords.
+    pub(super) fn shrink(&mut self, (nodes, links): (usize, usize)) {
+        self.nodes.truncate(nodes);
+        for link in self.links.drain(links..) {
+            self.unknowns -= link.coordinates;
+        }
+    }
+}
+
 /// The motion of a node, or that of the ground.
 pub(super) fn motion_of(motions: &[Motion], node: Option<usize>) -> Motion {
     node.map_or([0.0; 6], |node| motions[node])
@@ -86,17 +111,6 @@ pub(super) fn add_force(forces: &mut [Motion], node: Option<usize>, force: &[f64
     if let Some(node) = node {
         for (sum, force) in forces[node].iter_mut().zip(force) {
             *sum += force;
-        }
-    }
-}
-
-/// sum += factor·A for the lower triangle or the whole of matrices of the same size.
-pub(super) fn add_matrices(factors: &[f64; KINDS], matrices: &[Vec<f64>; KINDS], sum: &mut [f64]) {
-    for (factor, matrix) in factors.iter().zip(matrices) {
-        if *factor != 0.0 {
-            for (sum, entry) in sum.iter_mut().zip(matrix) {
-                *sum += factor * entry;
-            }
         }
     }
 }

@@ -10,15 +10,20 @@ use crate::eigen::EigenError;
 pub enum FrameSolveError {
     /// A frame that moves without resistance.
     #[error(
-        "the frame is a mechanism: {modes} {} no stiffness; joint {joint} moves most. Add a support, a member or a stiffness there",
+        "the frame is a mechanism: {modes} {} no stiffness, in joint {joint}. Add a support, a member or a stiffness there",
         if *.modes == 1 { "motion has" } else { "motions have" }
     )]
     Mechanism {
         /// How many motions have no stiffness.
         modes: usize,
-        /// The joint that moves most in the first.
+        /// The joint in which the first is free.
         joint: String,
     },
+    /// A frame under a tower that no support resists.
+    #[error(
+        "nothing holds the frame: no support resists its motion as a rigid body. Hold a joint, or give a support a stiffness"
+    )]
+    NothingHolds,
     /// A stiffness with negative eigenvalues.
     #[error(
         "the frame is unstable: its stiffness has {negative} negative eigenvalues; check the stiffness matrices of supports and springs"

@@ -36,6 +36,8 @@ pub(super) struct Order {
     pub(super) chords: Vec<Option<Block>>,
     /// Number of blocks beside the diagonal.
     pub(super) blocks: usize,
+    /// Number of blocks of the parts of links and chords.
+    pub(super) blocks_of_parts: usize,
 }
 
 impl Order {
@@ -97,6 +99,9 @@ impl Order {
                 neighbours: own,
             });
         }
+        let links = equations.links.iter().map(|link| &link.parts);
+        let parts = links.chain(equations.chords.iter().map(|chord| &chord.parts));
+        order.blocks_of_parts = parts.map(|parts| parts.blocks.len()).sum();
         let chord = |ends: [Option<usize>; 2]| match ends {
             [Some(a), Some(b)] => Some(order.block(&mut places, a, b)),
             _ => None,

@@ -10,7 +10,7 @@ use crate::eigen::{Pencil, ShiftInvert};
 #[derive(Debug, Clone)]
 pub(super) struct FramePencil {
     pub(super) equations: Equations,
-    order: Order,
+    pub(super) order: Order,
     pub(super) origin: f64,
     factors: Factors,
     sweep: Sweep,

@@ -1,6 +1,7 @@
 //! Products with the matrices of a frame: motions from the ground outwards, forces back.
 
-use super::equations::{Equations, INERTIA, KINDS, add_force};
+use super::equations::{ELASTIC, Equations, INERTIA, KINDS, add_force, motion_of};
+use super::parts::Side;
 use super::rigid::{Motion, add_transposed, moved};
 
 /// Memory of a product.
@@ -11,7 +12,6 @@ pub(super) struct Sweep {
     /// The motion of the ground.
     ground: Motion,
     at: Vec<f64>,
-    load: Vec<f64>,
 }
 
 impl Equations {
@@ -52,7 +52,7 @@ impl Equations {
             }
         }
         for chord in &self.chords {
-            let range = chord.first..chord.first + chord.bubbles;
+            let range = chord.first..chord.first + chord.parts.bubbles();
             for (out, x) in out[range.clone()].iter_mut().zip(&x[range]) {
                 *out += own * x;
             }
@@ -67,7 +67,6 @@ impl Equations {
             forces,
             ground,
             at,
-            load,
         } = sweep;
         let motion_of = |node: Option<usize>| node.map_or(*ground, |node| motions[node]);
         for ((matrices, motion), force) in self.nodes.iter().zip(&*motions).zip(&mut *forces) {
@@ -82,25 +81,49 @@ impl Equations {
             }
         }
         for link in &self.links {
-            let (own, rows) = (&x[link.first..][..link.coordinates], link.rows());
-            at.clear();
-            at.extend(motion_of(link.parent));
-            at.extend(own);
-            times(factors, &link.matrices, rows, at, load);
-            add_force(forces, link.parent, &load[..6]);
-            out[link.first..][..link.coordinates].copy_from_slice(&load[6..]);
+            let moving = link.tip.len();
+            let Side { ends, bubbles } = link.side(x, &motion_of(link.parent));
+            let out = &mut out[link.first..][..link.coordinates];
+            let (own, of_bubbles) = out.split_at_mut(moving);
+            let load = link
+                .parts
+                .product(factors, &ends, (bubbles, of_bubbles), at);
+            own.copy_from_slice(&load[6..6 + moving]);
+            add_force(forces, link.parent, &link.parts.out_of_axes(&load[..6]));
         }
         for chord in &self.chords {
-            let (own, rows) = (&x[chord.first..][..chord.bubbles], chord.rows());
-            at.clear();
-            at.extend(motion_of(chord.ends[0]));
-            at.extend(motion_of(chord.ends[1]));
-            at.extend(own);
-            times(factors, &chord.matrices, rows, at, load);
-            add_force(forces, chord.ends[0], &load[..6]);
-            add_force(forces, chord.ends[1], &load[6..12]);
-            out[chord.first..][..chord.bubbles].copy_from_slice(&load[12..]);
+            let Side { ends, bubbles } = chord.side(x, chord.ends.map(motion_of));
+            let out = &mut out[chord.first..][..bubbles.len()];
+            let load = chord.parts.product(factors, &ends, (bubbles, out), at);
+            add_force(forces, chord.ends[0], &chord.parts.out_of_axes(&load[..6]));
+            add_force(forces, chord.ends[1], &chord.parts.out_of_axes(&load[6..]));
         }
+    }
+
+    /// xᵀ A x of each kind of matrix; to the elastic stiffness that of the coordinates is added.
+    pub(super) fn energies(&self, sweep: &mut Sweep, x: &[f64]) -> [f64; KINDS] {
+        self.set_motions(x, &mut sweep.motions);
+        let Sweep { motions, at, .. } = sweep;
+        let motion = |node| motion_of(motions, node);
+        let mut energies = [0.0; KINDS];
+        for (matrices, motion) in self.nodes.iter().zip(&*motions) {
+            for (energy, matrix) in energies.iter_mut().zip(matrices) {
+                let force = moved(matrix, motion);
+                *energy += force.iter().zip(motion).map(|(f, v)| f * v).sum::<f64>();
+            }
+        }
+        let squares = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>();
+        for link in &self.links {
+            let Side { ends, bubbles } = link.side(x, &motion(link.parent));
+            link.parts.add_energies(&ends, bubbles, at, &mut energies);
+            energies[ELASTIC] += link.own * squares(&x[link.first..][..link.coordinates]);
+        }
+        for chord in &self.chords {
+            let Side { ends, bubbles } = chord.side(x, chord.ends.map(motion));
+            chord.parts.add_energies(&ends, bubbles, at, &mut energies);
+            energies[ELASTIC] += squares(bubbles);
+        }
+        energies
     }
 
     /// Brings forces on the nodes back to the coordinates, which get their part added.
@@ -138,25 +161,5 @@ impl Equations {
         };
         self.load(factors, &mut sweep, &vec![0.0; self.unknowns], out);
         self.gather(&mut sweep.forces, out);
-    }
-}
-
-/// load = Σ factor·A x.
-fn times(
-    factors: &[f64; KINDS],
-    matrices: &[Vec<f64>; KINDS],
-    rows: usize,
-    x: &[f64],
-    load: &mut Vec<f64>,
-) {
-    load.clear();
-    load.resize(rows, 0.0);
-    for (factor, matrix) in factors.iter().zip(matrices) {
-        if *factor == 0.0 {
-            continue;
-        }
-        for (load, row) in load.iter_mut().zip(matrix.chunks_exact(rows)) {
-            *load += factor * row.iter().zip(x).map(|(a, x)| a * x).sum::<f64>();
-        }
     }
 }

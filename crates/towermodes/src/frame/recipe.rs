@@ -3,10 +3,10 @@
 use super::element::Element;
 use super::error::FrameSolveError;
 use super::tension::{Tension, tension_at};
-use crate::beam::{MemberElement, MemberStrains};
+use crate::beam::{MemberElement, MemberSlice, MemberStrains, SoilPart};
 use crate::space::SpatialMatrix;
 use crate::tower::frame::{FrameMember, FrameSoil, MemberKind};
-use crate::tower::{Section, SectionMasses};
+use crate::tower::{Section, SectionMasses, SoilStiffness};
 
 /// Fractions of a member that are closer than this are one.
 const CLOSE: f64 = 1e-9;
@@ -87,19 +87,22 @@ impl FrameRecipe {
             let section = member.section_at(at, stretch.member_m);
             section.unwrap_or_else(|| bare(at))
         };
+        let compression = stretch.compression();
+        let (bodies, soil) = (stretch.bodies(), stretch.soil());
+        let mut make = |strains, section_at: &dyn Fn(f64) -> Section| {
+            let slice = MemberSlice {
+                length_m,
+                section_at,
+                compression_n: compression.as_deref(),
+                bodies: &bodies,
+                soil: &soil,
+            };
+            Element::of(memory.make(strains, &slice), length_m)
+        };
         match self {
             Self::Spectral { degree } => {
                 let strains = MemberStrains::of_degree(degree, member.shears);
-                let compression = stretch.compression();
-                memory.make(
-                    strains,
-                    length_m,
-                    |z| coated(stretch.fraction(z)),
-                    compression.as_deref(),
-                );
-                stretch.add_riders(memory);
-                stretch.add_soil(memory);
-                Some(Element::of(memory, length_m))
+                Some(make(strains, &|z| coated(stretch.fraction(z))))
             }
             Self::Subdyn { .. } => {
                 let section = bare(0.5 * (stretch.from + stretch.to));
@@ -123,12 +126,8 @@ impl FrameRecipe {
                     };
                     Section { masses, ..section }
                 };
-                let compression = stretch.compression();
-                memory.make(strains, length_m, carried, compression.as_deref());
-                stretch.add_riders(memory);
-                stretch.add_soil(memory);
                 let inertia = nodal_inertia(&section, length_m);
-                Some(Element::of(memory, length_m).with_nodal_inertia(&inertia))
+                Some(make(strains, &carried).with_nodal_inertia(&inertia))
             }
         }
     }
@@ -170,25 +169,27 @@ impl Stretch<'_> {
         }))
     }
 
-    fn add_riders(&self, memory: &mut MemberElement) {
-        for (fraction, inertia) in &self.riders {
-            let distance_m = (fraction - self.from).abs() * self.member_m;
-            memory.add_inertia(distance_m, inertia);
-        }
+    /// What rides on it, by its distance (m) from the near end.
+    fn bodies(&self) -> Vec<(f64, SpatialMatrix)> {
+        let distance_m = |fraction: f64| (fraction - self.from).abs() * self.member_m;
+        let riders = self.riders.iter();
+        riders
+            .map(|(fraction, inertia)| (distance_m(*fraction), *inertia))
+            .collect()
     }
 
-    /// Adds the soil around it, in parts within which the springs are linear.
-    fn add_soil(&self, memory: &mut MemberElement) {
+    /// The soil around it, in parts within which the springs are linear.
+    fn soil(&self) -> Vec<SoilPart> {
         let ends = [self.from.min(self.to), self.from.max(self.to)];
-        for (part, springs) in self.member.soil.iter().flat_map(|soil| soil.parts(ends)) {
-            let [mut from_m, mut to_m] = part.map(|at| (at - self.from).abs() * self.member_m);
-            let [mut near, mut far] = springs;
-            if self.to < self.from {
-                std::mem::swap(&mut from_m, &mut to_m);
-                std::mem::swap(&mut near, &mut far);
+        let parts = self.member.soil.iter().flat_map(|soil| soil.parts(ends));
+        let seen = |(part, [near, far]): ([f64; 2], [SoilStiffness; 2])| {
+            let [from_m, to_m] = part.map(|at| (at - self.from).abs() * self.member_m);
+            match self.to < self.from {
+                false => ([from_m, to_m], [near, far]),
+                true => ([to_m, from_m], [far, near]),
             }
-            memory.add_soil([from_m, to_m], [near, far]);
-        }
+        };
+        parts.map(seen).collect()
     }
 }
 

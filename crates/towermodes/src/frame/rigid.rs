@@ -29,6 +29,14 @@ pub(super) fn out_of_axes(axes: &[Vector; 3], motion: &Motion) -> Motion {
     })
 }
 
+/// The components of a motion or force in axes given by rows.
+pub(super) fn into_axes(axes: &[Vector; 3], motion: &Motion) -> Motion {
+    std::array::from_fn(|i| {
+        let part = &motion[i / 3 * 3..i / 3 * 3 + 3];
+        axes[i % 3].iter().zip(part).map(|(a, x)| a * x).sum()
+    })
+}
+
 /// The matrix whose columns are those of another one out of axes.
 pub(super) fn columns_out_of_axes(axes: &[Vector; 3], matrix: &SpatialMatrix) -> SpatialMatrix {
     let columns = transposed(matrix).map(|column| out_of_axes(axes, &column));

@@ -4,15 +4,13 @@ use std::f64::consts::TAU;
 
 use super::assembly::{Assembled, assemble};
 use super::error::FrameSolveError;
+use super::mechanism::{least_lambda, mechanism};
 use super::pencil::FramePencil;
 use super::recipe::FrameRecipe;
-use super::rigid::Motion;
 use super::statics::with_tensions;
 use crate::eigen::{EigenWorkspace, lowest};
 use crate::tower::frame::Frame;
 
-/// A mode below this frequency, Hz, has no stiffness: a hundredth of the slowest floater's.
-pub(super) const NO_STIFFNESS_HZ: f64 = 2e-5;
 /// Degrees of spectral elements: the first, and by how much it rises.
 const FIRST_DEGREE: usize = 4;
 const STEP: usize = 2;
@@ -125,6 +123,7 @@ fn solve_once(
     let Assembled {
         equations,
         joints,
+        joint_of_node,
         transition,
         ..
     } = with_tensions(
@@ -142,7 +141,7 @@ fn solve_once(
     }
     let mut pencil = FramePencil::new(equations);
     let mut workspace = EigenWorkspace::default();
-    check_stiffness(frame, &joints, &mut pencil, &mut workspace)?;
+    check_stiffness(frame, (&joints, &joint_of_node), &mut pencil)?;
     lowest(&mut pencil, wanted, &mut workspace)?;
     let mut motions = Vec::new();
     let modes = workspace.eigenvalues()[..wanted]
@@ -187,11 +186,10 @@ fn solve_once(
 /// stiffness: its spectrum begins below zero.
 pub(super) fn check_stiffness(
     frame: &Frame,
-    joints: &[Option<usize>],
+    (joints, joint_of_node): (&[Option<usize>], &[usize]),
     pencil: &mut FramePencil,
-    workspace: &mut EigenWorkspace,
 ) -> Result<(), FrameSolveError> {
-    let least = (TAU * NO_STIFFNESS_HZ) * (TAU * NO_STIFFNESS_HZ);
+    let least = least_lambda();
     match pencil.count_below_lambda(-least) {
         0 => {}
         negative => return Err(FrameSolveError::Unstable { negative }),
@@ -211,21 +209,9 @@ pub(super) fn check_stiffness(
     if is_free && still <= 6 {
         return Ok(());
     }
-    lowest(pencil, 1, workspace)?;
-    let mut motions: Vec<Motion> = Vec::new();
-    pencil
-        .equations
-        .set_motions(workspace.vector(0), &mut motions);
-    let size = |node: &Option<usize>| {
-        node.map_or(0.0, |node| motions[node].iter().map(|x| x * x).sum::<f64>())
-    };
-    let (joint, _) = joints
-        .iter()
-        .enumerate()
-        .max_by(|(_, a), (_, b)| size(a).total_cmp(&size(b)))
-        .unwrap_or((0, &None));
-    Err(FrameSolveError::Mechanism {
-        modes: still,
-        joint: frame.description().joints[joint].name.clone(),
-    })
+    let at = (&pencil.equations, &pencil.order);
+    match mechanism(frame, at, joint_of_node) {
+        Some(mechanism) => Err(mechanism),
+        None => Ok(()),
+    }
 }

@@ -1,15 +1,13 @@
 //! The static stiffness of a frame at one of its joints.
 
-use std::f64::consts::TAU;
-
-use super::assembly::{assemble, inverse_of_columns};
+use super::assembly::assemble;
 use super::error::FrameSolveError;
+use super::mechanism::least_lambda;
+use super::parts::inverse_of_columns;
 use super::pencil::FramePencil;
 use super::recipe::FrameRecipe;
-use super::rigid::Motion;
-use super::solve::{NO_STIFFNESS_HZ, check_stiffness};
-use crate::eigen::{EigenWorkspace, Pencil};
-use crate::space::SpatialMatrix;
+use super::solve::check_stiffness;
+use crate::eigen::Pencil;
 use crate::tower::frame::Frame;
 
 /// Exact to rounding for members in any soil.
@@ -31,17 +29,16 @@ pub fn static_stiffness(frame: &Frame, joint: usize) -> Result<[[f64; 6]; 6], Fr
         return Err(FrameSolveError::HeldJoint { joint });
     };
     let mut pencil = FramePencil::new(assembled.equations);
-    let least = (TAU * NO_STIFFNESS_HZ) * (TAU * NO_STIFFNESS_HZ);
-    let modes = pencil.count_below_lambda(least);
+    let modes = pencil.count_below_lambda(least_lambda());
     if modes > 0 {
-        let mut workspace = EigenWorkspace::default();
-        check_stiffness(frame, &assembled.joints, &mut pencil, &mut workspace)?;
+        let joints = (&assembled.joints[..], &assembled.joint_of_node[..]);
+        check_stiffness(frame, joints, &mut pencil)?;
         let joint = frame.description().joints[joint].name.clone();
         return Err(FrameSolveError::Mechanism { modes, joint });
     }
     pencil.factorize();
     let nodes = pencil.equations.nodes.len();
-    let columns: [Motion; 6] = std::array::from_fn(|component| {
+    let column = |component: usize| {
         let mut forces = vec![[0.0; 6]; nodes];
         forces[node][component] = 1.0;
         let mut x = vec![0.0; pencil.size()];
@@ -49,9 +46,10 @@ pub fn static_stiffness(frame: &Frame, joint: usize) -> Result<[[f64; 6]; 6], Fr
         pencil.solve(&mut x);
         let mut motions = Vec::new();
         pencil.equations.set_motions(&x, &mut motions);
-        motions[node]
-    });
-    let inverse: SpatialMatrix = inverse_of_columns(&columns);
+        motions[node].to_vec()
+    };
+    let columns: Vec<Vec<f64>> = (0..6).map(column).collect();
+    let inverse = inverse_of_columns(&columns, 6);
     Ok(std::array::from_fn(|i| {
         std::array::from_fn(|j| 0.5 * (inverse[i][j] + inverse[j][i]))
     }))

@@ -31,11 +31,14 @@ pub enum Family {
     Pitch,
     /// Rigid-body rotation of a floating tower about z.
     Yaw,
+    /// Members of a substructure between its supports and its transition piece, which hardly moves:
+    /// local brace modes.
+    Substructure,
 }
 
 impl Family {
     /// All families, in the order in which equal shares of the energy name a mode.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::ForeAft,
         Self::SideSide,
         Self::Torsion,
@@ -46,6 +49,7 @@ impl Family {
         Self::Roll,
         Self::Pitch,
         Self::Yaw,
+        Self::Substructure,
     ];
 
     /// The rigid-body modes of a floating tower: along x, y, z, about x, y, z.
@@ -69,7 +73,7 @@ impl Family {
     }
 
     /// Its name in results: `fore-aft`, `side-side`, `torsion`, `axial`, `surge`,
-    /// `sway`, `heave`, `roll`, `pitch`, `yaw`.
+    /// `sway`, `heave`, `roll`, `pitch`, `yaw`, `substructure`.
     pub fn name(self) -> &'static str {
         match self {
             Self::ForeAft => "fore-aft",
@@ -82,13 +86,16 @@ impl Family {
             Self::Roll => "roll",
             Self::Pitch => "pitch",
             Self::Yaw => "yaw",
+            Self::Substructure => "substructure",
         }
     }
 
     /// Whether it is a rigid-body mode of a floating tower.
     pub fn is_rigid(self) -> bool {
         match self {
-            Self::ForeAft | Self::SideSide | Self::Torsion | Self::Axial => false,
+            Self::ForeAft | Self::SideSide | Self::Torsion | Self::Axial | Self::Substructure => {
+                false
+            }
             Self::Surge | Self::Sway | Self::Heave | Self::Roll | Self::Pitch | Self::Yaw => true,
         }
     }
@@ -98,6 +105,7 @@ impl Family {
         match self {
             Self::ForeAft => "fore-aft bending",
             Self::SideSide => "side-side bending",
+            Self::Substructure => "local substructure bending",
             _ => self.name(),
         }
     }
@@ -121,13 +129,14 @@ impl Family {
         }
     }
 
-    /// The motion of a bare tower that it is made of.
-    pub fn motion(self) -> Motion {
+    /// The motion of a bare tower that it is made of; none of one that moves the tower little.
+    pub fn motion(self) -> Option<Motion> {
         match self {
-            Self::ForeAft | Self::Surge | Self::Pitch => Motion::Bending(Plane::ForeAft),
-            Self::SideSide | Self::Sway | Self::Roll => Motion::Bending(Plane::SideSide),
-            Self::Torsion | Self::Yaw => Motion::Torsion,
-            Self::Axial | Self::Heave => Motion::Axial,
+            Self::ForeAft | Self::Surge | Self::Pitch => Some(Motion::Bending(Plane::ForeAft)),
+            Self::SideSide | Self::Sway | Self::Roll => Some(Motion::Bending(Plane::SideSide)),
+            Self::Torsion | Self::Yaw => Some(Motion::Torsion),
+            Self::Axial | Self::Heave => Some(Motion::Axial),
+            Self::Substructure => None,
         }
     }
 }

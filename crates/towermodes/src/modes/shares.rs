@@ -2,6 +2,7 @@
 
 use super::energy::ByMotion;
 use super::family::Family;
+use crate::tower::Motion;
 
 /// A mode with a smaller share in the motion of its family is called coupled.
 const CLEAR: f64 = 0.6;
@@ -41,6 +42,13 @@ impl Shares {
     pub(crate) fn of_motions(motions: &ByMotion) -> Self {
         let mut shares = [0.0; Family::ALL.len()];
         shares[..4].copy_from_slice(&motions.values());
+        Self(shares)
+    }
+
+    /// The same of a mode of which members of the substructure have a share by themselves.
+    pub(crate) fn with_local(self, share: f64) -> Self {
+        let mut shares = self.0.map(|own| (1.0 - share) * own);
+        shares[Family::Substructure as usize] = share;
         Self(shares)
     }
 
@@ -115,13 +123,16 @@ impl Shares {
         own.map(|own| self.of(own)).sum::<f64>() < CLEAR
     }
 
-    /// The family whose motion scales the shape of a mode with the name of a family: its own, if it
-    /// has a tenth of the energy, or else the largest.
-    pub(crate) fn scale(&self, family: Family) -> Family {
-        match self.of(family) >= LEAST_SCALE {
-            true => family,
-            false => self.largest(),
-        }
+    /// The motion that scales the shape of a mode with the name of a family: that of the family, if
+    /// it has a tenth of the energy, or else of the largest that has one.
+    pub(crate) fn scale(&self, family: Family) -> Motion {
+        let own = family.motion().filter(|_| self.of(family) >= LEAST_SCALE);
+        own.unwrap_or_else(|| {
+            let moving = Family::ALL.into_iter().filter(|f| f.motion().is_some());
+            let largest = |a: Family, b: Family| if self.of(b) > self.of(a) { b } else { a };
+            let largest = moving.reduce(largest).and_then(Family::motion);
+            largest.unwrap_or(Motion::Axial)
+        })
     }
 
     /// The same in the side-side plane, if the motion is in the fore-aft plane.
@@ -138,7 +149,10 @@ impl Shares {
 #[cfg(feature = "serde")]
 impl serde::Serialize for Shares {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(Family::ALL.into_iter().zip(&self.0))
+        // Only a tower on a substructure has modes of it.
+        let all = Family::ALL.into_iter().zip(&self.0);
+        serializer
+            .collect_map(all.filter(|(f, share)| *f != Family::Substructure || **share != 0.0))
     }
 }
 

@@ -25,10 +25,11 @@ impl Part {
     /// The component that a family is normalised by.
     pub fn main(family: Family) -> Self {
         match family.motion() {
-            Motion::Bending(Plane::ForeAft) => Self::X,
-            Motion::Bending(Plane::SideSide) => Self::Y,
-            Motion::Axial => Self::Z,
-            Motion::Torsion => Self::RotationZ,
+            // Of a mode of the substructure the tower does little.
+            Some(Motion::Bending(Plane::ForeAft)) | None => Self::X,
+            Some(Motion::Bending(Plane::SideSide)) => Self::Y,
+            Some(Motion::Axial) => Self::Z,
+            Some(Motion::Torsion) => Self::RotationZ,
         }
     }
 

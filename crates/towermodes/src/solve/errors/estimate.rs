@@ -1,5 +1,7 @@
 //! The discretization error of each mode, from meshes that are coarser or finer by halves.
 
+use std::f64::consts::{PI, TAU};
+
 use super::super::error::SolveError;
 use super::super::on_mesh::cut::Cut;
 use super::super::on_mesh::model::Model;
@@ -46,11 +48,18 @@ pub(crate) fn estimate_errors(
     workspace: &mut Workspace,
 ) -> Result<Estimates, SolveError> {
     workspace.errors.irregular.clear();
+    let of_frame_hz = frame_errors_hz(tower, workspace)?;
+    let add_frame_error = |modes: &mut [Estimated]| {
+        for (mode, error_hz) in modes.iter_mut().zip(&of_frame_hz) {
+            mode.error_hz += error_hz;
+        }
+    };
     if options.borders_m.is_some() {
         workspace.errors.ladder.meshes.clear();
         let all: Vec<usize> = (0..workspace.errors.modes.len()).collect();
         let compared = compare(tower, options, &all, workspace)?;
         add_soil_error(tower, &mut workspace.errors.modes);
+        add_frame_error(&mut workspace.errors.modes);
         return Ok(Estimates {
             elsewhere: count_below(&mut workspace.model, below),
             compared,
@@ -80,10 +89,33 @@ pub(crate) fn estimate_errors(
         false => compare(tower, options, &doubtful, workspace)?,
     };
     add_soil_error(tower, &mut workspace.errors.modes);
+    add_frame_error(&mut workspace.errors.modes);
     Ok(Estimates {
         elsewhere,
         compared,
     })
+}
+
+/// No mesh of the tower shows what the elements of a frame under it miss: what finer ones change,
+/// Hz a mode; none without a frame.
+fn frame_errors_hz(tower: &Tower, workspace: &mut Workspace) -> Result<Vec<f64>, SolveError> {
+    if tower.frame().is_none() {
+        return Ok(Vec::new());
+    }
+    let Workspace {
+        model,
+        spectrum,
+        errors,
+        ..
+    } = workspace;
+    let error_hz = |mode: &Estimated| {
+        let lambda = spectrum.eigenvalue(model, mode.key).lambda;
+        let change = model.change_on_finer_frame(lambda, spectrum.vector(mode.key))?;
+        // df = dλ/(8π² f), or the whole frequency where it is as small.
+        let slope = 8.0 * PI * PI * mode.frequency_hz;
+        Ok((change.abs() / slope).min(change.abs().sqrt() / TAU))
+    };
+    errors.modes.iter().map(error_hz).collect()
 }
 
 /// No mesh shows what straight lines in place of curved springs change.

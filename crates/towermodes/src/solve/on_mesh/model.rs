@@ -6,7 +6,7 @@ use crate::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams, assemble_bla
 use crate::blade::Blade;
 use crate::chain::Chains;
 use crate::elements::{Element, Mesh, assemble_chains};
-use crate::frame::{FrameSolveError, OnFrame};
+use crate::frame::{BareFrame, FrameSolveError, OnFrame};
 use crate::modes::ByMotion;
 use crate::subsystem::{
     Coefficients, Eigenproblem, Energies, Resultant, Subsystem, SubsystemPencil,
@@ -27,6 +27,8 @@ pub(crate) struct Model {
     beam_memory: BeamWorkspace,
     /// A tower on a frame; then both lists are empty.
     on_frame: Option<OnFrame>,
+    /// The frame of the tower that was assembled last.
+    bare_frame: Option<BareFrame>,
     /// Why the frame has no equations.
     frame_error: Option<FrameSolveError>,
     /// Height of the base, or radius of the blade's root, m.
@@ -54,6 +56,9 @@ pub(super) struct ModalForces {
     pub(crate) kinetic: ByMotion,
     /// Strain energy, times 2; none for a subsystem of one motion, which has all of it.
     pub(crate) strain: Option<ByMotion>,
+    /// The shares of kinetic and strain energy that members of a frame have by themselves; none
+    /// without a frame whose members could.
+    pub(super) local: Option<[f64; 2]>,
 }
 
 impl Model {
@@ -91,11 +96,37 @@ impl Model {
         let Some(own) = own else {
             return;
         };
-        let at = (tower.base_m(), tower.gravity_m_per_s2());
-        match OnFrame::new(own, frame, at, degree) {
+        match OnFrame::new(tower, own, frame, degree, self.bare_frame.take()) {
             Ok(on_frame) => self.on_frame = Some(on_frame),
             Err(error) => self.frame_error = Some(error),
         }
+    }
+
+    /// Forgets the frame of the tower that was assembled last, so that a result does not depend on
+    /// the one before.
+    pub(crate) fn forget_frame(&mut self) {
+        (self.on_frame, self.bare_frame) = (None, None);
+    }
+
+    /// By how much finer elements of the frame under the tower change the eigenvalue λ (rad²/s²)
+    /// of a vector; 0 without a frame.
+    ///
+    /// # Errors
+    /// [`FrameSolveError`].
+    pub(crate) fn change_on_finer_frame(
+        &mut self,
+        lambda: f64,
+        vector: &[f64],
+    ) -> Result<f64, FrameSolveError> {
+        match &mut self.on_frame {
+            Some(on_frame) => on_frame.change_on_finer(lambda, vector),
+            None => Ok(0.0),
+        }
+    }
+
+    /// Why the frame under the tower is a mechanism, if it is one.
+    pub(crate) fn frame_mechanism(&self) -> Option<FrameSolveError> {
+        self.on_frame.as_ref().and_then(OnFrame::mechanism)
     }
 
     /// Why the frame under the tower has no equations, if so.
@@ -125,7 +156,9 @@ impl Model {
     fn restart(&mut self, base_m: f64) {
         self.chains.release();
         self.beams.release();
-        self.on_frame = None;
+        if let Some(on_frame) = self.on_frame.take() {
+            self.bare_frame = Some(on_frame.into_bare());
+        }
         self.frame_error = None;
         self.base_m = base_m;
         self.origin = 0.0;
@@ -224,7 +257,9 @@ impl Model {
             let (resultant, strain) = subsystem.modal_resultant(vector, base_m);
             (resultant, Some(strain))
         };
+        let on_frame = self.on_frame.as_mut();
         ModalForces {
+            local: on_frame.and_then(|on_frame| on_frame.local_shares(vector)),
             force: resultant.force,
             kinetic: ByMotion::sums(resultant.energy),
             strain: strain.map(ByMotion::sums),

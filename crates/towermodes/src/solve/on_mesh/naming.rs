@@ -125,7 +125,14 @@ fn identity(
             None => Shares::of_motions(&energy.mean()),
         },
     };
-    let (family, order) = name(motions, &shares, body.is_some(), arrears);
+    let shares = match forces.local {
+        // Half of the sum of the shares in kinetic and strain energy, as of the motions.
+        Some([kinetic, _]) if body.is_some() => shares.with_local(kinetic),
+        Some([kinetic, strain]) => shares.with_local(0.5 * (kinetic + strain)),
+        None => shares,
+    };
+    let is_on_frame = forces.local.is_some();
+    let (family, order) = name((motions, is_on_frame), &shares, body.is_some(), arrears);
     let effective_mass = forces.force.map(|force| force * force * from_origin);
     let [x, y, z, rx, ry, rz] = effective_mass;
     let (energy, effective_mass) = match found.key.is_turned {
@@ -141,10 +148,10 @@ fn identity(
     }
 }
 
-/// Names the next mode of a list, whose subsystem couples these motions: by its motions, and afloat
-/// by those of the tower as one rigid body too.
+/// Names the next mode of a list, whose subsystem couples these motions and may have local modes of
+/// a frame: by its motions, and afloat by those of the tower as one rigid body too.
 fn name(
-    motions: Motions,
+    (motions, is_on_frame): (Motions, bool),
     shares: &Shares,
     floats: bool,
     arrears: &mut Arrears<FAMILIES>,
@@ -157,7 +164,8 @@ fn name(
     }
     let may = |place: usize| {
         let family = Family::ALL[place];
-        (floats || !family.is_rigid()) && motions.contains(family.motion())
+        let couples = |motion| motions.contains(motion);
+        (floats || !family.is_rigid()) && family.motion().map_or(is_on_frame, couples)
     };
     let (place, order) = arrears.name(shares.values(), may);
     (Family::ALL[place], order)

@@ -20,6 +20,9 @@ use crate::space::SpatialMatrix;
 use crate::tower::Warning;
 use crate::tower::{Plane, Tower};
 
+/// A tower on a frame that is slower than any turbine may stand on a mechanism, Hz.
+const SLOW_HZ: f64 = 1e-3;
+
 /// Assembles a tower on a mesh and solves it for at least the modes requested.
 pub(crate) fn solve_cut(
     tower: &Tower,
@@ -41,6 +44,7 @@ pub(crate) fn solve_cut(
         segments: cut.mesh.segments(),
         degree: cut.degree_of(options.method),
     });
+    model.forget_frame();
     model.assemble(tower, &cut.mesh, cut.degree, options);
     if let Some(error) = model.take_frame_error() {
         return Err(error.into());
@@ -54,7 +58,18 @@ pub(crate) fn solve_cut(
         model.degrees_of_freedom(),
     )?;
     find_origin(tower, model)?;
-    match spectrum.solve(model, options.modes) {
+    let solved = spectrum.solve(model, options.modes);
+    let is_slow = |found: &Found| found.eigenvalue.frequency_hz() < SLOW_HZ;
+    let is_doubtful = solved
+        .as_ref()
+        .map_or(true, |found| found.first().is_some_and(is_slow));
+    if is_doubtful
+        && !tower.base().floats
+        && let Some(mechanism) = model.frame_mechanism()
+    {
+        return Err(mechanism.into());
+    }
+    match solved {
         Ok(found) => Ok(found),
         Err(error) if can_buckle(tower) => solve_again(tower, cut, options, error, workspace),
         Err(error) => Err(not_solved(error)),
@@ -215,7 +230,7 @@ fn shapes(
                 let subsystem = model.subsystem(found.key.subsystem);
                 let vector = spectrum.vector(found.key);
                 let curves = subsystem.curves(mesh.borders_m(), &shear, vector);
-                let motion = identity.shares.scale(identity.family).motion();
+                let motion = identity.shares.scale(identity.family);
                 let (component, _) = motion.components()[0];
                 let curve = ModeCurve::new(mesh.borders_m(), &*curves, &[component]);
                 Mode::new(number, found, identity, model.origin, &curve, heights_m)

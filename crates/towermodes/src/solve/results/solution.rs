@@ -168,7 +168,7 @@ impl Mode {
 
     /// Whether the rotation about z scales the shape.
     fn is_turning(&self) -> bool {
-        self.shares.scale(self.family).motion() == Motion::Torsion
+        self.shares.scale(self.family) == Motion::Torsion
     }
 
     /// Its name: family and order.

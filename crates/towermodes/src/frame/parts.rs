@@ -1,0 +1,433 @@
+//! The matrices of a link or a chord: blocks that nothing couples, in the axes of their member.
+//!
+//! A block acts on some of the entries of its ends (the motion of the near end, then that of the
+//! far end of a chord, or the coordinates of a link that move its child) and on its own bubbles,
+//! which are eliminated by themselves.
+
+use super::element::{Element, Part};
+use super::kinds::{Combination, ELASTIC, KINDS, add_matrices};
+use super::rigid::{Motion, Vector, into_axes, out_of_axes};
+use crate::beam::eliminate;
+use crate::space::SpatialMatrix;
+
+/// The largest number of entries of the ends.
+pub(super) const MOST_ENDS: usize = 12;
+/// The entries of the ends of a link or a chord.
+pub(super) type Ends = [f64; MOST_ENDS];
+
+/// The ends and the bubbles of a link or a chord in a motion.
+pub(super) struct Side<'a> {
+    pub(super) ends: Ends,
+    pub(super) bubbles: &'a [f64],
+}
+
+/// The blocks of a link or a chord.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Parts {
+    /// The axes of the member as rows; none: global axes.
+    pub(super) axes: Option<[Vector; 3]>,
+    /// How many entries of the ends are motions: 6 of a link, 12 of a chord. The others are
+    /// coordinates.
+    pub(super) motions: usize,
+    /// Number of entries of the ends.
+    pub(super) ends: usize,
+    pub(super) blocks: Vec<Block>,
+}
+
+/// A block.
+#[derive(Debug, Clone)]
+pub(super) struct Block {
+    /// Its entries of the ends, by place.
+    pub(super) ends: Vec<usize>,
+    /// The place of its first bubble among the bubbles of the link or the chord.
+    pub(super) first: usize,
+    pub(super) bubbles: usize,
+    /// For its entries of the ends and its bubbles, row by row; empty where there is none.
+    pub(super) matrices: [Vec<f64>; KINDS],
+}
+
+impl Block {
+    pub(super) fn rows(&self) -> usize {
+        self.ends.len() + self.bubbles
+    }
+
+    /// Its entries of the ends and its bubbles, together.
+    fn gather(&self, ends: &Ends, bubbles: &[f64], at: &mut Vec<f64>) {
+        at.clear();
+        at.extend(self.ends.iter().map(|end| ends[*end]));
+        at.extend_from_slice(&bubbles[self.first..][..self.bubbles]);
+    }
+}
+
+impl Parts {
+    /// Those of a link of some coordinates without matrices.
+    pub(super) fn none(coordinates: usize) -> Self {
+        Self {
+            axes: None,
+            motions: 6,
+            ends: 6 + coordinates,
+            blocks: Vec::new(),
+        }
+    }
+
+    /// Those of an element that carries its far end.
+    pub(super) fn of_link(element: &Element, axes: Option<[Vector; 3]>) -> Self {
+        let (mut moving, mut bubbles, mut blocks) = (0, 0, Vec::new());
+        for part in &element.parts {
+            let mut ends: Vec<usize> = part.components.iter().map(|(c, _)| *c).collect();
+            ends.extend((0..part.moving()).map(|k| 6 + moving + k));
+            let [inertia, ground, geometric] = part.in_motions();
+            blocks.push(Block {
+                ends,
+                first: bubbles,
+                bubbles: part.coordinates - part.moving(),
+                matrices: [inertia, ground, geometric, Vec::new()],
+            });
+            moving += part.moving();
+            bubbles += part.coordinates - part.moving();
+        }
+        Self {
+            axes,
+            blocks,
+            ..Self::none(moving)
+        }
+    }
+
+    /// Those of an element between two nodes that others carry.
+    pub(super) fn of_chord(element: &Element, axes: [Vector; 3]) -> Self {
+        let (mut first, mut blocks) = (0, Vec::new());
+        for part in &element.parts {
+            let block = chord_block(part, element, first);
+            first += block.bubbles;
+            blocks.push(block);
+        }
+        Self {
+            axes: Some(axes),
+            motions: MOST_ENDS,
+            ends: MOST_ENDS,
+            blocks,
+        }
+    }
+
+    /// Those of a matrix for the motions of two nodes: its blocks near-near, near-far, far-far.
+    pub(super) fn of_nodal(kind: usize, [near, across, far]: &[SpatialMatrix; 3]) -> Self {
+        let mut matrices = [const { Vec::new() }; KINDS];
+        let entry = |i: usize, j: usize| match (i < 6, j < 6) {
+            (true, true) => near[i][j],
+            (true, false) => across[i][j - 6],
+            (false, true) => across[j][i - 6],
+            (false, false) => far[i - 6][j - 6],
+        };
+        let all = (0..MOST_ENDS).flat_map(|i| (0..MOST_ENDS).map(move |j| entry(i, j)));
+        matrices[kind] = all.collect();
+        Self {
+            axes: None,
+            motions: MOST_ENDS,
+            ends: MOST_ENDS,
+            blocks: vec![Block {
+                ends: (0..MOST_ENDS).collect(),
+                first: 0,
+                bubbles: 0,
+                matrices,
+            }],
+        }
+    }
+
+    pub(super) fn bubbles(&self) -> usize {
+        self.blocks.iter().map(|block| block.bubbles).sum()
+    }
+
+    /// Factors the bubbles of each block of A, whose coordinates have `own` as stiffness of their
+    /// own, and writes what is left for the ends, in global axes, to `rest`: all rows of both
+    /// triangles. Returns the number of negative pivots.
+    pub(super) fn condense<'f>(
+        &self,
+        (a, own): Combination<'_>,
+        factors: &mut impl Iterator<Item = &'f mut Vec<f64>>,
+        rest: &mut Vec<f64>,
+    ) -> usize {
+        rest.clear();
+        rest.resize(self.ends * self.ends, 0.0);
+        let mut negative = 0;
+        for (block, matrix) in self.blocks.iter().zip(factors) {
+            let (rows, leading) = (block.rows(), block.ends.len());
+            matrix.clear();
+            matrix.resize(rows * rows, 0.0);
+            add_matrices(a, &block.matrices, matrix);
+            let is_coordinate = |k: usize| block.ends.get(k).is_none_or(|e| *e >= self.motions);
+            (0..rows)
+                .filter(|k| is_coordinate(*k))
+                .for_each(|k| matrix[k * rows + k] += own);
+            negative += eliminate(matrix, rows, leading);
+            for (i, row) in block.ends.iter().enumerate() {
+                for (j, column) in block.ends[..=i].iter().enumerate() {
+                    let entry = matrix[i * rows + j];
+                    rest[row * self.ends + column] = entry;
+                    rest[column * self.ends + row] = entry;
+                }
+            }
+        }
+        self.turn(rest);
+        negative
+    }
+
+    /// Brings a matrix for the ends into global axes.
+    fn turn(&self, matrix: &mut [f64]) {
+        let (Some(axes), n) = (&self.axes, self.ends) else {
+            return;
+        };
+        for triple in matrix[..self.motions * n].chunks_exact_mut(3 * n) {
+            for j in 0..n {
+                let own = [triple[j], triple[n + j], triple[2 * n + j]];
+                for i in 0..3 {
+                    triple[i * n + j] = (0..3).map(|k| axes[k][i] * own[k]).sum();
+                }
+            }
+        }
+        for row in matrix.chunks_exact_mut(n) {
+            for triple in row[..self.motions].chunks_exact_mut(3) {
+                let own = [triple[0], triple[1], triple[2]];
+                for (i, entry) in triple.iter_mut().enumerate() {
+                    *entry = (0..3).map(|k| axes[k][i] * own[k]).sum();
+                }
+            }
+        }
+    }
+
+    /// A motion in the axes of the parts.
+    pub(super) fn into_axes(&self, motion: &Motion) -> Motion {
+        match &self.axes {
+            Some(axes) => into_axes(axes, motion),
+            None => *motion,
+        }
+    }
+
+    /// A force of the parts in global axes.
+    pub(super) fn out_of_axes(&self, force: &[f64]) -> Motion {
+        let force = std::array::from_fn(|i| force[i]);
+        match &self.axes {
+            Some(axes) => out_of_axes(axes, &force),
+            None => force,
+        }
+    }
+
+    /// Forces on the bubbles become their forward substitution, and what they pass on to the ends
+    /// is added to these.
+    pub(super) fn forward<'f>(
+        &self,
+        factors: &mut impl Iterator<Item = &'f Vec<f64>>,
+        ends: &mut Ends,
+        bubbles: &mut [f64],
+        at: &mut Vec<f64>,
+    ) {
+        for (block, matrix) in self.blocks.iter().zip(factors) {
+            let leading = block.ends.len();
+            block.gather(ends, bubbles, at);
+            forward(matrix, block.rows(), leading, at);
+            for (end, force) in block.ends.iter().zip(&*at) {
+                ends[*end] = *force;
+            }
+            bubbles[block.first..][..block.bubbles].copy_from_slice(&at[leading..]);
+        }
+    }
+
+    /// The bubbles from their forward substitution and the ends.
+    pub(super) fn backward<'f>(
+        &self,
+        factors: &mut impl Iterator<Item = &'f Vec<f64>>,
+        ends: &Ends,
+        bubbles: &mut [f64],
+        at: &mut Vec<f64>,
+    ) {
+        for (block, matrix) in self.blocks.iter().zip(factors) {
+            let leading = block.ends.len();
+            block.gather(ends, bubbles, at);
+            backward(matrix, block.rows(), leading, at);
+            bubbles[block.first..][..block.bubbles].copy_from_slice(&at[leading..]);
+        }
+    }
+
+    /// Adds the energy xᵀ A x of each kind of matrix, without the coordinates' own stiffness.
+    pub(super) fn add_energies(
+        &self,
+        ends: &Ends,
+        bubbles: &[f64],
+        at: &mut Vec<f64>,
+        energies: &mut [f64; KINDS],
+    ) {
+        for block in &self.blocks {
+            block.gather(ends, bubbles, at);
+            for (energy, matrix) in energies.iter_mut().zip(&block.matrices) {
+                let rows = matrix.chunks_exact(block.rows()).zip(&*at);
+                *energy += rows.map(|(row, x)| x * dot(row, at)).sum::<f64>();
+            }
+        }
+    }
+
+    /// The forces A (ends, bubbles) without the coordinates' own stiffness.
+    pub(super) fn product(
+        &self,
+        factors: &[f64; KINDS],
+        ends: &Ends,
+        (bubbles, out): (&[f64], &mut [f64]),
+        at: &mut Vec<f64>,
+    ) -> Ends {
+        let mut forces = [0.0; MOST_ENDS];
+        out.fill(0.0);
+        for block in &self.blocks {
+            let rows = block.rows();
+            block.gather(ends, bubbles, at);
+            for (factor, matrix) in factors.iter().zip(&block.matrices) {
+                if *factor == 0.0 || matrix.is_empty() {
+                    continue;
+                }
+                let mut rows = matrix.chunks_exact(rows);
+                for (end, row) in block.ends.iter().zip(&mut rows) {
+                    forces[*end] += factor * dot(row, at);
+                }
+                for (out, row) in out[block.first..].iter_mut().zip(rows) {
+                    *out += factor * dot(row, at);
+                }
+            }
+        }
+        forces
+    }
+}
+
+/// A part of an element as a block of a chord: its coordinates s that move the far end are
+/// L⁻¹ (q_far − X q_near), and its elastic energy is sᵀ s.
+fn chord_block(part: &Part, element: &Element, first: usize) -> Block {
+    let components: Vec<usize> = part.components.iter().map(|(c, _)| *c).collect();
+    let (n, moving) = (components.len(), part.moving());
+    let bubbles = part.coordinates - moving;
+    let rows = 2 * n + bubbles;
+    let columns: Vec<Vec<f64>> = part
+        .tip
+        .iter()
+        .map(|tip| components.iter().map(|c| tip[*c]).collect())
+        .collect();
+    let inverse = inverse_of_columns(&columns, n);
+    // v and y for (q_near, q_far, bubbles).
+    let old = n + part.coordinates;
+    let mut change = vec![0.0; old * rows];
+    (0..n).for_each(|i| change[i * rows + i] = 1.0);
+    for (k, inverse) in inverse.iter().enumerate() {
+        let row = &mut change[(n + k) * rows..][..2 * n];
+        row[n..].copy_from_slice(inverse);
+        for (to_near, c) in row[..n].iter_mut().zip(&components) {
+            let moved = components.iter().zip(inverse);
+            *to_near = -moved
+                .map(|(d, l)| l * element.transfer[*d][*c])
+                .sum::<f64>();
+        }
+    }
+    for bubble in 0..bubbles {
+        change[(n + moving + bubble) * rows + 2 * n + bubble] = 1.0;
+    }
+    let mut matrices = [const { Vec::new() }; KINDS];
+    for (matrix, own) in matrices.iter_mut().zip(part.in_motions()) {
+        *matrix = congruence(&own, &change, old, rows);
+    }
+    let mut elastic = vec![0.0; rows * rows];
+    for row in change[n * rows..].chunks_exact(rows).take(moving) {
+        for (out, a) in elastic.chunks_exact_mut(rows).zip(&row[..2 * n]) {
+            out.iter_mut()
+                .zip(&row[..2 * n])
+                .for_each(|(o, b)| *o += a * b);
+        }
+    }
+    matrices[ELASTIC] = elastic;
+    Block {
+        ends: components
+            .iter()
+            .copied()
+            .chain(components.iter().map(|c| 6 + c))
+            .collect(),
+        first,
+        bubbles,
+        matrices,
+    }
+}
+
+/// The inverse of the matrix of n rows with these columns, by Gauss-Jordan elimination with pivots.
+pub(super) fn inverse_of_columns(columns: &[Vec<f64>], n: usize) -> Vec<Vec<f64>> {
+    let entry = |i: usize, j: usize| match j.checked_sub(n) {
+        None => columns.get(j).map_or(0.0, |column| column[i]),
+        Some(j) => f64::from(u8::from(i == j)),
+    };
+    let row = |i: usize| (0..2 * n).map(|j| entry(i, j)).collect::<Vec<f64>>();
+    let mut a: Vec<Vec<f64>> = (0..n).map(row).collect();
+    for k in 0..n {
+        let pivot = (k..n).max_by(|i, j| a[*i][k].abs().total_cmp(&a[*j][k].abs()));
+        a.swap(k, pivot.unwrap_or(k));
+        let row: Vec<f64> = a[k].iter().map(|entry| entry / a[k][k]).collect();
+        for (i, other) in a.iter_mut().enumerate() {
+            let factor = other[k];
+            if i != k {
+                let pairs = other.iter_mut().zip(&row);
+                pairs.for_each(|(x, r)| *x -= factor * r);
+            }
+        }
+        a[k] = row;
+    }
+    a.into_iter().map(|row| row[n..].to_vec()).collect()
+}
+
+/// Cᵀ M C for a matrix M of `old` rows and C of `old` rows and `rows` columns; empty if M is.
+fn congruence(matrix: &[f64], change: &[f64], old: usize, rows: usize) -> Vec<f64> {
+    if matrix.is_empty() {
+        return Vec::new();
+    }
+    let add = |out: &mut [f64], factor: f64, row: &[f64]| {
+        if factor != 0.0 {
+            out.iter_mut().zip(row).for_each(|(o, x)| *o += factor * x);
+        }
+    };
+    // Most of a row of C is zero.
+    let mut half = vec![0.0; old * rows];
+    for (out, row) in half.chunks_exact_mut(rows).zip(matrix.chunks_exact(old)) {
+        for (factor, change) in row.iter().zip(change.chunks_exact(rows)) {
+            for (o, c) in out.iter_mut().zip(change).filter(|(_, c)| **c != 0.0) {
+                *o += factor * c;
+            }
+        }
+    }
+    let mut sum = vec![0.0; rows * rows];
+    for (half, change) in half.chunks_exact(rows).zip(change.chunks_exact(rows)) {
+        for (out, factor) in sum.chunks_exact_mut(rows).zip(change) {
+            add(out, *factor, half);
+        }
+    }
+    sum
+}
+
+/// Two sums at a time, which the processor adds as one.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let (mut sums, pairs) = ([0.0; 2], (a.chunks_exact(2), b.chunks_exact(2)));
+    let (a_rest, b_rest) = (pairs.0.remainder(), pairs.1.remainder());
+    for (a, b) in pairs.0.zip(pairs.1) {
+        sums[0] += a[0] * b[0];
+        sums[1] += a[1] * b[1];
+    }
+    let rest: f64 = a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum();
+    sums[0] + sums[1] + rest
+}
+
+/// Forward substitution of the rows from `first` on, the last one first; these are not divided yet.
+fn forward(matrix: &[f64], rows: usize, first: usize, x: &mut [f64]) {
+    for last in (first..rows).rev() {
+        let row = &matrix[last * rows..last * rows + last + 1];
+        let factor = x[last] / row[last];
+        for (x, entry) in x[..last].iter_mut().zip(row) {
+            *x -= entry * factor;
+        }
+    }
+}
+
+/// Backward substitution of the rows from `first` on.
+fn backward(matrix: &[f64], rows: usize, first: usize, x: &mut [f64]) {
+    for last in first..rows {
+        let row = &matrix[last * rows..last * rows + last + 1];
+        x[last] = (x[last] - dot(&row[..last], &x[..last])) / row[last];
+    }
+}
