@@ -95,7 +95,7 @@ fn mistakes_in_mooring_lines_have_a_place() {
         kind = "anchor"            | kind = "ancor"             | "ancor"      | did you mean `anchor`?
         "anchor 1", "fairlead 1"]  | "anchor 1", "anchor 1"]    | -            | both ends of line 1
         depth = 300.0              | depth = 200.0              | [[mooring.point]] | under the seabed
-        axial_stiffness = 3.8e8    | ea = 3.8e8                 | ea           | no `ea`
+        axial_stiffness = 3.8e8    | axial_stifness = 3.8e8     | axial_stifness | did you mean `axial_stiffness`?
         "#,
     );
 }
