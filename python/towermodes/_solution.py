@@ -168,7 +168,8 @@ class Solution(ModeArrays, Computed):
         """Whether the count of eigenvalues proves that no mode is missing.
 
         It counts the modes below `complete_below_hz`: there are exactly `count`. A list that is not
-        complete is an error, so this is True for every solution. Where the number of modes cuts a
+        complete is an error, except where the added mass of a floating platform depends on frequency
+        and leaves an interval uncertain: `uncertain_hz`. Where the number of modes cuts a
         pair of equal frequencies, the other mode of the last pair is counted and not in the list.
         """
         return self._core.certificate[0]
@@ -185,6 +186,11 @@ class Solution(ModeArrays, Computed):
     def complete_below_hz(self) -> float:
         """The frequency below which exactly `count` modes exist, Hz."""
         return self._core.certificate[2]
+
+    @property
+    def uncertain_hz(self) -> tuple[float, float] | None:
+        """The interval outside which the list is complete, Hz; None if it is complete everywhere."""
+        return self._core.uncertain_hz
 
     @property
     def buckling_load_factor(self) -> float | None:

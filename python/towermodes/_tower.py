@@ -288,6 +288,7 @@ class Tower:
         heights_m: Iterable[float] = (),
         rotary_inertia: bool = True,
         hinge_position: float | None = None,
+        added_mass: str | float = "own",
         limits: bool = True,
     ) -> Solution:
         """Computes the lowest natural frequencies and mode shapes.
@@ -306,6 +307,9 @@ class Tower:
             rotary_inertia: Whether sections have rotary inertia in bending.
             hinge_position: Position of the hinges of the method "cardanic": distance from each end
                 as a fraction of the segment length.
+            added_mass: Where the added mass of a floating platform depends on frequency: "own" (each
+                mode has that of its own frequency), "infinite" (as a linearization by OpenFAST),
+                "zero", or a frequency, Hz.
             limits: Whether a computation that would need more than 4 GiB or ten minutes is refused.
 
         Raises:
@@ -324,6 +328,7 @@ class Tower:
         count, names = modes_chosen(modes)
         options = _solve_options(count, method, segments, degree, points, heights, rotary_inertia)
         options["hinge_position"] = number_or_none("hinge_position", hinge_position)
+        options["added_mass"] = str(added_mass)
         options["limits"] = bool(limits)
         return _with_modes(names, lambda more: Solution._of((self,), {**options, **more}))
 
@@ -852,5 +857,6 @@ def _solve_options(
         "heights_m": heights_m,
         "rotary_inertia": bool(rotary_inertia),
         "hinge_position": None,
+        "added_mass": "own",
         "limits": True,
     }

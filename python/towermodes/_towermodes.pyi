@@ -239,6 +239,11 @@ class Solution:
         The table of the program.
         """
     @property
+    def uncertain_hz(self, /) -> tuple[float, float] | None:
+        """
+        The interval in which modes may be missing, Hz.
+        """
+    @property
     def warnings(self, /) -> list[str]:
         """
         Possible mistakes of the input, and limits of the results.

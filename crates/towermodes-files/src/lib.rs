@@ -74,8 +74,8 @@ pub use diagnostic::{Diagnostic, DiagnosticKind, Exact};
 pub use error::ReadError;
 pub use hawc2::read_hawc2;
 pub use hydrodyn::{
-    AddedMassTable, HydrodynInput, HydrodynPlatform, MarineGrowth, PotentialFlow, SeaWater,
-    Stretch, StripAddedMass, StripEnd, StripMember, WaterDefaults, read_hydrodyn, read_water,
+    HydrodynInput, HydrodynPlatform, MarineGrowth, PotentialFlow, SeaWater, Stretch,
+    StripAddedMass, StripEnd, StripMember, WaterDefaults, read_hydrodyn, read_water,
 };
 pub use input::{BladeInput, FileFormat, OutLayout, ReadOptions, RotorLock, TowerInput, TowerPart};
 pub use measured::{MeasuredFile, MeasuredMode, NamedUnknown};

@@ -116,6 +116,7 @@ fn platform() -> FloatingPlatform {
         matrix
     };
     FloatingPlatform {
+        added_mass_by_frequency: None,
         mass_kg: 7.5e6,
         center_m: [0.0, 0.0, -90.0],
         inertia_kg_m2: Inertia {

@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
-use towermodes::{Family, Foundation, Method, Options, Tower, TowerDescription, solve};
+use towermodes::{
+    AddedMassAt, Family, Foundation, Method, Options, Tower, TowerDescription, solve,
+};
 use towermodes_files::{
     ConvertOptions, FileError, FileResolver, Input, OutputFormat, ReadOptions, SiblingFiles,
     Source, TowerInput, convert, read_source,
@@ -31,10 +33,20 @@ fn read(path: &str, is_dry: bool, options: &ReadOptions) -> Option<TowerInput> {
 
 /// Whether each mode bends fore-aft, and its frequency.
 fn frequencies(description: TowerDescription, modes: usize) -> Vec<(bool, f64)> {
+    frequencies_at(description, modes, AddedMassAt::Own)
+}
+
+/// The same with the added mass of a floating platform at some frequency.
+fn frequencies_at(
+    description: TowerDescription,
+    modes: usize,
+    added_mass: AddedMassAt,
+) -> Vec<(bool, f64)> {
     let tower = Tower::new(description).expect("a tower");
     let options = Options {
         method: Method::Spectral,
         modes,
+        added_mass,
         ..Options::default()
     };
     let solution = solve(&tower, &options).expect("a solution");
@@ -255,11 +267,29 @@ fn models_on_the_ground_have_the_frequencies_of_an_independent_program_with_wate
     }
 }
 
-/// Floating models with added mass at infinite frequency.
-const FLOATING: [(&str, &[f64]); 3] = [
-    (
-        "fast8/Test24.fst",
-        &[
+/// A floating model with the added mass of each mode's own frequency, at infinite frequency and, as
+/// far as the reference program gives it, at zero.
+struct Floating {
+    path: &'static str,
+    own: &'static [f64],
+    infinite: &'static [f64],
+    zero: &'static [f64],
+}
+
+const FLOATING: [Floating; 3] = [
+    Floating {
+        path: "fast8/Test24.fst",
+        own: &[
+            0.0080619601,
+            0.0080622465,
+            0.0324095712,
+            0.0342993963,
+            0.0343100733,
+            0.1212124619,
+            0.4807465321,
+            0.4875582539,
+        ],
+        infinite: &[
             0.0081186564,
             0.0081189451,
             0.0324291835,
@@ -269,10 +299,30 @@ const FLOATING: [(&str, &[f64]); 3] = [
             0.4788968971,
             0.4856915078,
         ],
-    ),
-    (
-        "fast8/Test25.fst",
-        &[
+        zero: &[
+            0.0080622136,
+            0.0080624995,
+            0.0324115037,
+            0.0343193362,
+            0.0343300452,
+            0.1212125714,
+            0.4734384857,
+            0.4800302880,
+        ],
+    },
+    Floating {
+        path: "fast8/Test25.fst",
+        own: &[
+            0.0088408320,
+            0.0088408371,
+            0.0124003341,
+            0.0396918748,
+            0.0397109814,
+            0.0578749246,
+            0.4272592534,
+            0.4320432525,
+        ],
+        infinite: &[
             0.0093139900,
             0.0093140340,
             0.0129381516,
@@ -282,10 +332,21 @@ const FLOATING: [(&str, &[f64]); 3] = [
             0.4267428577,
             0.4314303892,
         ],
-    ),
-    (
-        "iea15-volturnus/OpenFAST/IEA-15-240-RWT-UMaineSemi/IEA-15-240-RWT-UMaineSemi.fst",
-        &[
+        zero: &[],
+    },
+    Floating {
+        path: "iea15-volturnus/OpenFAST/IEA-15-240-RWT-UMaineSemi/IEA-15-240-RWT-UMaineSemi.fst",
+        own: &[
+            0.0074025396,
+            0.0074025779,
+            0.0113024954,
+            0.0371200406,
+            0.0371344882,
+            0.0489107636,
+            0.5076477939,
+            0.5161342615,
+        ],
+        infinite: &[
             0.0077671094,
             0.0077671586,
             0.0120272986,
@@ -295,7 +356,8 @@ const FLOATING: [(&str, &[f64]); 3] = [
             0.5069001000,
             0.5154176149,
         ],
-    ),
+        zero: &[],
+    },
 ];
 
 /// The same with a stiffness that undoes what the reference program leaves out: the weight of the
@@ -314,12 +376,20 @@ fn without_arm(mut description: TowerDescription) -> TowerDescription {
 
 #[test]
 fn floating_models_have_the_frequencies_of_an_independent_program() {
-    for (path, expected) in FLOATING {
-        let Some(input) = read(path, false, &ReadOptions::default()) else {
+    for model in FLOATING {
+        let Some(input) = read(model.path, false, &ReadOptions::default()) else {
             return;
         };
         let description = without_arm(input.description);
-        assert_close(path, &frequencies(description, 8), expected, [1e-8, 2e-3]);
+        let cases = [
+            (AddedMassAt::Own, model.own),
+            (AddedMassAt::Infinite, model.infinite),
+            (AddedMassAt::Zero, model.zero),
+        ];
+        for (added_mass, expected) in cases {
+            let found = frequencies_at(description.clone(), 8, added_mass);
+            assert_close(model.path, &found, expected, [1e-8, 2e-3]);
+        }
     }
 }
 

@@ -1,10 +1,12 @@
 //! What is written as TOML is read back as the same description, number by number.
 
 use proptest::prelude::*;
+use std::sync::Arc;
+
 use towermodes::{
-    AddedMassRow, BeamFormula, CircularFooting, FloatingPlatform, FootingFormula, Foundation,
-    FoundationSprings, HalfSpace, Inertia, Material, Monopile, PartNames, PileFormula, PileTube,
-    Planes, Properties, PropertyStation, RectangularFooting, ReferredMatrix, Rna, Shear,
+    AddedMassRow, AddedMassTable, BeamFormula, CircularFooting, FloatingPlatform, FootingFormula,
+    Foundation, FoundationSprings, HalfSpace, Inertia, Material, Monopile, PartNames, PileFormula,
+    PileTube, Planes, Properties, PropertyStation, RectangularFooting, ReferredMatrix, Rna, Shear,
     SoilProfile, SoilRow, SoilSpring, SoilStiffness, Station, StiffnessFoundation, SuctionCaisson,
     TowerDescription, Water, WinklerPile, Wires,
 };
@@ -239,6 +241,7 @@ fn every_foundation() {
         center_m: [0.0, 0.25, -89.9155],
         inertia_kg_m2: with!(Inertia, xx = 4.22923e9, yy = 4.22923e9, zz = 0.0),
         added_mass: referred(8e6, -10.0),
+        added_mass_by_frequency: None,
         hydrostatic: with!(ReferredMatrix, height_m = 3.0),
         mooring: referred(4e4, -70.0),
         mooring_lines: None,
@@ -301,7 +304,16 @@ fn every_foundation() {
             vertical_n_per_m: f64::INFINITY,
             torsion_n_m: 3e11,
         })),
-        Foundation::Floating(Box::new(platform)),
+        Foundation::Floating(Box::new(platform.clone())),
+        Foundation::Floating(Box::new(FloatingPlatform {
+            added_mass: with!(ReferredMatrix, height_m = -10.0),
+            added_mass_by_frequency: Some(Arc::new(AddedMassTable {
+                zero: full_matrix(9e6),
+                rows: vec![(0.3, full_matrix(1.1e7)), (2.1, full_matrix(5.5e6))],
+                infinite: full_matrix(6e6),
+            })),
+            ..platform
+        })),
     ];
     for foundation in foundations {
         comes_back(&changed!(tubes(), foundation));
@@ -686,6 +698,7 @@ impl Draw {
                 center_m: self.values(),
                 inertia_kg_m2: self.inertia(),
                 added_mass: self.referred(),
+                added_mass_by_frequency: None,
                 hydrostatic: self.referred(),
                 mooring: self.referred(),
                 mooring_lines: None,

@@ -2,7 +2,7 @@
 
 use pyo3::prelude::*;
 use towermodes::GAUSS_HINGE_POSITION;
-use towermodes::{Method, Options};
+use towermodes::{AddedMassAt, Method, Options};
 use towermodes_files::TowerInput;
 
 use crate::error::usage;
@@ -19,6 +19,7 @@ pub struct SolveOptions {
     heights_m: Vec<f64>,
     rotary_inertia: bool,
     hinge_position: Option<f64>,
+    added_mass: String,
     limits: bool,
 }
 
@@ -59,8 +60,16 @@ impl SolveOptions {
             heights_m: self.heights_m.clone(),
             rotary_inertia: self.rotary_inertia,
             hinge_position: self.hinge_position.unwrap_or(GAUSS_HINGE_POSITION),
+            added_mass: self.added_mass_at()?,
             limits: self.limits,
             ..own
+        })
+    }
+
+    /// At which frequency a floating platform has its added mass.
+    fn added_mass_at(&self) -> PyResult<AddedMassAt> {
+        AddedMassAt::named(&self.added_mass).ok_or_else(|| {
+            usage("added_mass must be \"own\", \"infinite\", \"zero\" or a frequency in Hz, 0 or positive")
         })
     }
 

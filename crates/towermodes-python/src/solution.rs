@@ -224,6 +224,13 @@ impl Solution {
         )
     }
 
+    /// The interval in which modes may be missing, Hz.
+    #[getter]
+    fn uncertain_hz(&self) -> Option<(f64, f64)> {
+        let ends = self.solution.certificate.uncertain_hz;
+        ends.map(|[from_hz, to_hz]| (from_hz, to_hz))
+    }
+
     /// The factor on gravity at which the tower buckles.
     #[getter]
     fn buckling_load_factor(&self) -> Option<f64> {

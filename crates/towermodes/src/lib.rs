@@ -141,22 +141,22 @@ pub use sensitivity::{
     ChangeSensitivity, Derivative, NoDerivative, Sensitivities, SensitivityError,
 };
 pub use solve::{
-    BladeFamily, BladeMode, BladeSolution, Certificate, DEFAULT_MODES, DEFAULT_POINTS,
+    AddedMassAt, BladeFamily, BladeMode, BladeSolution, Certificate, DEFAULT_MODES, DEFAULT_POINTS,
     DEFAULT_SEGMENTS, ErrorBasis, Frequencies, MAX_BYTES, MAX_DEGREE, MAX_POINTS, MAX_SECONDS,
     MAX_SEGMENTS, MAX_SPECTRAL_ELEMENTS, Mode, ModeFrequency, ModeKey, Options, Progress, Solution,
     SolveError, Solver, Stage, TooManyModes, solve,
 };
 pub use tower::{
-    AddedMassRow, ApiEdition, AxialModel, BeamFormula, Buried, CircularFooting, Clay, ClosedForm,
-    Damping, Drivetrain, FloatingPlatform, FootingFormula, FormKind, Foundation, FoundationSprings,
-    Ground, GroundLayer, HalfSpace, HeadStiffness, Ineffective, Inertia, LayerSoil, LossFactors,
-    Material, MissingPart, MissingParts, Monopile, MooringLines, PartNames, PileBehaviour,
-    PileFormula, PileTube, Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation,
-    PyRow, Quantity, RectangularFooting, ReferredMatrix, RigidBody, Rna, Rock, Rotor,
-    RotorAerodynamics, Sand, Scour, Shear, ShearModulus, Site, Slenderness, SoilBelow, SoilModel,
-    SoilProfile, SoilRow, SoilSpring, SoilStiffness, SpringsAt, SpringsOfMember, Station,
-    StiffnessFoundation, SuctionCaisson, Support, Tower, TowerDescription, TowerError, Warning,
-    Water, WinklerPile, Wires, is_printable, printable,
+    AddedMassRow, AddedMassTable, ApiEdition, AxialModel, BeamFormula, Buried, CircularFooting,
+    Clay, ClosedForm, Damping, Drivetrain, FloatingPlatform, FootingFormula, FormKind, Foundation,
+    FoundationSprings, Ground, GroundLayer, HalfSpace, HeadStiffness, Ineffective, Inertia,
+    LayerSoil, LossFactors, Material, MissingPart, MissingParts, Monopile, MooringLines, PartNames,
+    PileBehaviour, PileFormula, PileTube, Place, Plane, Planes, PointMass, Problem, Properties,
+    PropertyStation, PyRow, Quantity, RectangularFooting, ReferredMatrix, RigidBody, Rna, Rock,
+    Rotor, RotorAerodynamics, Sand, Scour, Shear, ShearModulus, Site, Slenderness, SoilBelow,
+    SoilModel, SoilProfile, SoilRow, SoilSpring, SoilStiffness, SpringsAt, SpringsOfMember,
+    Station, StiffnessFoundation, SuctionCaisson, Support, Tower, TowerDescription, TowerError,
+    Warning, Water, WinklerPile, Wires, is_printable, printable,
 };
 
 /// The rooms of the solver, for its own tests and benchmarks: nothing here is promised.

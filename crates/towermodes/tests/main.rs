@@ -1,5 +1,6 @@
 //! All tests of the library, in one program: a newcomer compiles and links them once.
 
+mod added_mass;
 mod allocation;
 mod analytic;
 mod architecture;

@@ -84,6 +84,7 @@ fn towers() -> Vec<TowerDescription> {
             mass_kg: 1e7,
             center_m: [0.0, 0.0, -80.0],
             inertia_kg_m2: Inertia::default(),
+            added_mass_by_frequency: None,
             added_mass: referred,
             hydrostatic: referred,
             mooring: referred,

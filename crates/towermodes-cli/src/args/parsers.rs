@@ -1,8 +1,8 @@
 //! Parsers of option values.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use towermodes::Method;
 use towermodes::tower::FASTEST_RPM;
+use towermodes::{AddedMassAt, Method};
 use towermodes_analysis::influence::Tolerance;
 use towermodes_files::{Setting, SettingError};
 
@@ -58,6 +58,12 @@ pub(crate) fn hinge_parser(text: &str) -> Result<f64, String> {
         |k| k > 0.0 && k < 0.5,
         "must be greater than 0 and less than 0.5 (the middle of the segment)",
     )
+}
+
+/// At which frequency a floating platform has its added mass.
+pub(crate) fn added_mass_parser(text: &str) -> Result<AddedMassAt, String> {
+    AddedMassAt::named(text.trim())
+        .ok_or_else(|| "must be own, infinite, zero or a frequency in Hz, 0 or positive".to_owned())
 }
 
 /// A whole number from `least` to `most`; the message gives both limits.

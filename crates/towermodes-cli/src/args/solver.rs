@@ -2,10 +2,10 @@
 
 use clap::{Arg, Args};
 use towermodes::GAUSS_HINGE_POSITION;
-use towermodes::{MAX_SEGMENTS, Method, Options};
+use towermodes::{AddedMassAt, MAX_SEGMENTS, Method, Options};
 use towermodes_files::TowerInput;
 
-use super::parsers::{hinge_parser, method_parser, number_parser};
+use super::parsers::{added_mass_parser, hinge_parser, method_parser, number_parser};
 use super::words::{flag, valued};
 
 /// Method, mesh and model of commands that solve a tower by one method.
@@ -76,6 +76,12 @@ pub(crate) struct ModelArguments {
     #[arg(long)]
     no_rotary_inertia: bool,
 
+    /// Added mass of a floating platform that depends on frequency: own (each mode has that of
+    /// its own frequency), infinite (as a linearization by OpenFAST), zero, or that of a
+    /// frequency in Hz [default: own]
+    #[arg(long, value_name = "AT", value_parser = added_mass_parser)]
+    added_mass: Option<AddedMassAt>,
+
     /// Hinge position of --method cardanic: distance from each end as a fraction of the segment
     /// length [default: 0.2113249, the Gauss points]
     #[arg(long, value_name = "FRACTION", value_parser = hinge_parser)]
@@ -98,7 +104,11 @@ pub(crate) fn up_to_excitations(modes: Arg) -> Arg {
 impl ModelArguments {
     /// Whether any of these options is given.
     pub(crate) fn is_given(&self) -> bool {
-        self.modes.is_some() || self.no_rotary_inertia || self.hinges.is_some() || self.no_limits
+        self.modes.is_some()
+            || self.no_rotary_inertia
+            || self.added_mass.is_some()
+            || self.hinges.is_some()
+            || self.no_limits
     }
 
     /// The options that are given as words of a command line.
@@ -106,6 +116,7 @@ impl ModelArguments {
         [
             valued("--modes", self.modes),
             flag("--no-rotary-inertia", self.no_rotary_inertia),
+            valued("--added-mass", self.added_mass),
             valued("--hinges", self.hinges),
             flag("--no-limits", self.no_limits),
         ]
@@ -141,6 +152,7 @@ impl ModelArguments {
         if self.no_limits {
             return Err("--no-limits applies only to towers");
         }
+        self.check_added_mass()?;
         self.check(Method::Spectral)
     }
 
@@ -170,7 +182,15 @@ impl ModelArguments {
         if self.no_limits {
             return Err("--no-limits applies only to towers");
         }
+        self.check_added_mass()?;
         self.check(Method::Bmodes)
+    }
+
+    fn check_added_mass(&self) -> Result<(), &'static str> {
+        match self.added_mass {
+            Some(_) => Err("--added-mass applies only to towers on floating platforms"),
+            None => Ok(()),
+        }
     }
 
     /// Other options with these changed.
@@ -178,6 +198,7 @@ impl ModelArguments {
         Options {
             modes: self.modes.unwrap_or(options.modes),
             rotary_inertia: !self.no_rotary_inertia,
+            added_mass: self.added_mass.unwrap_or(options.added_mass),
             hinge_position: self.hinges.unwrap_or(GAUSS_HINGE_POSITION),
             limits: !self.no_limits,
             ..options

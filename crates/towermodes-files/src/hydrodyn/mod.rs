@@ -34,5 +34,4 @@ pub use potential::PotentialFlow;
 pub use read::read_hydrodyn;
 pub use strip::{MarineGrowth, Stretch, StripAddedMass, StripMember};
 pub(crate) use strips::{StripWater, ring, strip_water};
-pub use wamit::AddedMassTable;
 pub use water::{SeaWater, WaterDefaults, read_water};

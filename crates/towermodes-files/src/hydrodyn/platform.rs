@@ -1,5 +1,7 @@
 //! The water of a rigid platform: mass, added mass, stiffness and load about the origin.
 
+use std::sync::Arc;
+
 use towermodes::space::SpatialMatrix;
 use towermodes::{FloatingPlatform, ReferredMatrix, RigidBody};
 
@@ -11,9 +13,8 @@ use crate::note::Note;
 /// A rigid platform in its water.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HydrodynPlatform {
-    /// The platform with filling and growth, with the added mass at infinite frequency and without
-    /// moorings. Its matrices are for the motion of the origin (0, 0, 0), heights above mean sea
-    /// level.
+    /// The platform with filling and growth, without moorings. Its matrices are for the motion of
+    /// the origin (0, 0, 0), heights above mean sea level.
     pub platform: FloatingPlatform,
     /// The load of buoyancy and AddF0 at the origin, without weight and moorings: force (N) and
     /// moment (N m).
@@ -62,7 +63,11 @@ impl HydrodynInput {
             mass_kg: whole.mass_kg,
             center_m: whole.center_m,
             inertia_kg_m2: whole.inertia_kg_m2,
-            added_mass: at_origin(self.added_mass_at_infinity()),
+            added_mass: at_origin(self.strip_added_mass()),
+            added_mass_by_frequency: self
+                .potential
+                .as_ref()
+                .map(|flow| Arc::new(flow.added_mass.clone())),
             hydrostatic: at_origin(hydrostatic),
             mooring: ReferredMatrix::default(),
             mooring_lines: None,
@@ -72,15 +77,6 @@ impl HydrodynInput {
             load,
             notes: self.notes_on_stiffness(&weights),
         }
-    }
-
-    /// The added mass at infinite frequency, with that of strip members.
-    fn added_mass_at_infinity(&self) -> SpatialMatrix {
-        let mut matrix = self.strip_added_mass();
-        if let Some(flow) = &self.potential {
-            add(&mut matrix, 1.0, &flow.added_mass.infinite);
-        }
-        matrix
     }
 
     fn notes_on_stiffness(&self, weights: &SpatialMatrix) -> Vec<Note> {

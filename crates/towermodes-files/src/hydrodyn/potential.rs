@@ -1,10 +1,11 @@
 //! The body of a potential-flow solution: volume, hydrostatic stiffness and added mass.
 
+use towermodes::AddedMassTable;
 use towermodes::space::SpatialMatrix;
 
 use super::spatial::{NONE, add, from_point, of_force, symmetric_part, turned_back};
 use super::values::Values;
-use super::wamit::{AddedMassTable, Read, read_added_mass, read_hydrostatic};
+use super::wamit::{Read, read_added_mass, read_hydrostatic};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::note::Note;

@@ -7,42 +7,13 @@
 
 use std::collections::BTreeMap;
 
+use towermodes::AddedMassTable;
 use towermodes::space::SpatialMatrix;
 
 use super::spatial::NONE;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::records::{Line, Lines, Token};
 use crate::source::Source;
-
-/// Added mass by frequency, for the motion (x, y, z, rotation about x, y, z) of the point at mean
-/// sea level on the z axis: kg, kg m, kg m². All matrices are symmetric.
-#[derive(Debug, Clone, PartialEq)]
-pub struct AddedMassTable {
-    /// At frequency zero.
-    pub zero: SpatialMatrix,
-    /// By angular frequency (rad/s), rising; all positive.
-    pub rows: Vec<(f64, SpatialMatrix)>,
-    /// At infinite frequency.
-    pub infinite: SpatialMatrix,
-}
-
-impl AddedMassTable {
-    /// Applies a function to all matrices.
-    pub(super) fn map(mut self, change: impl Fn(&SpatialMatrix) -> SpatialMatrix) -> Self {
-        self.zero = change(&self.zero);
-        self.infinite = change(&self.infinite);
-        for (_, matrix) in &mut self.rows {
-            *matrix = change(matrix);
-        }
-        self
-    }
-
-    /// All matrices.
-    pub(super) fn matrices(&self) -> impl Iterator<Item = &SpatialMatrix> {
-        let rows = self.rows.iter().map(|(_, matrix)| matrix);
-        [&self.zero, &self.infinite].into_iter().chain(rows)
-    }
-}
 
 /// No file has more periods.
 const MOST_PERIODS: usize = 20_000;

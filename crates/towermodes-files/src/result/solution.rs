@@ -6,8 +6,8 @@ use std::io::Write;
 use serde::Serialize;
 use towermodes::modes::serialized::directions;
 use towermodes::{
-    Certificate, HeadStiffness, Method, MissingParts, Mode, Solution, SpringsAt, SpringsOfMember,
-    Statistics, Tower, TowerDescription,
+    AddedMassAt, Certificate, HeadStiffness, Method, MissingParts, Mode, Solution, SpringsAt,
+    SpringsOfMember, Statistics, Tower, TowerDescription,
 };
 use towermodes_analysis::influence::{Influences, Tolerances};
 
@@ -33,6 +33,11 @@ pub(super) struct SolutionDocument<'a> {
     modes: &'a [Mode],
     /// The proof that no mode is missing.
     certificate: Certificate,
+    /// At which frequency the floating platform has its added mass: `own` (each mode at its own),
+    /// `infinite`, `zero`, or `hz` with the frequency; absent if its added mass does not depend on
+    /// frequency.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    added_mass: Option<AddedMassAt>,
     /// The buckling load factor: the factor on gravity at which the tower buckles; null without
     /// gravity, or where the tower floats.
     buckling_load_factor: Option<f64>,
@@ -124,6 +129,7 @@ impl<'a> SolutionDocument<'a> {
             },
             modes: &solution.modes,
             certificate: solution.certificate,
+            added_mass: solution.added_mass,
             buckling_load_factor: solution.buckling_load_factor,
             effective_mass_shares: solution.effective_mass_shares(),
             sensitivities: None,

@@ -546,6 +546,7 @@ tables! {
         required "inertia" Table "kg m2" "about the centre of mass";
         optional "added_mass_height" Number "m" "of the reference point of the matrix";
         optional "added_mass" Matrix "kg, kg m, kg m2" "x, y, z, rotation about x, y, z";
+        optional "added_mass_by_frequency" Rows "" "angular frequency in rad/s from 0 to inf, upper triangle of the matrix row by row (21 numbers)";
         optional "hydrostatic_height" Number "m" "of the reference point of the matrix";
         optional "hydrostatic" Matrix "N/m, N, N m" "of water plane and buoyancy";
         optional "mooring_height" Number "m" "of the reference point of the matrix";

@@ -14,11 +14,20 @@ pub fn completeness(certificate: &Certificate, listed: usize) -> String {
         true => " except for the other mode of the last pair",
         false => "",
     };
+    let outside = outside(certificate);
     format!(
-        "complete{except}: exactly {} below {} Hz",
+        "complete{outside}{except}: exactly {} below {} Hz",
         counted(certificate.count, "mode"),
         four_digits(certificate.below_hz)
     )
+}
+
+/// " outside 0.1639 to 0.1767 Hz" where added mass by frequency leaves an interval uncertain.
+fn outside(certificate: &Certificate) -> String {
+    certificate.uncertain_hz.map_or_else(String::new, |ends| {
+        let [from, to] = ends.map(four_digits);
+        format!(" outside {from} to {to} Hz")
+    })
 }
 
 /// The certificate as a report explains it: the theorem, the count, and the conclusion.
@@ -36,8 +45,9 @@ pub fn proof_of_completeness(certificate: &Certificate, listed: usize) -> String
     };
     format!(
         "The number of negative pivots of K − ω²M (Sylvester's law of inertia) proves that the computed model has exactly {count} below {} Hz; \
-         {all}. No mode in this range is missing.",
-        digits(certificate.below_hz, 6)
+         {all}. No mode in this range{} is missing.",
+        digits(certificate.below_hz, 6),
+        outside(certificate)
     )
 }
 
@@ -53,9 +63,16 @@ mod tests {
             complete: true,
             count: 9,
             below_hz: 8.3234,
+            uncertain_hz: None,
         };
         let all = "complete: exactly 9 modes below 8.323 Hz";
         assert_eq!(completeness(&certificate, 9), all);
+        let uncertain = Certificate {
+            uncertain_hz: Some([0.16391, 0.17672]),
+            ..certificate
+        };
+        let outside = "complete outside 0.1639 to 0.1767 Hz: exactly 9 modes below 8.323 Hz";
+        assert_eq!(completeness(&uncertain, 9), outside);
         let cut =
             "complete except for the other mode of the last pair: exactly 9 modes below 8.323 Hz";
         assert_eq!(completeness(&certificate, 8), cut);

@@ -4,7 +4,7 @@ use std::fmt::{self, Write};
 use std::ops::Range;
 use std::str::FromStr;
 
-use towermodes::Options;
+use towermodes::{AddedMassAt, Options};
 use towermodes_files::{Correlation, Distribution, Sampling, Varied, write_toml};
 
 use crate::digest::Digest;
@@ -154,13 +154,18 @@ fn text_of_options(sweep: &Sweep) -> String {
         heights_m,
         rotary_inertia,
         hinge_position,
+        added_mass,
         energy_parts,
         limits,
     } = sweep.options();
+    let water = match added_mass {
+        AddedMassAt::Own => String::new(),
+        other => format!(" {other}"),
+    };
     let names: Vec<String> = sweep.modes().iter().map(ToString::to_string).collect();
     format!(
         "{} {segments:?} {borders_m:?} {degree:?} {modes} {points} {heights_m:?} {rotary_inertia} \
-         {hinge_position:?} {energy_parts} {limits} {} {}",
+         {hinge_position:?} {energy_parts} {limits} {} {}{water}",
         method.name(),
         names.join(","),
         sweep.has_inputs()

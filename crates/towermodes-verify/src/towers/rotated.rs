@@ -1,10 +1,12 @@
 //! A tower turned about its axis.
 
+use std::sync::Arc;
 use towermodes::frame::{Frame, FrameFoundation, JointKind};
 use towermodes::space::SpatialMatrix;
+
 use towermodes::{
-    FloatingPlatform, Foundation, FoundationSprings, Inertia, ReferredMatrix, RigidBody,
-    StiffnessFoundation, Support, TowerDescription,
+    AddedMassTable, FloatingPlatform, Foundation, FoundationSprings, Inertia, ReferredMatrix,
+    RigidBody, StiffnessFoundation, Support, TowerDescription,
 };
 
 /// A 3×3 matrix.
@@ -132,6 +134,9 @@ impl Turn {
             center_m: self.vector(platform.center_m),
             inertia_kg_m2: self.inertia(&platform.inertia_kg_m2),
             added_mass: referred(&platform.added_mass),
+            added_mass_by_frequency: platform.added_mass_by_frequency.as_ref().map(|table| {
+                Arc::new(AddedMassTable::clone(table).map(|matrix| self.matrix(matrix)))
+            }),
             hydrostatic: referred(&platform.hydrostatic),
             mooring: referred(&platform.mooring),
             mooring_lines: None,

@@ -9,6 +9,7 @@
 //! another structure, `weightless` where gravity would give it one, `finer` on a finer mesh where
 //! that of the frequencies is too coarse for the derivatives.
 
+mod by_frequency;
 mod error;
 mod finer;
 mod held;
@@ -127,6 +128,20 @@ impl Solver {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn sensitivities(
+        &mut self,
+        description: &TowerDescription,
+        changes: &[Change],
+    ) -> Result<Sensitivities, SensitivityError> {
+        let fixed = self.options.added_mass.fixed();
+        match by_frequency::held(description, fixed.unwrap_or_default()) {
+            None => self.of_constant(description, changes),
+            Some(held) if fixed.is_some() => self.of_constant(&held, changes),
+            Some(_) => by_frequency::sensitivities(description, changes, self),
+        }
+    }
+
+    /// The same where the added mass is constant.
+    fn of_constant(
         &mut self,
         description: &TowerDescription,
         changes: &[Change],

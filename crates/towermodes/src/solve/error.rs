@@ -99,6 +99,12 @@ pub enum SolveError {
         /// The number requested.
         points: usize,
     },
+    /// Added mass at no frequency.
+    #[error("the frequency of the added mass is {hz} Hz; it must be 0 or positive")]
+    AddedMassAt {
+        /// The frequency requested, Hz.
+        hz: f64,
+    },
     /// Hinges that are not inside the halves of a segment.
     #[error(
         "the hinge position is {position}; it must be greater than 0 and less than 0.5 (the middle of the segment)"

@@ -5,6 +5,7 @@
 //! [`Solver`], whose methods are in `tower`, `certain`, `until`, `without_shapes` and `blade`.
 
 mod blade;
+mod by_frequency;
 mod certain;
 mod error;
 mod errors;
@@ -20,10 +21,12 @@ mod without_shapes;
 mod workspace;
 
 pub use blade::{BladeFamily, BladeMode, BladeSolution};
+pub(crate) use by_frequency::slopes;
 pub use error::SolveError;
 pub(crate) use frozen::FrozenModes;
 pub use on_mesh::spectrum::ModeKey;
 pub use progress::{Progress, Stage};
+pub use request::added_mass::AddedMassAt;
 pub use request::limits::{
     DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_BYTES, MAX_DEGREE, MAX_POINTS,
     MAX_SECONDS, MAX_SEGMENTS, MAX_SPECTRAL_ELEMENTS,

@@ -1,5 +1,6 @@
 //! The front door for towers.
 
+use super::by_frequency;
 use super::error::SolveError;
 use super::errors::estimate::{Estimates, estimate_errors, other_segments};
 use super::errors::p_refinement;
@@ -53,10 +54,20 @@ impl Solver {
         let Self { options, workspace } = self;
         options.check()?;
         workspace.model.monitor.restart();
-        match options.method.converges_by_degree() {
-            true => p_refinement::solve(tower, options, workspace),
-            false => solve_segments(tower, options, workspace),
+        let solve =
+            |tower: &Tower, workspace: &mut Workspace| match options.method.converges_by_degree() {
+                true => p_refinement::solve(tower, options, workspace),
+                false => solve_segments(tower, options, workspace),
+            };
+        if !tower.has_added_mass_by_frequency() {
+            return solve(tower, workspace);
         }
+        let mut solution = match options.added_mass.fixed() {
+            Some(frequency) => solve(&tower.with_added_mass_at(frequency), workspace),
+            None => by_frequency::solve(tower, options, workspace, solve),
+        }?;
+        solution.added_mass = Some(options.added_mass);
+        Ok(solution)
     }
 }
 

@@ -1,5 +1,6 @@
 //! Frequencies without shapes, for many towers one after the other.
 
+use super::by_frequency;
 use super::error::SolveError;
 use super::errors::estimate::estimate_errors;
 use super::errors::p_refinement;
@@ -66,9 +67,17 @@ pub(super) fn solve_keeping_vectors(
     let options = &options.without_shapes();
     options.check()?;
     workspace.model.monitor.restart();
-    match options.method.converges_by_degree() {
-        true => p_refinement::solve_frequencies(tower, options, workspace),
-        false => solve_segments(tower, options, workspace, vectors),
+    let mut solve =
+        |tower: &Tower, workspace: &mut Workspace| match options.method.converges_by_degree() {
+            true => p_refinement::solve_frequencies(tower, options, workspace),
+            false => solve_segments(tower, options, workspace, vectors),
+        };
+    if !tower.has_added_mass_by_frequency() {
+        return solve(tower, workspace);
+    }
+    match options.added_mass.fixed() {
+        Some(frequency) => solve(&tower.with_added_mass_at(frequency), workspace),
+        None => by_frequency::frequencies(tower, options, workspace, solve),
     }
 }
 

@@ -1,17 +1,19 @@
 //! The foundation of a tower as its user describes it.
 
 use std::borrow::{Borrow, BorrowMut};
+use std::sync::Arc;
 
 use super::closed_form::{
     CircularFooting, ClosedForm, HalfSpace, Monopile, RectangularFooting, SuctionCaisson,
     WinklerPile,
 };
 use super::frame::FrameFoundation;
+use super::parts::added_mass::AddedMassTable;
 use super::parts::foundation_springs::FoundationSprings;
 use super::parts::inertia::Inertia;
 use super::parts::mooring_lines::MooringLines;
 use crate::inputs::Inputs;
-use crate::space::SpatialMatrix;
+use crate::space::{SpatialMatrix, add_scaled};
 
 /// The support of the lowest station.
 ///
@@ -150,6 +152,18 @@ impl Foundation {
         }
     }
 
+    /// The floating platform, if it is one.
+    pub fn platform(&self) -> Option<&FloatingPlatform> {
+        match self.support() {
+            Support::Floating(platform) => Some(platform),
+            Support::Clamped
+            | Support::Stiffness(_)
+            | Support::Springs(_)
+            | Support::Frame(_)
+            | Support::Form(_) => None,
+        }
+    }
+
     /// The stiffness that follows from the dimensions and the soil of a foundation that is given by
     /// these, as in [`StiffnessFoundation`]; none for the others.
     pub fn derived_stiffness(&self) -> Option<SpatialMatrix> {
@@ -216,6 +230,8 @@ pub struct FloatingPlatform {
     pub inertia_kg_m2: Inertia,
     /// Hydrodynamic added mass: kg, kg m, kg m².
     pub added_mass: ReferredMatrix,
+    /// Added mass that depends on frequency, beside the constant one and about the same point.
+    pub added_mass_by_frequency: Option<Arc<AddedMassTable>>,
     /// Hydrostatic stiffness of water plane and buoyancy: N/m, N, N m. The gravity part
     /// is that of gravity.
     pub hydrostatic: ReferredMatrix,
@@ -223,4 +239,25 @@ pub struct FloatingPlatform {
     pub mooring: ReferredMatrix,
     /// Mooring lines, whose stiffness is added to the matrix.
     pub mooring_lines: Option<Box<MooringLines>>,
+}
+
+impl FloatingPlatform {
+    /// The added mass at an angular frequency (rad/s), constant or not.
+    pub fn added_mass_at(&self, frequency: f64) -> ReferredMatrix {
+        let mut added = self.added_mass;
+        if let Some(table) = &self.added_mass_by_frequency {
+            add_scaled(&mut added.matrix, 1.0, &table.at(frequency));
+        }
+        added
+    }
+
+    /// The same platform with the constant added mass that it has at an angular frequency (rad/s).
+    #[must_use]
+    pub fn with_added_mass_at(&self, frequency: f64) -> Self {
+        Self {
+            added_mass: self.added_mass_at(frequency),
+            added_mass_by_frequency: None,
+            ..self.clone()
+        }
+    }
 }

@@ -14,6 +14,7 @@ use super::pieces::piece;
 use super::pieces::piece::{Piece, Rows};
 use super::pieces::weight::Above;
 use super::plausibility::{self, Given, rotor_plausibility};
+use super::support::added_mass::InertiaByFrequency;
 use super::support::base::Base;
 use super::support::independent;
 use super::support::independent::{Motion, Motions};
@@ -79,11 +80,18 @@ impl Tower {
         let mass_kg = above.tower_kg + masses.map(|m| m.mass_kg).sum::<f64>();
         let carried_kg = mass_kg + description.rna.mass_kg;
         let base = Base::new(&description.foundation, base_m, carried_kg);
+        let platform = description.foundation.platform();
+        let inertia_by_frequency = platform
+            .and_then(|platform| InertiaByFrequency::of(platform, base_m))
+            .map(Box::new);
+        let by_frequency = inertia_by_frequency.iter();
+        let by_frequency = by_frequency.flat_map(|by_frequency| by_frequency.matrices());
         let of_base = [&base.stiffness, &base.inertia];
         let matrices = attachments
             .iter()
             .flat_map(Attachment::matrices)
-            .chain(of_base);
+            .chain(of_base)
+            .chain(by_frequency);
         let planes_are_equal = pieces.iter().all(Piece::planes_are_equal)
             && base.moves[0] == base.moves[1]
             && base.moves[3] == base.moves[4]
@@ -108,6 +116,7 @@ impl Tower {
             pieces,
             attachments,
             base,
+            inertia_by_frequency,
             gravity_m_per_s2: description.gravity_m_per_s2,
             rotor: description.rotor.take(),
             above,

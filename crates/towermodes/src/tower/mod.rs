@@ -31,6 +31,7 @@ pub use ground::{
 };
 pub use model::Tower;
 pub use name::{is_printable, printable};
+pub use parts::added_mass::AddedMassTable;
 pub use parts::damping::{Damping, LossFactors, RotorAerodynamics};
 pub use parts::drivetrain::Drivetrain;
 pub use parts::foundation_springs::FoundationSprings;

@@ -8,8 +8,10 @@ use super::parts::rotor::Rotor;
 use super::pieces::integrals::weight_integrals;
 use super::pieces::piece::Piece;
 use super::pieces::weight::Above;
+use super::support::added_mass::InertiaByFrequency;
 use super::support::base::Base;
 use super::support::independent::{Motion, Motions};
+use crate::space::SpatialMatrix;
 use crate::tower::Warning;
 
 /// A valid tower: every property is finite and positive, every wall fits its tube, and the tower is
@@ -27,6 +29,7 @@ pub struct Tower {
     pub(super) point_masses: Vec<PointMass>,
     pub(super) attachments: Vec<Attachment>,
     pub(super) base: Base,
+    pub(super) inertia_by_frequency: Option<Box<InertiaByFrequency>>,
     pub(super) gravity_m_per_s2: f64,
     pub(super) rotor: Option<Rotor>,
     pub(super) above: Above,
@@ -250,5 +253,34 @@ impl Tower {
     /// Possible input mistakes.
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
+    }
+
+    /// The added mass of the platform by frequency, with the inertia of the base; none if it does
+    /// not depend on frequency.
+    pub(crate) fn inertia_by_frequency(&self) -> Option<&InertiaByFrequency> {
+        self.inertia_by_frequency.as_deref()
+    }
+
+    /// Whether the added mass of its platform depends on frequency.
+    pub fn has_added_mass_by_frequency(&self) -> bool {
+        self.inertia_by_frequency.is_some()
+    }
+
+    /// The same tower on a platform with the constant added mass that it has at an angular
+    /// frequency (rad/s); the same tower if it depends on no frequency.
+    #[must_use]
+    pub fn with_added_mass_at(&self, frequency: f64) -> Self {
+        match &self.inertia_by_frequency {
+            Some(by_frequency) => self.with_base_inertia(by_frequency.at(frequency)),
+            None => self.clone(),
+        }
+    }
+
+    /// The same tower with a constant inertia of its base.
+    pub(crate) fn with_base_inertia(&self, inertia: SpatialMatrix) -> Self {
+        let mut tower = self.clone();
+        tower.inertia_by_frequency = None;
+        tower.base.inertia = inertia;
+        tower
     }
 }

@@ -444,6 +444,17 @@ pub enum Warning {
         /// Where the list was certified to end, Hz.
         below_hz: f64,
     },
+    /// Added mass that decreases with frequency so fast that the count of modes proves nothing.
+    #[error(
+        "the list of modes is proved complete outside {:.4} to {:.4} Hz only: there the added mass decreases so fast with frequency that a mode may appear twice",
+        Plain(*.from_hz), Plain(*.to_hz)
+    )]
+    UncertainAddedMass {
+        /// Where the interval begins, Hz.
+        from_hz: f64,
+        /// Where it ends, Hz.
+        to_hz: f64,
+    },
     /// Modes of the reference solution that a method does not have.
     #[error(
         "{} with {segments} segments has no mode that corresponds to {missing} of the reference modes below {} Hz; use more segments, or the method does not model the effect that causes the mode",
@@ -589,6 +600,7 @@ impl Warning {
             | Self::CutPair { .. }
             | Self::MoreSegments { .. }
             | Self::UncertainEnd { .. }
+            | Self::UncertainAddedMass { .. }
             | Self::NotFound { .. }
             | Self::ShearLeftOut
             | Self::VergeOfBuckling { .. }

@@ -86,6 +86,7 @@ impl Platform {
             center_m: [0.0, 0.0, 0.0 - offshore.cm_depth_m.value],
             inertia_kg_m2: Inertia::from_tensor(self.inertia),
             added_mass: referred(self.added_mass),
+            added_mass_by_frequency: None,
             hydrostatic: referred(self.hydrostatic),
             mooring: referred(self.mooring),
             mooring_lines: None,

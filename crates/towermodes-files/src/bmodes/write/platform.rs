@@ -91,6 +91,12 @@ fn floating(
     ends: Ends,
     notes: &mut Vec<Note>,
 ) -> Platform {
+    if platform.added_mass_by_frequency.is_some() {
+        notes.push(Note::left_out(
+            "BModes has no added mass by frequency: that at infinite frequency is written",
+        ));
+    }
+    let platform = &platform.with_added_mass_at(f64::INFINITY);
     let (reference_m, matrices) = about_one_point(platform, notes);
     let [hydro_stiffness, mooring, mut hydro_mass] = matrices;
     add_offset_of_center(&mut hydro_mass, platform, reference_m, notes);

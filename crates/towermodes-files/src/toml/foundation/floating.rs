@@ -7,6 +7,7 @@ use super::super::tables::matrix::matrix;
 use super::super::text::reading::Reading;
 use super::super::text::table::Table;
 use super::super::text::values::{number, number_or_infinity};
+use super::added_mass;
 use super::{Kind, Read, at};
 use crate::toml::schema;
 
@@ -30,8 +31,20 @@ fn read(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {
     let inertia = table
         .require("inertia", hint, reading)
         .and_then(|value| inertia(value, &["xx", "yy", "zz"], at("inertia"), reading));
+    let by_frequency = match table.get(added_mass::KEY) {
+        Some(value) => added_mass::table(value, reading).map(Some),
+        None => Some(None),
+    };
+    let added_mass = match by_frequency {
+        Some(Some(_)) if table.get("added_mass").is_none() => {
+            about(table, "added_mass_height", reading).map(|height_m| ReferredMatrix {
+                height_m,
+                ..ReferredMatrix::default()
+            })
+        }
+        _ => referred(table, "added_mass", "added_mass_height", reading),
+    };
     let mut referred = |key, height_key| referred(table, key, height_key, reading);
-    let added_mass = referred("added_mass", "added_mass_height");
     let hydrostatic = referred("hydrostatic", "hydrostatic_height");
     let mooring = referred("mooring", "mooring_height");
     Some(Foundation::Floating(Box::new(FloatingPlatform {
@@ -39,6 +52,7 @@ fn read(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {
         center_m: center?,
         inertia_kg_m2: inertia?,
         added_mass: added_mass?,
+        added_mass_by_frequency: by_frequency?,
         hydrostatic: hydrostatic?,
         mooring: mooring?,
         mooring_lines: None,
@@ -58,14 +72,18 @@ fn referred(
     reading.remember(at(key), value.span());
     // The checks of the tower explain infinity.
     let matrix = matrix(value, key, reading, number_or_infinity);
-    let hint = "height in m, in the datum of the stations, of the reference point of the matrix";
-    let height = table
-        .require(height_key, hint, reading)
-        .and_then(|value| number(value, height_key, reading));
+    let height = about(table, height_key, reading);
     Some(ReferredMatrix {
         matrix: matrix?,
         height_m: height?,
     })
+}
+
+/// The height of the point that a matrix is about, m.
+fn about(table: &Table<'_>, height_key: &str, reading: &mut Reading) -> Option<f64> {
+    let hint = "height in m, in the datum of the stations, of the reference point of the matrix";
+    let value = table.require(height_key, hint, reading)?;
+    number(value, height_key, reading)
 }
 
 fn without_matrix(

@@ -1,6 +1,7 @@
 //! `[foundation]`: its type, and which keys belong to which. The values of a foundation by closed
 //! form are described beside its fields.
 
+mod added_mass;
 mod floating;
 mod springs;
 mod stiffness;

@@ -2,7 +2,8 @@
 
 use towermodes::space::SpatialMatrix;
 use towermodes::{
-    FloatingPlatform, ReferredMatrix, StiffnessFoundation, Support, TowerDescription,
+    AddedMassTable, FloatingPlatform, ReferredMatrix, StiffnessFoundation, Support,
+    TowerDescription,
 };
 
 use super::bodies::inertia_with;
@@ -70,9 +71,41 @@ fn floating(platform: &FloatingPlatform, writing: &mut Writing) {
         ("mooring", &platform.mooring),
     ];
     for (key, referred) in matrices {
-        if *referred != ReferredMatrix::default() {
+        let table = platform.added_mass_by_frequency.as_deref();
+        let table = table.filter(|_| key == "added_mass");
+        if let Some(table) = table {
+            writing.number("added_mass_height", referred.height_m);
+            by_frequency(table, writing);
+            if referred.matrix != NONE {
+                matrix(key, &referred.matrix, writing);
+            }
+        } else if *referred != ReferredMatrix::default() {
             writing.number(&format!("{key}_height"), referred.height_m);
             matrix(key, &referred.matrix, writing);
         }
     }
+}
+
+/// A row for each frequency with the entries on and above the diagonal.
+fn by_frequency(table: &AddedMassTable, writing: &mut Writing) {
+    let row = |frequency: f64, matrix: &SpatialMatrix| -> [f64; 22] {
+        let places = (0..6).flat_map(|i| (i..6).map(move |j| (i, j)));
+        let entries = places.map(|(i, j)| 0.5 * (matrix[i][j] + matrix[j][i]));
+        let mut values = [frequency; 22];
+        for (value, entry) in values[1..].iter_mut().zip(entries) {
+            *value = entry;
+        }
+        values
+    };
+    let mut rows = vec![row(0.0, &table.zero)];
+    rows.extend(
+        table
+            .rows
+            .iter()
+            .map(|(frequency, matrix)| row(*frequency, matrix)),
+    );
+    rows.push(row(f64::INFINITY, &table.infinite));
+    writing.open_rows("added_mass_by_frequency");
+    writing.number_rows(&rows, 22);
+    writing.line("]");
 }

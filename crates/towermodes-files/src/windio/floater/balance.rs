@@ -90,6 +90,7 @@ pub(crate) fn float(
     note_strips(node, reading);
     let whole = RigidBody::combined(&[hull.steel, hull.fixed, others, ballast]);
     Ok(Some(FloatingPlatform {
+        added_mass_by_frequency: None,
         mass_kg: whole.mass_kg,
         center_m: whole.center_m,
         inertia_kg_m2: whole.inertia_kg_m2,

@@ -41,7 +41,9 @@ pub(crate) fn solve(
     }
     let mesh = &solved.cut.mesh;
     let warnings = warnings(tower, mesh, options, &result);
-    Ok(result.into_solution(options, mesh.segments(), warnings, statistics))
+    let solution = result.into_solution(options, mesh.segments(), warnings, statistics);
+    workspace.spectral_cut = Some(solved.cut);
+    Ok(solution)
 }
 
 /// The same without shapes: the frequencies are in the workspace.
@@ -58,6 +60,16 @@ pub(crate) fn solve_frequencies(
     }
     workspace.spectral_cut = Some(solved.cut);
     Ok(())
+}
+
+/// The modes and the cut that they have converged on.
+pub(crate) fn lowest(
+    tower: &Tower,
+    options: &Options,
+    workspace: &mut Workspace,
+) -> Result<(Cut, Vec<Found>), SolveError> {
+    let (solved, _) = refine(tower, options, workspace)?;
+    Ok((solved.cut, solved.found))
 }
 
 /// The modes on the last cut; the spectrum and the model of the workspace are those of this cut.

@@ -36,6 +36,8 @@ pub(crate) enum Wanted {
 #[derive(Debug, Default)]
 pub(crate) struct Naming {
     pub(crate) identities: Vec<Identity>,
+    /// The shares of the first modes where they are known from elsewhere.
+    pub(crate) known: Vec<Shares>,
     forces: Vec<ModalForces>,
 }
 
@@ -48,7 +50,11 @@ pub(crate) fn identify(
     (found, wanted): (&[Found], Wanted),
     naming: &mut Naming,
 ) {
-    let Naming { identities, forces } = naming;
+    let Naming {
+        identities,
+        known,
+        forces,
+    } = naming;
     let floats = tower.base().floats;
     let all = floats || wanted == Wanted::All;
     set_modal_forces(model, spectrum, found, all, forces);
@@ -56,8 +62,9 @@ pub(crate) fn identify(
     let body = floats.then(|| RigidTower::new(&inertia()));
     let mut arrears = Arrears::new(Family::ALL.map(Family::is_rigid), TIE);
     identities.clear();
-    for (found, forces) in found.iter().zip(forces) {
-        identities.push(identity(model, found, forces, body.as_ref(), &mut arrears));
+    for (index, (found, forces)) in found.iter().zip(forces).enumerate() {
+        let body = (body.as_ref(), known.get(index));
+        identities.push(identity(model, found, forces, body, &mut arrears));
     }
 }
 
@@ -91,12 +98,12 @@ fn motions_of(model: &Model, key: ModeKey) -> Motions {
     }
 }
 
-/// The identity of the next mode of a list.
+/// The identity of the next mode of a list, whose shares may be known.
 fn identity(
     model: &Model,
     found: &Found,
     forces: &ModalForces,
-    body: Option<&RigidTower>,
+    (body, known): (Option<&RigidTower>, Option<&Shares>),
     arrears: &mut Arrears<FAMILIES>,
 ) -> Identity {
     let kinetic = forces.kinetic.shares();
@@ -131,6 +138,7 @@ fn identity(
         Some([kinetic, strain]) => shares.with_local(0.5 * (kinetic + strain)),
         None => shares,
     };
+    let shares = known.copied().unwrap_or(shares);
     let is_on_frame = forces.local.is_some();
     let (family, order) = name((motions, is_on_frame), &shares, body.is_some(), arrears);
     let effective_mass = forces.force.map(|force| force * force * from_origin);

@@ -141,6 +141,7 @@ impl Described {
             error_basis: ErrorBasis::default(),
             rigid_inertia: self.rigid_inertia,
             buckling_load_factor: self.buckling_load_factor,
+            added_mass: None,
             warnings,
             statistics,
         }

@@ -7,7 +7,7 @@ use crate::eigen::{
 };
 
 /// Relative distances above the last mode at which completeness is certified, widest first.
-const MARGINS: [f64; 7] = [0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-6, REPEATED];
+pub(crate) const MARGINS: [f64; 7] = [0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-6, REPEATED];
 /// Eigenvalues closer than this, relatively, count as repeated: two planes of different inertia can
 /// cross as near as that.
 const REPEATED: f64 = 1e-9;

@@ -1,6 +1,7 @@
 //! How to solve a tower.
 
 use super::super::error::SolveError;
+use super::added_mass::AddedMassAt;
 use super::checks::check_modes;
 use super::limits::{DEFAULT_MODES, DEFAULT_POINTS, MAX_BYTES, MAX_DEGREE, MAX_POINTS};
 use crate::Method;
@@ -47,6 +48,8 @@ pub struct Options {
     /// Position of the hinges of [`Method::Cardanic`], as a fraction k of the segment from each
     /// end, 0 < k < 1/2; (1 − 1/√3)/2 by default.
     pub hinge_position: f64,
+    /// At which frequency a floating platform has the added mass that depends on frequency.
+    pub added_mass: AddedMassAt,
     /// Whether modes have their energy by the parts of the tower:
     /// [`Mode::energy_parts`](crate::Mode::energy_parts).
     pub energy_parts: bool,
@@ -67,6 +70,7 @@ impl Default for Options {
             heights_m: Vec::new(),
             rotary_inertia: true,
             hinge_position: GAUSS_HINGE_POSITION,
+            added_mass: AddedMassAt::default(),
             energy_parts: false,
             limits: true,
         }
@@ -87,6 +91,7 @@ impl Options {
     /// Refuses options that are impossible for any tower.
     pub(crate) fn check(&self) -> Result<(), SolveError> {
         check_modes(self.modes)?;
+        self.added_mass.check()?;
         if let Some(degree) = self
             .degree
             .filter(|degree| !(2..=MAX_DEGREE).contains(degree))

@@ -2,6 +2,7 @@
 
 use super::super::on_mesh::naming::Identity;
 use super::super::on_mesh::spectrum::{Found, ModeKey, Proof};
+use super::super::request::added_mass::AddedMassAt;
 use crate::Method;
 use crate::eigen::Statistics;
 use crate::modes::{
@@ -223,14 +224,20 @@ impl Mode {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Certificate {
-    /// Whether the inertia count and the list agree; a solution that is not complete is never
-    /// returned.
+    /// Whether the inertia count and the list agree, and no mode is missing anywhere. A solution
+    /// that is not complete is returned only if the added mass depends on frequency and leaves an
+    /// interval [uncertain](Self::uncertain_hz).
     pub complete: bool,
     /// Number of modes below `below_hz` by the inertia count: the number of listed modes, or more
     /// if the number asked for cuts a repeated pair.
     pub count: usize,
     /// A frequency in the gap above the last mode, Hz.
     pub below_hz: f64,
+    /// The interval of frequency, Hz, in which there may be other modes: the added mass decreases
+    /// there so fast that the count of modes need not rise with frequency. Outside of it the list
+    /// is complete.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub uncertain_hz: Option<[f64; 2]>,
 }
 
 impl Certificate {
@@ -239,6 +246,7 @@ impl Certificate {
             complete: true,
             count: proof.count,
             below_hz: proof.below.max(0.0).sqrt() / std::f64::consts::TAU,
+            uncertain_hz: None,
         }
     }
 }
@@ -284,6 +292,9 @@ pub struct Solution {
     /// The factor by which self-weight must be multiplied for the tower to buckle; none without
     /// gravity, or where it floats.
     pub buckling_load_factor: Option<f64>,
+    /// At which frequency the platform has its added mass; none where that does not depend on
+    /// frequency.
+    pub added_mass: Option<AddedMassAt>,
     /// Possible input mistakes, and limits of the results.
     pub warnings: Vec<Warning>,
     /// Number of products and restarts.

@@ -74,6 +74,9 @@ impl Problem {
             Self::LossFactor { .. } => {
                 "a loss factor is twice the damping ratio, as a fraction and not in percent: 0.004 for a damping ratio of 0.2 %"
             }
+            Self::AddedMassFrequencies { .. } => {
+                "list the rows by rising angular frequency, each frequency once"
+            }
             Self::InfiniteAndFloating { .. } => {
                 "write finite stiffnesses, or use type = \"springs\", where inf is allowed"
             }

@@ -299,6 +299,19 @@ pub enum Problem {
         /// What to do about it; may be empty.
         remedy: &'static str,
     },
+    /// Rows of added mass by frequency that do not rise from above zero.
+    #[error(
+        "row {row} of the added mass by frequency is at {} rad/s; it must be finite and above {} rad/s, that of the row before it",
+        Plain(*.frequency), Plain(*.before)
+    )]
+    AddedMassFrequencies {
+        /// Which row, from 1; that of frequency zero is not counted.
+        row: usize,
+        /// Its angular frequency, rad/s.
+        frequency: f64,
+        /// That of the row before it, rad/s.
+        before: f64,
+    },
     /// An infinite stiffness for a floating platform.
     #[error(
         "the {what} has an infinite entry, but a floating platform cannot be rigidly supported"

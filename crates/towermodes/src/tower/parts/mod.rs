@@ -1,6 +1,7 @@
 //! What a tower is described by: materials, properties of sections, bodies, rotor, surroundings,
 //! damping.
 
+pub(super) mod added_mass;
 pub(super) mod damping;
 pub(super) mod drivetrain;
 pub(super) mod foundation_springs;

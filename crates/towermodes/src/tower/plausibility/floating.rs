@@ -97,7 +97,7 @@ fn body(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>)
 /// moorings.
 fn frequencies(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>) {
     let mass_kg = tower.mass_kg() + tower.rna().mass_kg + platform.mass_kg;
-    let added = &platform.added_mass.matrix;
+    let added = &platform.added_mass_at(0.0).matrix;
     let (water, mooring) = (&platform.hydrostatic.matrix, &platform.mooring.matrix);
     let heave = water[2][2] + mooring[2][2];
     if heave > 0.0 {

@@ -16,7 +16,8 @@ pub struct Base {
     pub units: [f64; 6],
     /// Stiffness to the ground: N/m, N, N m; zero for motions that are rigidly held.
     pub stiffness: SpatialMatrix,
-    /// Inertia that moves with it: kg, kg m, kg m².
+    /// Inertia that moves with it: kg, kg m, kg m²; with the added mass at infinite frequency where
+    /// that depends on frequency.
     pub inertia: SpatialMatrix,
     /// Moment of the platform's and the tower's mass about the point that the hydrostatic stiffness
     /// is about, kg m: times g the negative geometric stiffness against rotation about x and y;
@@ -71,7 +72,7 @@ impl Base {
 
     /// The weights turn over about the point that the hydrostatic stiffness is about: only about
     /// that point, where buoyancy and weights are in balance, do its entries and theirs add up.
-    fn afloat(platform: &FloatingPlatform, base_m: f64, mass_kg: f64) -> Self {
+    pub(super) fn afloat(platform: &FloatingPlatform, base_m: f64, mass_kg: f64) -> Self {
         // The lines were checked; a neighbour beyond the last that they can reach has none.
         let platform = &platform
             .with_linear_moorings()
@@ -90,6 +91,13 @@ impl Base {
             add_scaled(sum, 1.0, &matrix);
         };
         add(&mut base.inertia, &platform.added_mass);
+        if let Some(table) = &platform.added_mass_by_frequency {
+            let infinite = ReferredMatrix {
+                matrix: table.infinite,
+                height_m: platform.added_mass.height_m,
+            };
+            add(&mut base.inertia, &infinite);
+        }
         add(&mut base.stiffness, &platform.hydrostatic);
         add(&mut base.stiffness, &platform.mooring);
         let pivot_m = platform.hydrostatic.height_m;
@@ -110,6 +118,6 @@ fn on_springs(mut stiffness: SpatialMatrix) -> StiffnessFoundation {
 }
 
 /// (A + Aᵀ)/2.
-fn symmetrized(matrix: &SpatialMatrix) -> SpatialMatrix {
+pub(super) fn symmetrized(matrix: &SpatialMatrix) -> SpatialMatrix {
     std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (matrix[i][j] + matrix[j][i])))
 }

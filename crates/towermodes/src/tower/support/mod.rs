@@ -1,5 +1,6 @@
 //! What holds a tower, and the motions that are left to it.
 
+pub(crate) mod added_mass;
 pub(super) mod base;
 pub(super) mod independent;
 mod moored;

@@ -19,7 +19,12 @@ impl FloatingPlatform {
         let mooring = lines.mooring()?;
         let state = mooring.at(&Pose::default())?;
         platform.mooring.add(&state.load.stiffness, height_m);
-        platform.added_mass.add(&mooring.platform_mass(), height_m);
+        let carried = mooring.platform_mass();
+        match &platform.added_mass_by_frequency {
+            None => platform.added_mass.add(&carried, height_m),
+            // The table is about the height of the matrix, even of one of zeros.
+            Some(_) => platform.added_mass.add_moved(&carried, height_m),
+        }
         Ok(platform)
     }
 }
@@ -33,6 +38,11 @@ impl ReferredMatrix {
         if self.matrix == [[0.0; 6]; 6] {
             self.height_m = height_m;
         }
+        self.add_moved(matrix, height_m);
+    }
+
+    /// Adds a matrix about another height, m, and keeps its own.
+    fn add_moved(&mut self, matrix: &SpatialMatrix, height_m: f64) {
         let mut moved = *matrix;
         if height_m != self.height_m {
             transform_matrix(&mut moved, height_m - self.height_m);

@@ -14,6 +14,7 @@ use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
 use crate::tower::foundation::{FloatingPlatform, Foundation, StiffnessFoundation, Support};
 use crate::tower::frame::{FrameFoundation, FramePart};
+use crate::tower::parts::added_mass::AddedMassTable;
 
 /// Entries of a stiffness that should be equal may differ by this fraction of their diagonal
 /// entries: they are often printed rounded.
@@ -126,10 +127,48 @@ fn check_platform(platform: &FloatingPlatform) -> Result<(), TowerError> {
     if let Some(lines) = &platform.mooring_lines {
         check_lines(lines)?;
     }
-    let foundation = Foundation::Floating(Box::new(platform.clone()));
-    let what = "mass of the platform with its added mass";
-    let base = Base::new(&foundation, platform.center_m[2], 0.0);
-    check_not_indefinite("added_mass", what, &base.inertia)
+    if let Some(table) = &platform.added_mass_by_frequency {
+        check_table(table)?;
+    }
+    let (key, frequencies): (_, &[f64]) = match platform.added_mass_by_frequency {
+        Some(_) => (BY_FREQUENCY, &[0.0, f64::INFINITY]),
+        None => ("added_mass", &[0.0]),
+    };
+    for &frequency in frequencies {
+        let held = Foundation::Floating(Box::new(platform.with_added_mass_at(frequency)));
+        let what = "mass of the platform with its added mass";
+        let base = Base::new(&held, platform.center_m[2], 0.0);
+        check_not_indefinite(key, what, &base.inertia)?;
+    }
+    Ok(())
+}
+
+const BY_FREQUENCY: &str = "added_mass_by_frequency";
+
+/// Rising frequencies and matrices that are finite and nearly symmetric.
+fn check_table(table: &AddedMassTable) -> Result<(), TowerError> {
+    let mut before = 0.0;
+    for (index, (frequency, _)) in table.rows.iter().enumerate() {
+        let frequency = *frequency;
+        if !(frequency > before && frequency.is_finite()) {
+            let row = index + 1;
+            let problem = Problem::AddedMassFrequencies {
+                row,
+                frequency,
+                before,
+            };
+            return error(at(BY_FREQUENCY), problem);
+        }
+        before = frequency;
+    }
+    let what = "added mass by frequency";
+    for matrix in table.matrices() {
+        check_finite(BY_FREQUENCY, what, matrix)?;
+        if let Some(problem) = asymmetry(what, matrix, SLIGHTLY, NOISE) {
+            return error(at(BY_FREQUENCY), problem);
+        }
+    }
+    Ok(())
 }
 
 /// The numbers of a frame may have changed since it was made.

@@ -1,0 +1,85 @@
+//! At which frequency a floating platform has its added mass.
+
+use std::fmt;
+
+use super::super::error::SolveError;
+use crate::number::Plain;
+
+/// At which frequency a floating platform has the added mass that depends on frequency.
+///
+/// # Example
+/// ```
+/// use towermodes::{AddedMassAt, Options};
+///
+/// // As in a linearization by OpenFAST.
+/// let options = Options { added_mass: AddedMassAt::Infinite, ..Options::default() };
+/// assert_ne!(options, Options::default());
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum AddedMassAt {
+    /// Each mode has it at its own frequency.
+    #[default]
+    Own,
+    /// All modes have it at infinite frequency, as in a linearization by OpenFAST.
+    Infinite,
+    /// All modes have it at frequency zero.
+    Zero,
+    /// All modes have it at this frequency, Hz.
+    Hz(f64),
+}
+
+impl AddedMassAt {
+    /// The choice of a word, or of a frequency in Hz; none if the text is neither.
+    ///
+    /// # Example
+    /// ```
+    /// use towermodes::AddedMassAt;
+    ///
+    /// assert_eq!(AddedMassAt::named("zero"), Some(AddedMassAt::Zero));
+    /// assert_eq!(AddedMassAt::named("0.5"), Some(AddedMassAt::Hz(0.5)));
+    /// assert_eq!(AddedMassAt::named("-1"), None);
+    /// ```
+    pub fn named(text: &str) -> Option<Self> {
+        match text {
+            "own" => Some(Self::Own),
+            "infinite" => Some(Self::Infinite),
+            "zero" => Some(Self::Zero),
+            number => {
+                let own = Self::Hz(number.parse().ok()?);
+                own.check().is_ok().then_some(own)
+            }
+        }
+    }
+
+    /// The angular frequency, rad/s, if it is the same for all modes.
+    pub(crate) fn fixed(self) -> Option<f64> {
+        match self {
+            Self::Own => None,
+            Self::Infinite => Some(f64::INFINITY),
+            Self::Zero => Some(0.0),
+            Self::Hz(hz) => Some(hz * std::f64::consts::TAU),
+        }
+    }
+
+    /// Refuses a frequency that is none.
+    pub(super) fn check(self) -> Result<(), SolveError> {
+        match self {
+            Self::Hz(hz) if !(hz >= 0.0 && hz.is_finite()) => Err(SolveError::AddedMassAt { hz }),
+            Self::Own | Self::Infinite | Self::Zero | Self::Hz(_) => Ok(()),
+        }
+    }
+}
+
+impl fmt::Display for AddedMassAt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Own => f.write_str("own"),
+            Self::Infinite => f.write_str("infinite"),
+            Self::Zero => f.write_str("zero"),
+            Self::Hz(hz) => write!(f, "{}", Plain(*hz)),
+        }
+    }
+}
