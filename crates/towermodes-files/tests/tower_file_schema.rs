@@ -199,7 +199,11 @@ fn every_key_is_read() {
 
 /// Numbers of the tower file that are no parameters: whole numbers, text for the eye, and what
 /// other numbers stand for.
-const NO_PARAMETERS: [(&str, &str); 16] = [
+const NO_PARAMETERS: [(&str, &str); 17] = [
+    (
+        "[foundation] of type \"floating\"",
+        "added_mass_by_frequency",
+    ),
     ("[substructure]", "reference"),
     ("[[substructure.joint]]", "axis"),
     ("[[substructure.member]]", "spin"),
