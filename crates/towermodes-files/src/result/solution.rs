@@ -34,9 +34,8 @@ pub(super) struct SolutionDocument<'a> {
     /// The proof that no mode is missing.
     certificate: Certificate,
     /// At which frequency the floating platform has its added mass: `own` (each mode at its own),
-    /// `infinite`, `zero`, or `hz` with the frequency; absent if its added mass does not depend on
+    /// `infinite`, `zero`, or `hz` with the frequency; null if its added mass does not depend on
     /// frequency.
-    #[serde(skip_serializing_if = "Option::is_none")]
     added_mass: Option<AddedMassAt>,
     /// The buckling load factor: the factor on gravity at which the tower buckles; null without
     /// gravity, or where the tower floats.

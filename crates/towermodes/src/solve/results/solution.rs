@@ -236,7 +236,6 @@ pub struct Certificate {
     /// The interval of frequency, Hz, in which there may be other modes: the added mass decreases
     /// there so fast that the count of modes need not rise with frequency. Outside of it the list
     /// is complete.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub uncertain_hz: Option<[f64; 2]>,
 }
 
