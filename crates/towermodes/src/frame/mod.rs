@@ -24,7 +24,7 @@ mod static_stiffness;
 mod statics;
 mod tension;
 
-pub(crate) use below::FrameBelow;
+pub(crate) use below::{FrameBelow, ReducedFrame};
 pub(crate) use carrying::{BareFrame, OnFrame};
 pub use error::FrameSolveError;
 pub use recipe::FrameRecipe;

@@ -55,6 +55,7 @@ pub use pieces::piece::{Piece, Profile};
 pub use pieces::planes::{Plane, Planes};
 pub use pieces::section::{Section, SectionMasses, Tube};
 pub use pieces::shear::Shear;
+pub(crate) use support::added_mass::InertiaByFrequency;
 pub use support::base::Base;
 pub use support::independent::{Component, Motion, Motions};
 pub use support::pile_head::{SpringsAt, SpringsOfMember};

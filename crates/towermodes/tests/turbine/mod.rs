@@ -5,6 +5,7 @@ mod dense;
 mod limits;
 mod modes;
 mod on_frame;
+mod on_water;
 mod refused;
 mod rigid;
 mod stability;

@@ -149,6 +149,8 @@ impl TurbineModel {
                 .extend(found.into_iter().map(|found| (part, found)));
         }
         whole.unresisted -= self.free_rotations().min(whole.unresisted);
+        whole.unproven = self.doubtful_in_water(limit, speed);
+        whole.is_complete = whole.unproven.is_empty();
         whole
     }
 
@@ -176,6 +178,8 @@ impl TurbineModel {
             let found = sought.found.into_iter();
             whole.found.extend(found.map(|found| (part, found)));
         }
+        // What is proved here is so for an inertia that does not depend on the frequency.
+        whole.is_complete &= self.below.water().is_none();
         whole
     }
 

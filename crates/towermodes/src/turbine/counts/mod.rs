@@ -5,3 +5,4 @@ pub(super) mod falling;
 pub(super) mod frequencies;
 pub(super) mod recount;
 pub(super) mod search;
+mod water;

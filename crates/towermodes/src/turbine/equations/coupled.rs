@@ -5,9 +5,8 @@ use super::gyroscopic::{Gyroscopic, Raise};
 use super::machine_vectors::JOINTS;
 use super::model::TurbineModel;
 use crate::beam::{BladeFactors, TurningBlade};
-use crate::frame::FrameBelow;
 use crate::rotor::Reactionless;
-use crate::scalar::{Complex, Scalar};
+use crate::scalar::Complex;
 use crate::subsystem::Subsystem;
 
 /// Tower, drivetrain and the harmonics of the blades that move the hub, at a speed (rad/s).
@@ -51,9 +50,8 @@ fn split_mut((tower, machine): (usize, usize), x: &mut [Complex]) -> [&mut [Comp
 impl Gyroscopic for Coupled<'_> {
     fn degrees_of_freedom(&self) -> usize {
         let tower = self.model.tower.members()[0].degrees_of_freedom();
-        let frame = self.model.frame.as_ref();
-        let frame = frame.map_or(0, FrameBelow::degrees_of_freedom);
-        tower + self.model.machine.degrees_of_freedom() + frame
+        let below = self.model.below.degrees_of_freedom();
+        tower + self.model.machine.degrees_of_freedom() + below
     }
 
     fn count_raised(&mut self, w: f64, raise: Raise) -> usize {
@@ -68,11 +66,11 @@ impl Gyroscopic for Coupled<'_> {
             is_locked,
             workspace,
             factors,
-            frame,
+            below,
             ..
         } = &mut *self.model;
         let machine = machine.factorize((w, self.speed), *is_locked, factors);
-        let below = frame.as_mut().map(|frame| frame.factorize(-w * w));
+        let below = below.factorize(w);
         let ends = (machine.matrix, below.map(|below| below.stiffness));
         let a = TurbineModel::of_tower(-w * w);
         let negative = tower.members()[0].factorize_between(&a, ends, workspace);
@@ -86,21 +84,17 @@ impl Gyroscopic for Coupled<'_> {
             is_locked,
             workspace,
             factors,
-            frame,
+            below,
             ..
         } = &mut *self.model;
         let tower = &tower.members()[0];
         let sizes = (tower.degrees_of_freedom(), machine.degrees_of_freedom());
-        let [of_tower, of_machine, of_frame] = split_mut(sizes, x);
+        let [of_tower, of_machine, of_below] = split_mut(sizes, x);
         let at_top = machine.reduce(*is_locked, factors, of_machine);
-        if let Some(frame) = frame {
-            tower.add_to_base(&frame.reduce(of_frame), of_tower);
-        }
+        tower.add_to_base(&below.reduce(of_below), of_tower);
         let top = tower.solve_under(workspace, at_top, of_tower);
         machine.substitute(*is_locked, factors, &top, of_machine);
-        if let Some(frame) = frame {
-            frame.substitute(&tower.base_motion(of_tower), of_frame);
-        }
+        below.substitute(&tower.base_motion(of_tower), of_below);
     }
 
     fn derivative(&mut self, w: f64, x: &[Complex], out: &mut [Complex]) -> f64 {
@@ -110,29 +104,24 @@ impl Gyroscopic for Coupled<'_> {
             is_locked,
             workspace,
             factors,
-            frame,
+            below,
             ..
         } = &mut *self.model;
         let tower = &tower.members()[0];
         let sizes = (tower.degrees_of_freedom(), machine.degrees_of_freedom());
         let (x, rest) = x.split_at(sizes.0);
-        let (of_machine, of_frame) = rest.split_at(sizes.1);
-        let [out, out_of_machine, out_of_frame] = split_mut(sizes, out);
+        let (of_machine, of_below) = rest.split_at(sizes.1);
+        let [out, out_of_machine, out_of_below] = split_mut(sizes, out);
         let (top, mut mass) = tower.begin_derivative(w, x, workspace);
         let at = (w, self.speed, *is_locked);
         let motion = (&top, of_machine);
         let (at_top, of_machine) = machine.derivative(at, motion, factors, out_of_machine);
         mass += of_machine;
         tower.end_derivative(w, at_top, (x, out), workspace);
-        if let Some(frame) = frame {
-            let base = tower.base_motion(x);
-            let (force, of_frame) = frame.inertia_times(&base, of_frame, out_of_frame);
-            mass += of_frame;
-            let scaled = |force: Complex| force.times(-2.0 * w);
-            out_of_frame.iter_mut().for_each(|own| *own = scaled(*own));
-            tower.add_to_base(&force.map(scaled), out);
-        }
-        mass
+        let base = tower.base_motion(x);
+        let (force, of_below) = below.derivative(w, &base, (of_below, out_of_below));
+        tower.add_to_base(&force, out);
+        mass + of_below
     }
 }
 

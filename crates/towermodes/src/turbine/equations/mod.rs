@@ -1,5 +1,6 @@
 //! The equations of motion of a turbine at a frequency and a speed of its rotor.
 
+pub(super) mod below;
 pub(super) mod blade_elements;
 pub(super) mod bordered;
 pub(super) mod coupled;

@@ -5,16 +5,15 @@ use std::f64::consts::TAU;
 use super::super::checked::{Turbine, rotor};
 use super::super::description::rad_per_s;
 use super::super::error::TurbineError;
+use super::below::Below;
 use super::gyroscopic::{Gyroscopic, Raise};
 use super::machine::{Machine, MachineFactors};
 use super::mesh::TurbineMesh;
 use crate::beam::{BeamRecipe, BeamWorkspace, SpaceBeam, TopWorkspace, assemble_in_space};
 use crate::elements::{Borders, Mesh};
-use crate::frame::FrameBelow;
 use crate::modes::RigidTower;
 use crate::rotor::reactionless;
 use crate::subsystem::{Coefficients, Subsystem};
-use crate::tower::Tower;
 
 /// A motion slower than this, rad/s, a period of a week, is one that nothing resists: rounding
 /// makes a stiffness of zero one of some 1e-16 of the square of the rotor's speed times the
@@ -30,8 +29,8 @@ pub struct TurbineModel {
     pub(crate) tower: SpaceBeam,
     pub(crate) machine: Machine,
     pub(crate) is_locked: bool,
-    /// The frame that the tower stands on.
-    pub(crate) frame: Option<FrameBelow>,
+    /// What the tower stands on.
+    pub(crate) below: Below,
     pub(super) workspace: TopWorkspace,
     pub(crate) factors: MachineFactors,
     /// The whole as a rigid body, if it floats.
@@ -79,13 +78,13 @@ impl TurbineModel {
             return Err(TurbineError::Overflow);
         }
         let floats = tower.base().floats;
-        let frame = frame_below(tower, mesh.tower_degree)?;
+        let below = Below::new(tower, mesh.tower_degree)?;
         let platform = floats.then(|| RigidTower::new(&tower.rigid_inertia(true)));
         let mut model = Self {
             tower: beam,
             machine: Machine::new(machine, rotor),
             is_locked: machine.generator.is_locked,
-            frame,
+            below,
             workspace: TopWorkspace::default(),
             factors: MachineFactors::default(),
             platform,
@@ -125,8 +124,7 @@ impl TurbineModel {
     /// The negative eigenvalues of the stiffness of the tower with what it stands on.
     fn negative_stiffness_of_tower(&mut self) -> usize {
         let inertia = UNRESISTED * UNRESISTED;
-        let frame = self.frame.as_mut();
-        let below = frame.map(|frame| frame.seen_from_base(inertia));
+        let below = self.below.seen(0.0, inertia);
         let tower = &self.tower.members()[0];
         let own = tower.negative_stiffness(inertia, below.map(|below| below.stiffness));
         own + below.map_or(0, |below| below.count)
@@ -161,7 +159,7 @@ impl TurbineModel {
 
     /// The negative eigenvalues of H + R at a frequency and a speed, rad/s, without harmonics of
     /// the blades that do not move the hub.
-    pub(super) fn count_coupled(
+    pub(crate) fn count_coupled(
         &mut self,
         (w, speed): (f64, f64),
         raise: Raise,
@@ -169,8 +167,7 @@ impl TurbineModel {
     ) -> usize {
         let machine = self.machine.seen_from_top((w, speed), raise, is_locked);
         let inertia = raise.inertia(w) - w * w;
-        let frame = self.frame.as_mut();
-        let below = frame.map(|frame| frame.seen_from_base(inertia));
+        let below = self.below.seen(w, inertia);
         let ends = (machine.matrix, below.map(|below| below.stiffness));
         let tower = &self.tower.members()[0];
         let workspace = &mut self.workspace;
@@ -182,14 +179,4 @@ impl TurbineModel {
         let reactionless = self.machine.rotor.count_reactionless(w, speed);
         self.count_coupled((w, speed), Raise::default(), is_locked) + reactionless
     }
-}
-
-/// The frame under a tower, if there is one, with elements of a degree.
-fn frame_below(tower: &Tower, degree: usize) -> Result<Option<FrameBelow>, TurbineError> {
-    let Some(foundation) = tower.frame() else {
-        return Ok(None);
-    };
-    let at = (tower.base_m(), tower.gravity_m_per_s2());
-    let carried = tower.rigid_inertia(true);
-    Ok(Some(FrameBelow::new(foundation, at, &carried, degree)?))
 }

@@ -35,9 +35,7 @@ impl TurbineModel {
         } = self.split(vector);
         let [yaw_drive, shaft] = self.machine.springs(joints).map(Complex::norm_squared);
         let base = self.tower.members()[0].base_motion(tower);
-        let below = self.frame.as_mut();
-        let below = below.map(|below| below.energies(&base, frame));
-        let (of_base, substructure) = below.unwrap_or_default();
+        let (of_base, substructure) = self.below.energies(&base, frame);
         let ([fore_aft, side_side, torsion, axial], platform) = self.tower_energy(tower, of_base);
         TurbineEnergy {
             platform,

@@ -74,7 +74,7 @@ impl TurbineModel {
             let motions = rigid_motions(rigid, &beam.base_motion(of_tower));
             springs.extend(motions.map(|x| x.times(w)));
         }
-        springs.extend(self.frame.iter().flat_map(|below| below.strains(frame)));
+        springs.extend(self.below.strains(frame));
         (shape, [tower, first..first + blades.len()], springs)
     }
 

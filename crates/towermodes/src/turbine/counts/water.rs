@@ -1,0 +1,66 @@
+//! Where the added mass of a floating platform, which depends on the frequency, leaves a doubt.
+//!
+//! H decreases with the frequency where M + ½ w M′ is positive. Elsewhere an eigenvalue could fall
+//! through zero and rise again, so that two frequencies leave the counts alike. An interval has
+//! none if matrices below and above H at all its frequencies have as many negative eigenvalues:
+//! those of [`Raise`] with bounds of the inertia of the base.
+
+use super::super::equations::gyroscopic::Raise;
+use super::super::equations::model::TurbineModel;
+use crate::space::SpatialMatrix;
+
+/// Halvings of an interval until it is given up.
+const HALVINGS: usize = 6;
+
+impl TurbineModel {
+    /// Intervals below a limit, at a speed (all rad/s), in which counts do not exclude more modes.
+    pub(super) fn doubtful_in_water(&mut self, limit: f64, speed: f64) -> Vec<[f64; 2]> {
+        let doubtful = self.below.water().map(|water| water.doubtful(limit));
+        let mut doubtful = doubtful.unwrap_or_default();
+        doubtful.retain(|interval| !self.is_empty_in_water(*interval, speed, HALVINGS));
+        doubtful
+    }
+
+    /// Whether it is proved that no mode lies in an interval in which the added mass is linear.
+    fn is_empty_in_water(&mut self, [from, to]: [f64; 2], speed: f64, halvings: usize) -> bool {
+        let bounds = self
+            .below
+            .water()
+            .and_then(|water| water.bounds([from, to]));
+        let Some([least, most]) = bounds else {
+            return false;
+        };
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        let below = Raise {
+            by_inertia: -half * half,
+            by_change: -half,
+        };
+        let above = Raise {
+            by_inertia: 0.0,
+            by_change: half,
+        };
+        // Below: −to² M. Above: (half² − from²) M, which is less than nothing but near zero.
+        let upper = if half < from { least } else { most };
+        let at = (middle, speed);
+        if self.count_with(most, at, below) == self.count_with(upper, at, above) {
+            return true;
+        }
+        halvings > 0
+            && self.is_empty_in_water([from, middle], speed, halvings - 1)
+            && self.is_empty_in_water([middle, to], speed, halvings - 1)
+    }
+
+    /// The count with an inertia of the base in place of that at the frequency.
+    fn count_with(&mut self, inertia: SpatialMatrix, at: (f64, f64), raise: Raise) -> usize {
+        self.fix_inertia(Some(inertia));
+        let count = self.count_coupled(at, raise, self.is_locked);
+        self.fix_inertia(None);
+        count
+    }
+
+    fn fix_inertia(&mut self, inertia: Option<SpatialMatrix>) {
+        if let Some(water) = self.below.water() {
+            water.fixed = inertia;
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! Turbines on floating platforms whose added mass depends on the frequency.
+
+use std::sync::Arc;
+
+use towermodes::space::SpatialMatrix;
+use towermodes::turbine::{Turbine, TurbineMesh, TurbineModel};
+use towermodes::{
+    AddedMassTable, Foundation, Method, Options, Rna, Tower, TowerDescription, solve,
+};
+use towermodes_verify::towers::floater;
+
+use super::{FINE, frequencies, tilted};
+
+/// The floater with these factors of its added mass at frequency zero, in rows and at infinite
+/// frequency.
+fn floater_with([zero, infinite]: [f64; 2], rows: &[(f64, f64)]) -> TowerDescription {
+    let mut description = floater();
+    description.rna = Rna::default();
+    let Foundation::Floating(platform) = &mut description.foundation else {
+        panic!("a platform");
+    };
+    let times = |factor: f64| -> SpatialMatrix {
+        platform
+            .added_mass
+            .matrix
+            .map(|row| row.map(|entry| factor * entry))
+    };
+    let table = AddedMassTable {
+        zero: times(zero),
+        rows: rows
+            .iter()
+            .map(|(w, factor)| (*w, times(*factor)))
+            .collect(),
+        infinite: times(infinite),
+    };
+    platform.added_mass.matrix = times(0.0);
+    platform.added_mass_by_frequency = Some(Arc::new(table));
+    description
+}
+
+/// Blades, shaft and yaw drive that do not deform, in a rotor at rest: the tower program with the
+/// machine as a rigid body, whose modes have the added mass of their own frequencies too.
+#[test]
+fn a_stiff_rotor_at_rest_is_a_rigid_body_on_a_floater_with_added_mass_by_frequency() {
+    let mut machine = tilted();
+    machine.shaft_n_m_per_rad = f64::INFINITY;
+    machine.generator.inertia_kg_m2 = 0.0;
+    for section in &mut machine.blade.sections {
+        section.flap_n_m2 *= 1e12;
+        section.edge_n_m2 *= 1e12;
+    }
+    let rows = [(0.1, 1.02), (0.2, 1.1), (0.5, 0.95), (3.0, 0.8)];
+    let description = floater_with([1.0, 0.85], &rows);
+    let rigid = TowerDescription {
+        rna: machine.rna().expect("a machine"),
+        ..description.clone()
+    };
+    let options = Options {
+        method: Method::Spectral,
+        ..Options::default()
+    };
+    let solution = solve(&Tower::new(rigid).expect("a tower"), &options).expect("solved");
+    let modes = &solution.modes;
+    let limit_hz = 0.5 * (modes[6].frequency_hz + modes[7].frequency_hz);
+    let turbine = Turbine::new(description, machine).expect("a turbine");
+    let exact = TurbineMesh {
+        tower_degree: 10,
+        ..FINE
+    };
+    let mut model = TurbineModel::new(&turbine, &exact).expect("a model");
+    let found = frequencies(&mut model, limit_hz, 0.0);
+    assert_eq!(found.len(), 7);
+    for (found, mode) in found.iter().zip(modes) {
+        let expected = mode.extrapolated_hz;
+        let error = (found / expected - 1.0).abs();
+        assert!(error < 1e-9, "{found} Hz, expected {expected} Hz");
+    }
+}
+
+/// An added mass that falls steeply between two modes leaves a doubt, which counts with bounds of
+/// it remove; around a mode they do not, and the list is not certified.
+#[test]
+fn a_steep_added_mass_is_certified_where_no_mode_is() {
+    let model_of = |rows: &[(f64, f64)]| {
+        let description = floater_with([1.0, 0.7], rows);
+        let turbine = Turbine::new(description, tilted()).expect("a turbine");
+        TurbineModel::new(&turbine, &TurbineMesh::default()).expect("a model")
+    };
+    let smooth = model_of(&[(0.7, 1.0), (2.0, 0.7)])
+        .frequencies(0.9, 9.0)
+        .expect("solved");
+    assert!(smooth.is_complete);
+    let modes_hz: Vec<f64> = smooth.frequencies.iter().map(|f| f.frequency_hz).collect();
+    let apart = modes_hz
+        .windows(2)
+        .filter(|ends| ends[0] < 0.3 && ends[1] > 0.3);
+    assert_eq!(apart.count(), 1, "{modes_hz:?}");
+    // Between the modes of platform and tower, near 0.25 Hz: no other mode appears.
+    let between = model_of(&[(1.5, 1.0), (1.56, 0.7)])
+        .frequencies(0.9, 9.0)
+        .expect("solved");
+    assert!(between.is_complete);
+    assert_eq!(between.frequencies.len(), smooth.frequencies.len());
+    // Around the mode of heave, which is there more than once.
+    let heave = std::f64::consts::TAU * modes_hz[2];
+    let around = [(0.97 * heave, 1.0), (1.03 * heave, 0.1)];
+    let around = model_of(&around).frequencies(0.9, 9.0).expect("solved");
+    assert!(!around.is_complete);
+    assert_eq!(around.unproven_hz.len(), 1);
+}
