@@ -283,3 +283,79 @@ fn converted_models_of_openfast_keep_their_frequencies() {
         close(&own, &frequencies_hz(again), 1e-12);
     }
 }
+
+/// The jacket on piles of 40 m below its feet in two layers of soil.
+fn on_piles() -> String {
+    let mut text = JACKET.replacen("clamped = [\"a1\", \"b1\", \"c1\", \"d1\"]", "", 1);
+    let (mut joints, mut piles) = (String::new(), String::new());
+    for (leg, at) in [
+        ("a", "-12.0, -12.0"),
+        ("b", "12.0, -12.0"),
+        ("c", "12.0, 12.0"),
+        ("d", "-12.0, 12.0"),
+    ] {
+        joints += &format!("  {{ name = \"{leg}0\", position = [{at}, -85.0] }},\n");
+        piles += &format!(
+            "  {{ name = \"pile {leg}\", joints = [\"{leg}0\", \"{leg}1\"], outer_diameter = 2.0, wall_thickness = 0.05 }},\n"
+        );
+    }
+    text = text.replacen(
+        "  { name = \"a1\", position",
+        &format!("{joints}  {{ name = \"a1\", position"),
+        1,
+    );
+    text = text.replacen(
+        "  { name = \"leg a1\"",
+        &format!("{piles}  {{ name = \"leg a1\""),
+        1,
+    );
+    let ground = r#"
+[ground]
+surface = -45.0
+submerged = true
+axial = "randolph-wroth"
+[[ground.layer]]
+top = -45.0
+bottom = -60.0
+model = "winkler"
+type = "elastic"
+shear_modulus = [2e7, 5e7]
+poissons_ratio = 0.4
+[[ground.layer]]
+top = -60.0
+bottom = -95.0
+model = "kallehave"
+effective_unit_weight = 9e3
+type = "sand"
+friction_angle = 36.0
+shear_modulus = 9e7
+poissons_ratio = 0.3
+"#;
+    let unit = "model = \"winkler\"\n";
+    text += &ground.replacen(unit, &format!("{unit}effective_unit_weight = 9e3\n"), 1);
+    text
+}
+
+#[test]
+fn piles_of_a_substructure_stand_in_the_ground() {
+    let text = on_piles();
+    let piled = description(&text);
+    let first = |description: &TowerDescription| frequencies_hz(description.clone())[0];
+    let clamped = first(&description(JACKET));
+    let own = first(&piled);
+    assert!(own < clamped && own > 0.8 * clamped, "{own} {clamped}");
+    let stiff = first(&piled.with_soil_factor(1e4));
+    assert!((stiff / clamped - 1.0).abs() < 0.02, "{stiff} {clamped}");
+    let tower = Tower::new(piled.clone()).expect("a tower");
+    assert_eq!(tower.springs_of_members().len(), 4);
+    let (written, _) = write_toml(&piled);
+    let again = frequencies_hz(description(&written));
+    close(&again, &frequencies_hz(piled), 1e-12);
+    let source = Source::new("piles.toml", text.clone());
+    let input = read(source, &InMemory::default()).expect("a tower");
+    let notes = input.notes.iter().map(ToString::to_string);
+    assert!(!notes.collect::<String>().contains("no [foundation]"));
+    // The water follows the scour down along the piles.
+    let scoured = description(&text.replacen("submerged", "scour = { local = 3.0 }\nsubmerged", 1));
+    assert!(first(&scoured) < own);
+}

@@ -243,8 +243,14 @@ impl Default for TowerDescription {
 impl TowerDescription {
     /// The same with a frame whose members have their materials and the water on them.
     pub(super) fn with_complete_frame(mut self) -> Self {
+        let mut water = self.water;
+        if let (Some(water), Some(ground)) = (&mut water, &self.ground) {
+            // The bed goes down with the soil.
+            let before_m = water.bed_m.unwrap_or(ground.surface_m);
+            water.bed_m = Some(before_m - ground.scour.total_m());
+        }
         if let Foundation::Frame(frame) = &mut self.foundation {
-            frame.complete(&self.materials, self.water.as_ref());
+            frame.complete(&self.materials, water.as_ref());
         }
         self
     }

@@ -68,6 +68,11 @@ impl FrameFoundation {
         self.frame.remove_soil();
     }
 
+    /// Removes all springs to the ground, along members and at supports.
+    pub(in crate::tower) fn remove_springs(&mut self) {
+        self.frame.multiply_soil(0.0);
+    }
+
     /// The numbers of the frame, to change them. [`Tower::new`](crate::Tower::new) checks them.
     pub fn numbers_mut(&mut self) -> &mut FrameDescription {
         self.frame.numbers_mut()

@@ -55,8 +55,9 @@ impl TowerDescription {
     /// [`Tower::new`](crate::Tower::new) refuses can give springs that are not finite.
     #[must_use]
     pub fn with_ground_as_soil(&self) -> Self {
-        let plan = GroundPlan::of(self);
-        let mut rows = with_rows(self.clone(), &plan);
+        let complete = self.clone().with_complete_frame();
+        let plan = GroundPlan::of(&complete);
+        let mut rows = with_rows(complete, &plan);
         if let GroundPlan::OfTower(plan) = &plan {
             rows.part_names.soil.resize(self.soil.len(), String::new());
             let layers = plan.sections.chunk_by(|a, b| a.layer == b.layer);

@@ -102,11 +102,18 @@ impl Neighbours {
         let cuts_m = self.fronts.cuts_m(description, &pieces);
         let pieces = cut_in_environment(pieces, description, &cuts_m);
         let mut tower = Tower::made_of_parts(&mut without_rows(description), pieces);
-        let (own, base) = (&self.tower, &mut tower.base);
-        // The trees that carry the joints of a frame follow from its numbers.
-        if own.frame != tower.frame {
+        let own = &self.tower;
+        // The trees that carry the joints of a frame follow from its numbers, but for springs.
+        let without_springs = |tower: &Tower| {
+            tower.frame.clone().map(|mut frame| {
+                frame.remove_springs();
+                frame
+            })
+        };
+        if own.frame != tower.frame && without_springs(own) != without_springs(&tower) {
             return None;
         }
+        let base = &mut tower.base;
         if base.moves != own.base.moves || tower.pieces.len() != own.pieces.len() {
             return None;
         }
