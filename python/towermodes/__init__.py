@@ -29,6 +29,7 @@ from towermodes._read import read
 from towermodes._sensitivity import Sensitivities
 from towermodes._solution import Mode, Solution
 from towermodes._study import Agreement, Comparison, Examination
+from towermodes._substructure import SubstructureModes, solve_substructure
 from towermodes._sweep import SweepResult
 from towermodes._tower import Tower
 from towermodes._towermodes import VERSION as __version__
@@ -51,6 +52,7 @@ __all__ = [
     "Sensitivities",
     "Solution",
     "SolveError",
+    "SubstructureModes",
     "SweepResult",
     "Tower",
     "TowerError",
@@ -59,6 +61,7 @@ __all__ = [
     "TurbineModes",
     "__version__",
     "read",
+    "solve_substructure",
 ]
 
 

@@ -133,6 +133,28 @@ class Solution(ModeArrays, Computed):
         return array
 
     @property
+    def joint_shape(self) -> Array:
+        """The motion of the joints of the substructure: (modes, joints, 6).
+
+        In the order of `Tower.joints` and on the scale of `shape`; without joints for a tower that
+        does not stand on members.
+        """
+        array: Array = self._core.joint_shape
+        return array
+
+    @property
+    def member_shape(self) -> Array:
+        """The translation of points within the members of the substructure: (modes, members, 3, 3).
+
+        In the order of `Tower.members` and on the scale of `shape`. The third axis is the point, at
+        a quarter, a half and three quarters of the member from its first joint; the last is x, y,
+        z.
+        """
+        points: Array = self._core.member_shape
+        modes, rows, _ = points.shape
+        return points.reshape(modes, rows // 3, 3, 3)
+
+    @property
     def names(self) -> list[tuple[Family, int]]:
         """Family and order of each mode: `("fore-aft", 1)`."""
         names: list[tuple[Family, int]] = self._core.names  # type: ignore[assignment]

@@ -219,6 +219,29 @@ class Tower:
         return self._core.notes
 
     @property
+    def joints(self) -> dict[str, tuple[float, float, float]]:
+        """The joints of the substructure by their names, with their positions, m.
+
+        Empty for a tower that does not stand on members.
+        """
+        return {name: (x, y, z) for name, (x, y, z) in self._core.joints}
+
+    @property
+    def members(self) -> dict[str, tuple[str, str]]:
+        """The members of the substructure by their names, with the names of their joints."""
+        return {name: (first, second) for name, (first, second) in self._core.members}
+
+    @property
+    def substructure_masses_kg(self) -> dict[str, float]:
+        """The mass of the substructure by what it is, kg; empty without one.
+
+        Members, marine growth, filling (water in members), masses on joints, soil that moves with
+        the supports, transition piece, and the water around members that moves across them, which
+        has no weight.
+        """
+        return dict(self._core.substructure_masses_kg)
+
+    @property
     def warnings(self) -> list[str]:
         """Input that is possible but probably a mistake, with file and line if they are known."""
         return self._core.warnings

@@ -166,6 +166,11 @@ class Solution:
         """
         The heights of `shape`, m.
         """
+    @property
+    def joint_shape(self, /) -> Incomplete:
+        """
+        The motions of the joints of the substructure: (modes, joints, 6).
+        """
     def json(self, /) -> str:
         """
         The JSON of the program.
@@ -174,6 +179,11 @@ class Solution:
     def labels(self, /) -> list[str]:
         """
         The names of the modes in words.
+        """
+    @property
+    def member_shape(self, /) -> Incomplete:
+        """
+        The translations of points within the members of the substructure: (modes, 3 members, 3).
         """
     @property
     def method(self, /) -> str:
@@ -292,9 +302,19 @@ class Tower:
         Whether both have the same description and prescribe the same for their solution.
         """
     @property
+    def joints(self, /) -> list[tuple[str, list[float]]]:
+        """
+        Names and positions of the joints of the substructure, m.
+        """
+    @property
     def mass_kg(self, /) -> float:
         """
         Mass without the rotor-nacelle assembly, kg.
+        """
+    @property
+    def members(self, /) -> list[tuple[str, list[str]]]:
+        """
+        Names of the members of the substructure, and of their first and second joint.
         """
     @property
     def name(self, /) -> str:
@@ -332,6 +352,11 @@ class Tower:
     def stations(self, /) -> Incomplete:
         """
         Height, outer diameter and wall thickness of the stations, m.
+        """
+    @property
+    def substructure_masses_kg(self, /) -> list[tuple[str, float]]:
+        """
+        The mass of the substructure by what it is, kg; nothing without one.
         """
     def svg(self, /) -> str:
         """
@@ -532,6 +557,11 @@ def run(words: "list[str]") -> "int":
 def sensitivities(tower: Tower, names: "list[str] | None", options: "dict[str, object]") -> "tuple[Incomplete, ...]":
     """
     The derivatives with respect to named changes, or to each number of the tower.
+    """
+
+def solve_substructure(path: "str", modes: SupportsIndex, clamped: bool, subdyn: bool) -> Answer:
+    """
+    The lowest modes of a SubDyn file.
     """
 
 def source(path: "str") -> tuple[str, str]:

@@ -125,7 +125,7 @@ const SOLVES: &[(Kind, &str)] = &[
     (Kind::Numbers, "damping --format csv --modes 4"),
 ];
 
-const PICTURES: [&str; 4] = ["shapes", "convergence", "campbell", "error"];
+const PICTURES: [&str; 5] = ["shapes", "structure", "convergence", "campbell", "error"];
 
 /// Options of each tower of the folder `kinds`: one foundation, soil model or attachment each, in
 /// every output that depends on it.

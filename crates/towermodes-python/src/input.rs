@@ -26,7 +26,7 @@ pub fn tower_input(input: Input) -> PyResult<TowerInput> {
     match input {
         Input::Tower(input) => Ok(*input),
         Input::Substructure(_) => Err(usage(
-            "this is a SubDyn file, a substructure without a tower; the program solves it: towermodes solve FILE",
+            "this is a SubDyn file, a substructure without a tower; solve_substructure solves it",
         )),
         Input::Blade(_) => Err(usage(
             "this is a deck of a rotating blade, not of a tower; the program solves it: towermodes solve FILE",

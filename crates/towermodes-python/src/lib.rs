@@ -25,6 +25,7 @@ mod program;
 mod reading;
 mod sensitivity;
 mod solution;
+mod substructure;
 mod sweep;
 mod tower;
 mod turbine;
@@ -63,6 +64,8 @@ mod _towermodes {
     use crate::sensitivity::sensitivities;
     #[pymodule_export]
     use crate::solution::Solution;
+    #[pymodule_export]
+    use crate::substructure::solve_substructure;
     #[pymodule_export]
     use crate::sweep::{mode_named, sweep};
     #[pymodule_export]

@@ -169,6 +169,24 @@ impl Solution {
         self.shapes(py, |mode| &mode.shape_there)
     }
 
+    /// The motions of the joints of the substructure: (modes, joints, 6).
+    #[getter]
+    fn joint_shape<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        let shapes = || self.modes().filter_map(|mode| mode.frame.as_ref());
+        let joints = shapes().next().map_or(0, |shape| shape.joints.len());
+        let motions = shapes().flat_map(|shape| shape.joints.iter().copied());
+        array::sheets(py, motions, [self.solution.modes.len(), joints])
+    }
+
+    /// The translations of points within the members of the substructure: (modes, 3 members, 3).
+    #[getter]
+    fn member_shape<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        let shapes = || self.modes().filter_map(|mode| mode.frame.as_ref());
+        let members = shapes().next().map_or(0, |shape| shape.members.len());
+        let points = shapes().flat_map(|shape| shape.members.iter().flatten().copied());
+        array::sheets(py, points, [self.solution.modes.len(), 3 * members])
+    }
+
     /// Family and order of each mode.
     #[getter]
     fn names(&self) -> Vec<(&'static str, usize)> {

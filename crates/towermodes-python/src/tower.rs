@@ -141,6 +141,46 @@ impl Tower {
         array::rows(py, stations.map(row))
     }
 
+    /// Names and positions of the joints of the substructure, m.
+    #[getter]
+    fn joints(&self) -> Vec<(String, [f64; 3])> {
+        let frame = self.model.tower.frame();
+        let joints = frame.iter().flat_map(|frame| &frame.frame.description().joints);
+        let joint = joints.map(|joint| (joint.name.clone(), joint.position_m));
+        joint.collect()
+    }
+
+    /// Names of the members of the substructure, and of their first and second joint.
+    #[getter]
+    fn members(&self) -> Vec<(String, [String; 2])> {
+        let Some(frame) = self.model.tower.frame() else {
+            return Vec::new();
+        };
+        let description = frame.frame.description();
+        let name = |joint: usize| description.joints[joint].name.clone();
+        let members = description.members.iter();
+        let member = members.map(|member| (member.name.clone(), member.joints.map(name)));
+        member.collect()
+    }
+
+    /// The mass of the substructure by what it is, kg; nothing without one.
+    #[getter]
+    fn substructure_masses_kg(&self) -> Vec<(&'static str, f64)> {
+        let Some(frame) = self.model.tower.frame() else {
+            return Vec::new();
+        };
+        let masses = frame.frame.masses();
+        vec![
+            ("members", masses.members_kg),
+            ("growth", masses.growth_kg),
+            ("filling", masses.filling_kg),
+            ("joints", masses.joints_kg),
+            ("soil", masses.soil_kg),
+            ("transition_piece", frame.platform.mass_kg),
+            ("added", masses.added_kg),
+        ]
+    }
+
     /// The notes of the reader.
     #[getter]
     fn notes(&self) -> Vec<String> {

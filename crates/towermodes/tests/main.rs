@@ -18,6 +18,7 @@ mod estimates;
 mod footings;
 mod frame;
 mod frame_dense;
+mod frame_shapes;
 mod frequencies;
 mod ground;
 mod independence;

@@ -1,6 +1,7 @@
 // What bodies and tubes look like from an eye, as paths of a drawing.
 
 import type { Eye } from "../view/eye.js";
+import type { Limb } from "../view/frame.js";
 import { onShell, type Section } from "../view/motion.js";
 import type { Body, Point } from "../view/scene.js";
 import { linkOf, rim } from "../view/strokes.js";
@@ -71,6 +72,10 @@ export function tubePath(eye: Eye, sections: { middle: Point; radius: number }[]
   });
   return `${toPath(left.concat(right.reverse()))}Z`;
 }
+
+/** A member of a frame. */
+export const limbPath = (eye: Eye, limb: Limb): string =>
+  limb[0]!.radius > 0 ? tubePath(eye, limb) : linePath(eye, limb.map(({ middle }) => middle));
 
 const some = (sections: Section[], shares: number[]): Section[] =>
   shares.map((share) => sections[Math.round(share * (sections.length - 1))]!);

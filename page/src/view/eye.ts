@@ -1,7 +1,7 @@
 // From where the view is looked at, in parallel projection: what is as long is drawn as long.
 
-import { placed, type Section } from "./motion.js";
-import type { Body, Point } from "./scene.js";
+import { isRope, placed, type Section } from "./motion.js";
+import type { Body, Frame, Point } from "./scene.js";
 
 const DEGREE = Math.PI / 180;
 const dot = (a: Point, b: Point): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -20,15 +20,22 @@ export const union = (a: Extent, b: Extent): Extent => ({
   high: [Math.max(a.high[0], b.high[0]), Math.max(a.high[1], b.high[1])],
 });
 
-/** The rectangle around the sections of a tower and bodies, as seen by an eye. */
-export function extentOf(eye: Eye, sections: Section[], bodies: Body[]): Extent {
+/**
+ * The rectangle around the sections of a tower, bodies and a frame at rest, as seen by an eye. Of
+ * ropes it has the beginning: anchors may be far away.
+ */
+export function extentOf(eye: Eye, sections: Section[], bodies: Body[], frame?: Frame): Extent {
   const extent = (point: Point, margin: number): Extent => {
     const at: [number, number] = [eye.across(point), eye.up(point)];
     return { low: [at[0] - margin, at[1] - margin], high: [at[0] + margin, at[1] + margin] };
   };
   const ofTower = sections.map(({ middle, radius }) => extent(middle, radius));
-  const ofBodies = bodies.flatMap((body) => placed(body, sections).map((point) => extent(point, body.radius_m ?? 0)));
-  return ofTower.concat(ofBodies).reduce(union);
+  const ofBodies = bodies.flatMap((body) => {
+    const points = placed(body, sections);
+    return (isRope(body) ? points.slice(0, 1) : points).map((point) => extent(point, body.radius_m ?? 0));
+  });
+  const ofFrame = frame?.joints.map((joint) => extent(joint, 0)) ?? [];
+  return ofTower.concat(ofBodies, ofFrame).reduce(union);
 }
 
 /** Sine and cosine, which are zero at right angles. */

@@ -18,13 +18,20 @@ const RADIANS_PER_PERCENT = (3 * Math.PI) / 180;
 
 const largest = (values: number[]): number => values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
 
+/** The largest translation of a frame in a shape or a pose. */
+export function largestOfFrame(frame: number[] = []): number {
+  let most = 0;
+  for (let i = 0; i + 2 < frame.length; i += 3) most = Math.max(most, Math.hypot(frame[i]!, frame[i + 1]!, frame[i + 2]!));
+  return most;
+}
+
 /**
  * What a shape is multiplied by so that its largest deflection is so many percent of the height,
  * or its largest rotation three degrees a percent where that is less.
  */
 export function reach(scene: TowerScene, mode: Shape, percent: number): number {
   const height = scene.height_m[scene.height_m.length - 1]! - scene.height_m[0]! || 1;
-  const moved = Math.max(largest(mode.x), largest(mode.y), largest(mode.z));
+  const moved = Math.max(largest(mode.x), largest(mode.y), largest(mode.z), largestOfFrame(mode.frame));
   const until = (most: number, size: number): number => (size > 0 ? most / size : Infinity);
   const scale = Math.min(
     until(0.01 * percent * height, moved),
@@ -38,6 +45,7 @@ export function poseOf(mode: Shape, scale: number): Pose {
   return {
     displacement: mode.x.map((x, i) => [scale * x, scale * mode.y[i]!, scale * mode.z[i]!]),
     rotation: mode.rotation_x.map((x, i) => [scale * x, scale * mode.rotation_y[i]!, scale * mode.rotation_z[i]!]),
+    frame: mode.frame?.map((value) => scale * value) ?? [],
   };
 }
 
@@ -103,12 +111,25 @@ export function carried(section: Section, [x, y, z]: Point): Point {
 /** Whether a body links the tower to what stands still. */
 export const isLink = (body: Body): boolean => body.form === "line" || body.form === "spring";
 
-/** The points of a body. Of what links the tower to what stands still only the first moves. */
+/**
+ * The points of a body. Of what links the tower to what stands still the first moves, the last does
+ * not.
+ */
 export function placed(body: Body, sections: Section[]): Point[] {
   if (body.follows_m === undefined) return body.points;
   const section = sectionAt(sections, body.follows_m);
-  return body.points.map((point, i) => (isLink(body) && i > 0 ? point : carried(section, point)));
+  if (!isLink(body)) return body.points.map((point) => carried(section, point));
+  const first = body.points[0]!;
+  const moved = carried(section, first);
+  const steps = body.points.length - 1;
+  return body.points.map(([x, y, z], i) => {
+    const share = 1 - i / steps;
+    return [x + share * (moved[0] - first[0]), y + share * (moved[1] - first[1]), z + share * (moved[2] - first[2])];
+  });
 }
+
+/** A rope with its weight: where it ends is far away. */
+export const isRope = (body: Body): boolean => isLink(body) && body.points.length > 2;
 
 /** A point on the shell of a section, by its direction at rest, at a multiple of its radius. */
 export const onShell = (section: Section, direction: number, share = 1): Point => {

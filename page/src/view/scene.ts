@@ -8,7 +8,7 @@ export type Substance = "rna" | "rotor" | "mass" | "foundation" | "ground" | "so
 /**
  * How the points of a body define its form: `solid` is the smallest convex body around them,
  * `ball` a ball around the only one; of `line` and `spring` the first point follows the tower, the
- * second does not move.
+ * last does not move, and those between them move the less the farther they are along it.
  */
 export type Form = "solid" | "ball" | "line" | "spring";
 
@@ -21,6 +21,13 @@ export interface Body {
   points: Point[];
   /** Radius of a ball, m. */
   radius_m?: number;
+}
+
+/** A frame under the tower, at rest: joints, and members between two of them. */
+export interface Frame {
+  joints: Point[];
+  /** Outer radius at both ends, m; 0 of what is drawn as a line. */
+  members: { joints: [number, number]; radius_m: [number, number] }[];
 }
 
 /**
@@ -38,6 +45,11 @@ export interface Shape {
   rotation_x: number[];
   rotation_y: number[];
   rotation_z: number[];
+  /**
+   * Translations x, y, z of the joints of the frame, then of each member at a quarter, a half and
+   * three quarters of its length, one after the other; absent without a frame.
+   */
+  frame?: number[];
 }
 
 /** A tower, its modes and what surrounds it. */
@@ -49,6 +61,8 @@ export interface TowerScene {
   /** Whether the radius is a nominal one. */
   is_nominal: boolean;
   bodies: Body[];
+  /** The frame under the tower. */
+  frame?: Frame;
   modes: Shape[];
 }
 
@@ -59,6 +73,8 @@ export interface TowerScene {
 export interface Pose {
   displacement: Point[];
   rotation: Point[];
+  /** Of the frame as in a shape, m. */
+  frame: number[];
 }
 
 /** A station of the tower that the user can drag. */

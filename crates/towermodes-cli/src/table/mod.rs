@@ -38,6 +38,6 @@ pub(crate) use sensitivities::sensitivities;
 pub(crate) use several::several;
 pub use soil_band::soil_band;
 pub use solution::{MODE_HEADER, below_modes, mode_rows, solution};
-pub(crate) use substructure::substructure;
+pub use substructure::substructure;
 pub(crate) use sweep::sweep_summary;
 pub(crate) use verification::verification;

@@ -8,7 +8,7 @@ use towermodes_report::wording::counted;
 use super::text::{aligned, name_line, text_table, tonnes};
 
 /// The modes as a table, and a line with mass, parts, method and the proof of completeness.
-pub(crate) fn substructure(solved: &SolvedSubstructure<'_>) -> String {
+pub fn substructure(solved: &SolvedSubstructure<'_>) -> String {
     let (frame, solution) = (solved.frame, solved.solution);
     let description = frame.description();
     let held = match solved.is_clamped() {

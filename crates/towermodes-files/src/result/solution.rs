@@ -12,6 +12,7 @@ use towermodes::{
 use towermodes_analysis::influence::{Influences, Tolerances};
 
 use super::sensitivities::InfluencesJson;
+use super::substructure::FrameSummary;
 use super::{ResultError, write_result_json};
 use crate::input::Note;
 
@@ -78,6 +79,8 @@ struct TowerSummary<'a> {
     /// Parts of the structure that the source of the tower has and this model lacks; null if it is
     /// complete. The frequencies are those of the rest.
     missing: Option<&'a MissingParts>,
+    /// The members under the tower; null for a tower that does not stand on members.
+    frame: Option<FrameSummary<'a>>,
 }
 
 /// The springs that follow from soil in layers.
@@ -125,6 +128,7 @@ impl<'a> SolutionDocument<'a> {
                 rigid_inertia: solution.rigid_inertia,
                 ground: GroundSummary::of(tower),
                 missing: tower.missing_parts(),
+                frame: tower.frame().map(FrameSummary::of),
             },
             modes: &solution.modes,
             certificate: solution.certificate,

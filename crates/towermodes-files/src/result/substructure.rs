@@ -3,7 +3,9 @@
 use std::io::Write;
 
 use serde::Serialize;
-use towermodes::frame::{Frame, FrameMode, FrameSolution};
+use towermodes::frame::{
+    Frame, FrameFoundation, FrameMasses, FrameMember, FrameMode, FrameSolution,
+};
 
 use super::columns::Cell::{Count, Number, Small, Text};
 use super::columns::{Column, write_columns_csv};
@@ -34,7 +36,7 @@ impl LargestMotion {
     /// all joints stay where they are.
     pub fn of(mode: &FrameMode, frame: &Frame) -> Self {
         let largest = |components: std::ops::Range<usize>| {
-            let motions = mode.joints.iter().enumerate();
+            let motions = mode.shape.joints.iter().enumerate();
             let all = motions.flat_map(|(joint, motion)| {
                 let own = components.clone();
                 own.map(move |component| (joint, component, motion[component]))
@@ -93,6 +95,8 @@ struct SubstructureSummary<'a> {
     clamped: bool,
     /// Mass of members, masses on joints and soil mass at the supports, kg.
     mass_kg: f64,
+    /// The same by what it is.
+    masses: FrameMasses,
     /// Number of members.
     members: usize,
     /// The joints in the order of the file.
@@ -107,6 +111,55 @@ struct SubstructureJoint<'a> {
     name: &'a str,
     /// Its position, m: x fore-aft (downwind), y side-side, z up.
     position_m: [f64; 3],
+}
+
+/// The members under a tower.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(super) struct FrameSummary<'a> {
+    /// The joints, in the order of the shapes of the modes.
+    joints: Vec<SubstructureJoint<'a>>,
+    /// The members, in the order of the shapes of the modes.
+    members: Vec<FrameMemberSummary<'a>>,
+    /// Their mass by what it is.
+    masses: FrameMasses,
+    /// Mass of the transition piece, kg.
+    transition_piece_kg: f64,
+}
+
+/// A member.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct FrameMemberSummary<'a> {
+    /// Its name or its number in the file.
+    name: &'a str,
+    /// The places of its first and its second joint in the list of joints, from 0.
+    joints: [usize; 2],
+}
+
+impl<'a> FrameSummary<'a> {
+    pub(super) fn of(foundation: &'a FrameFoundation) -> Self {
+        let description = foundation.frame.description();
+        let member = |member: &'a FrameMember| FrameMemberSummary {
+            name: &member.name,
+            joints: member.joints,
+        };
+        Self {
+            joints: joints_of(&foundation.frame),
+            members: description.members.iter().map(member).collect(),
+            masses: foundation.frame.masses(),
+            transition_piece_kg: foundation.platform.mass_kg,
+        }
+    }
+}
+
+fn joints_of(frame: &Frame) -> Vec<SubstructureJoint<'_>> {
+    let joints = frame.description().joints.iter();
+    let joint = joints.map(|joint| SubstructureJoint {
+        name: &joint.name,
+        position_m: joint.position_m,
+    });
+    joint.collect()
 }
 
 /// A mode.
@@ -126,6 +179,9 @@ struct SubstructureMode<'a> {
     /// Motion of each joint (x, y, z, rotation about x, y, z; m and rad) for a modal mass of 1 kg,
     /// in the order of the joints.
     motions: &'a [[f64; 6]],
+    /// Translation of each member (x, y, z; m) at a quarter, a half and three quarters of its
+    /// length from its first joint, in the order of the members.
+    members: &'a [[[f64; 3]; 3]],
 }
 
 /// A substructure with its solution.
@@ -170,10 +226,6 @@ pub fn write_substructure_json(
         solution,
     } = *solved;
     let description = frame.description();
-    let joints = description.joints.iter().map(|joint| SubstructureJoint {
-        name: &joint.name,
-        position_m: joint.position_m,
-    });
     let modes = solution.modes.iter().enumerate();
     let modes = modes.map(|(index, mode)| SubstructureMode {
         number: index + 1,
@@ -181,7 +233,8 @@ pub fn write_substructure_json(
         algebraic_error_hz: mode.error_hz,
         discretization_error_hz: mode.discretization_error_hz,
         largest: LargestMotion::of(mode, frame),
-        motions: &mode.joints,
+        motions: &mode.shape.joints,
+        members: &mode.shape.members,
     });
     let document = SubstructureDocument {
         method: solved.method(),
@@ -192,7 +245,8 @@ pub fn write_substructure_json(
             clamped: solved.is_clamped(),
             mass_kg: frame.mass_kg(),
             members: description.members.len(),
-            joints: joints.collect(),
+            joints: joints_of(frame),
+            masses: frame.masses(),
         },
         modes: modes.collect(),
         complete_below_hz: solution.complete_below_hz,

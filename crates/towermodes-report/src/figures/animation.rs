@@ -1,10 +1,13 @@
 //! The data of a script that animates a tower in its modes.
 
 use serde::Serialize;
+use towermodes::frame::{FrameJoint, FrameMember};
 use towermodes::{Mode, ShapePoint, Solution, Tower, TowerDescription};
 
 use super::outline::{is_nominal, outer_diameter_m};
+use super::parts::Parts;
 use super::scene::{Body, scene};
+use super::substructure::{Substructure, largest_translation, radii_m};
 use crate::number::five_digits;
 
 /// The largest number of heights of an animated tower.
@@ -22,8 +25,29 @@ pub struct AnimationData {
     pub is_nominal: bool,
     /// RNA, foundation and surroundings.
     pub bodies: Vec<Body>,
+    /// The frame under the tower.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frame: Option<AnimatedFrame>,
     /// The modes by frequency.
     pub modes: Vec<AnimatedMode>,
+}
+
+/// A frame at rest, about the axis of the tower, m.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AnimatedFrame {
+    /// The joints.
+    pub joints: Vec<[f64; 3]>,
+    /// The members between them.
+    pub members: Vec<AnimatedMember>,
+}
+
+/// A member of an animated frame.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct AnimatedMember {
+    /// Its joints, from 0.
+    pub joints: [usize; 2],
+    /// Outer radius at both, m; 0 where it has no section.
+    pub radius_m: [f64; 2],
 }
 
 /// One mode of an animated tower.
@@ -52,6 +76,10 @@ pub struct AnimatedMode {
     pub rotation_y: Vec<f64>,
     /// Rotation about the tower's axis.
     pub rotation_z: Vec<f64>,
+    /// Translations x, y, z of the joints of the frame, then of three points of each member, one
+    /// after the other.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub frame: Vec<f64>,
 }
 
 /// The data of an animation of these modes, from their shapes at equally spaced heights.
@@ -69,9 +97,43 @@ pub fn animation_data(
         radius_m: radius_m.collect(),
         is_nominal: is_nominal(tower),
         bodies: scene(description, tower),
+        frame: Parts { description, tower }.substructure().map(frame_of),
         modes: solution.modes.iter().map(animated).collect(),
         height_m: heights_m.into_iter().map(five_digits).collect(),
     }
+}
+
+fn frame_of(substructure: Substructure<'_>) -> AnimatedFrame {
+    let [x, y, _] = substructure.of.reference_m();
+    let description = substructure.description();
+    let joint = |joint: &FrameJoint| {
+        let [a, b, c] = joint.position_m;
+        [a - x, b - y, c].map(five_digits)
+    };
+    let member = |member: &FrameMember| AnimatedMember {
+        joints: member.joints,
+        radius_m: radii_m(member).unwrap_or_default().map(five_digits),
+    };
+    AnimatedFrame {
+        joints: description.joints.iter().map(joint).collect(),
+        members: description.members.iter().map(member).collect(),
+    }
+}
+
+/// The translations of joints and of points of members. A ten-thousandth of the largest is less
+/// than a pixel.
+fn frame_motion(mode: &Mode) -> Vec<f64> {
+    let Some(shape) = &mode.frame else {
+        return Vec::new();
+    };
+    let digit = 1e-4 * largest_translation(mode);
+    let joints = shape.joints.iter().flat_map(|joint| joint[..3].iter());
+    let values = joints.chain(shape.members.iter().flatten().flatten());
+    let rounded = |value: &f64| match digit > 0.0 {
+        true => five_digits((value / digit).round() * digit),
+        false => 0.0,
+    };
+    values.map(rounded).collect()
 }
 
 fn animated(mode: &Mode) -> AnimatedMode {
@@ -92,6 +154,7 @@ fn animated(mode: &Mode) -> AnimatedMode {
         rotation_x: rotation(0),
         rotation_y: rotation(1),
         rotation_z: rotation(2),
+        frame: frame_motion(mode),
     }
 }
 

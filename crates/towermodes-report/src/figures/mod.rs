@@ -8,11 +8,15 @@ mod design;
 mod enlargement;
 mod error;
 mod first_frequencies;
+mod lines;
+mod mooring;
 mod outline;
 mod parts;
 mod scene;
 pub(crate) mod shapes;
 mod soil;
+mod structure;
+mod substructure;
 mod sweep;
 mod symbols;
 mod title;
@@ -20,15 +24,18 @@ mod tornado;
 mod tower;
 mod whirl;
 
-pub use animation::{AnimatedMode, AnimationData, animation_data};
+pub use animation::{AnimatedFrame, AnimatedMember, AnimatedMode, AnimationData, animation_data};
 pub use campbell::{campbell, coupled_campbell};
 pub use convergence::convergence;
 pub use design::{DesignedMode, design};
 pub use error::error;
 pub use first_frequencies::first_frequencies;
+pub(crate) use lines::{LinesAtRest, lines_at_rest};
+pub use mooring::mooring;
 pub use scene::{Body, Form, Substance};
 pub use shapes::shapes;
 pub use soil::{scour, soil};
+pub use structure::structure;
 pub use sweep::{
     ModeColumn, SweepBand, SweepBands, SweepColumns, VariedColumn, ViolatedShare, sweep,
 };

@@ -8,6 +8,7 @@ use towermodes::{
 };
 
 use super::outline::outer_diameter_m;
+use super::substructure::Substructure;
 
 /// A platform whose centre is deeper below the base than this many heights of the tower is not
 /// drawn whole.
@@ -71,11 +72,26 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// The height of the ground around the tower, m, if there is any: the seabed, or the surface of
-    /// the soil.
+    /// The frame under the tower.
+    pub fn substructure(&self) -> Option<Substructure<'a>> {
+        let of = self.tower.frame()?;
+        Some(Substructure { of })
+    }
+
+    /// The lowest height of what stands, m: of the tower or the frame under it.
+    pub fn foot_m(&self) -> f64 {
+        let base_m = self.tower.base_m();
+        let low_m = self.substructure().map(|frame| frame.heights_m()[0]);
+        low_m.map_or(base_m, |low_m| low_m.min(base_m))
+    }
+
+    /// The height of the ground around the tower, m, if there is any: the seabed, the surface of
+    /// the soil, or the mudline of the frame under it.
     pub fn ground_m(&self) -> Option<f64> {
         let water = self.description.water;
+        let of_frame = || self.substructure()?.ground_m();
         let bed_m = water.map(|water| water.bed_m.unwrap_or(self.tower.base_m()));
+        let bed_m = bed_m.or_else(of_frame);
         let surfaces = self.description.soil.iter().filter_map(|rows| rows.last());
         let surface_m = surfaces.map(|row| row.height_m).reduce(f64::max);
         match (bed_m, surface_m) {
@@ -84,9 +100,11 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// The height of the water surface, m: around the tower or its floating platform.
+    /// The height of the water surface, m: around the tower, the frame under it or its floating
+    /// platform.
     pub fn water_m(&self) -> Option<f64> {
         let around_m = self.description.water.map(|water| water.level_m);
+        let around_m = around_m.or_else(|| self.substructure()?.water_m());
         around_m.or_else(|| self.platform()?.surface_m())
     }
 

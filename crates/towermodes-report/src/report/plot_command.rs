@@ -15,7 +15,7 @@ pub(super) const COUPLED: &str = "coupled-campbell";
 pub(super) fn plot_command(content: &ReportContent, what: &str) -> String {
     let mut words = vec![format!("--what {what}")];
     match what {
-        "shapes" => words.push(solved(&content.options)),
+        "shapes" | "structure" => words.push(solved(&content.options)),
         "campbell" => {
             words.push(solved(&content.options));
             if content.turbine.is_some() {

@@ -2,6 +2,7 @@
 //! the same.
 
 mod assumptions;
+mod below;
 mod page;
 
 use std::collections::HashSet;

@@ -40,6 +40,9 @@ pub(crate) struct MemberPart {
     /// Inertia, stiffness to the ground and geometric stiffness for the motion of the near end and
     /// the own coordinates, row by row; empty where it has none.
     pub(crate) matrices: [Vec<f64>; 3],
+    /// The motion at each distance that was asked for, for that of the near end and the own
+    /// coordinates: a row for each component, row by row.
+    pub(crate) shapes: Vec<Vec<f64>>,
 }
 
 /// What an element is made of.
@@ -56,6 +59,8 @@ pub(crate) struct MemberSlice<'a> {
     /// Springs to the ground between two distances (m) from the near end, with the stiffness at
     /// both and linear between them. They have kinks, so each part is integrated by itself.
     pub(crate) soil: &'a [SoilPart],
+    /// Distances (m) from the near end at which the shapes are wanted.
+    pub(crate) sampled_m: &'a [f64],
 }
 
 /// A part of an element, and the springs at both ends.
@@ -128,7 +133,7 @@ impl MemberElement {
             for (distance_m, inertia) in element.bodies {
                 add_inertia(beam, *distance_m, inertia);
             }
-            return vec![part_of(beam, &ALL)];
+            return vec![part_of(beam, &ALL, element.sampled_m)];
         }
         let mut parts: Vec<MemberPart> = Vec::with_capacity(Motion::ALL.len());
         for motion in Motion::ALL {
@@ -146,13 +151,13 @@ impl MemberElement {
                     let beam = &mut self.in_plane;
                     fill(beam, stencil, (motions, components), strains, &slice);
                     add_soil(beam, components, element.soil, points);
-                    part_of(beam, components)
+                    part_of(beam, components, element.sampled_m)
                 }
                 (Motion::Torsion | Motion::Axial, _) => {
                     let beam = &mut self.in_line;
                     fill(beam, stencil, (motions, components), strains, &slice);
                     add_soil(beam, components, element.soil, points);
-                    part_of(beam, components)
+                    part_of(beam, components, element.sampled_m)
                 }
             });
         }
@@ -185,11 +190,16 @@ fn fill<const D: usize>(
     stencil.add_element(beam, &components, slice);
 }
 
-fn part_of<const D: usize>(beam: &Beam<D>, components: &'static [Component]) -> MemberPart {
+fn part_of<const D: usize>(
+    beam: &Beam<D>,
+    components: &'static [Component],
+    sampled_m: &[f64],
+) -> MemberPart {
     MemberPart {
         components,
         tips: beam.tip_rows(0).map(<[f64]>::to_vec).collect(),
         matrices: beam.matrices.clone(),
+        shapes: sampled_m.iter().map(|at_m| shape_at(beam, *at_m)).collect(),
     }
 }
 

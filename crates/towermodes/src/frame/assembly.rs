@@ -10,6 +10,7 @@ use super::hinge::{Hinge, UNIT, spring};
 use super::parts::Parts;
 use super::recipe::{FrameRecipe, Stretch};
 use super::rigid::{self, Motion, NONE, Vector, identity, rigid_transfer};
+use super::shape::{Sample, sampled};
 use super::tension::Tension;
 use crate::beam::MemberElement;
 use crate::space::{SpatialMatrix, add_scaled};
@@ -36,6 +37,8 @@ pub(super) struct Assembled {
     pub(super) elements: Vec<PlacedElement>,
     /// The tension in them, by edge.
     pub(super) tensions: Vec<(usize, Tension)>,
+    /// Points of them.
+    pub(super) samples: Vec<Sample>,
 }
 
 /// Where an element of a beam is in the equations.
@@ -99,13 +102,14 @@ fn made(
     let transition = assembly.transition;
     let positions_m = assembly.graph.positions_m.clone();
     let joint_of_node = assembly.graph.joints.clone();
-    let (equations, elements) = assembly.equations()?;
+    let (equations, elements, samples) = assembly.equations()?;
     Ok(Assembled {
         positions_m,
         joint_of_node,
         equations,
         elements,
         tensions: tensions.to_vec(),
+        samples,
         joints,
         transition,
     })
@@ -126,6 +130,8 @@ struct Assembly<'a> {
     matrices: Vec<Chord>,
     /// The tension in elements, by edge.
     tensions: HashMap<usize, Tension>,
+    /// Points of the elements.
+    samples: Vec<Sample>,
 }
 
 impl<'a> Assembly<'a> {
@@ -141,6 +147,7 @@ impl<'a> Assembly<'a> {
             memory: MemberElement::default(),
             matrices: Vec::new(),
             tensions: HashMap::new(),
+            samples: Vec::new(),
         }
     }
 
@@ -342,7 +349,9 @@ impl<'a> Assembly<'a> {
     }
 
     /// The equations: what carries the nodes first, then what is left of the edges.
-    fn equations(mut self) -> Result<(Equations, Vec<PlacedElement>), FrameSolveError> {
+    fn equations(
+        mut self,
+    ) -> Result<(Equations, Vec<PlacedElement>, Vec<Sample>), FrameSolveError> {
         let mut elements = Vec::new();
         let mut nodes = vec![[NONE; KINDS]; self.graph.positions_m.len()];
         let description = self.frame.description();
@@ -400,7 +409,7 @@ impl<'a> Assembly<'a> {
             }
         }
         equations.chords.append(&mut self.matrices);
-        Ok((equations, elements))
+        Ok((equations, elements, self.samples))
     }
 
     /// The element of an edge, if it is one.
@@ -494,14 +503,7 @@ impl<'a> Assembly<'a> {
         to: f64,
     ) -> Option<(Element, [Vector; 3])> {
         let member = &self.frame.description().members[index];
-        let [x, y, z] = self.frame.axes(member);
-        // From the second joint to the first the axes are turned about x.
-        let back = |axis: Vector| axis.map(|a| -a);
-        let axes = if to > from {
-            [x, y, z]
-        } else {
-            [x, back(y), back(z)]
-        };
+        let axes = axes_from(self.frame, member, to > from);
         // Their axes as rows of the transposed matrix: from global axes into those of the stretch.
         let into: [Vector; 3] = std::array::from_fn(|i| std::array::from_fn(|j| axes[j][i]));
         let (low, high) = (from.min(to), from.max(to));
@@ -517,6 +519,7 @@ impl<'a> Assembly<'a> {
             riders: riders
                 .map(|r| (r.fraction, rigid::matrix_out_of_axes(&into, &r.inertia)))
                 .collect(),
+            sampled: sampled(low, high).map(|(_, at)| at).collect(),
         };
         let element = self.recipe.element(&stretch, &mut self.memory)?;
         Some((element, axes))
@@ -572,6 +575,9 @@ impl<'a> Assembly<'a> {
                 let tip = tip
                     .map(|column| rigid::out_of_axes(&axes, column))
                     .collect();
+                let at = (member, from, to);
+                let samples = Sample::of_link(at, (&element, &axes), parent, first);
+                self.samples.extend(samples);
                 Link {
                     coordinates: element.coordinates(),
                     parts: Parts::of_link(&element, Some(axes)),
@@ -589,11 +595,24 @@ impl<'a> Assembly<'a> {
             return None;
         };
         let (element, axes) = self.element(edge, member, from, to)?;
+        let samples = Sample::of_chord((member, from, to), (&element, &axes), ends, first);
+        self.samples.extend(samples);
         Some(Chord {
             ends,
             first,
             parts: Parts::of_chord(&element, axes),
         })
+    }
+}
+
+/// The axes of a member as rows, seen from one of its joints: from the second to the first they are
+/// turned about x.
+fn axes_from(frame: &Frame, member: &FrameMember, is_first: bool) -> [Vector; 3] {
+    let [x, y, z] = frame.axes(member);
+    let back = |axis: Vector| axis.map(|a| -a);
+    match is_first {
+        true => [x, y, z],
+        false => [x, back(y), back(z)],
     }
 }
 

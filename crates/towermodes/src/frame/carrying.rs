@@ -15,6 +15,7 @@ use super::parts::Parts;
 use super::product::Sweep;
 use super::recipe::FrameRecipe;
 use super::rigid::{Motion, NONE, rigid_transfer};
+use super::shape::{FrameShape, ShapeReader};
 use super::statics::with_tensions;
 use super::tension::Tension;
 use crate::beam::MemberPart;
@@ -45,6 +46,8 @@ pub(crate) struct BareFrame {
     finer: Option<Equations>,
     /// The joint of each of its nodes.
     joint_of_node: Vec<usize>,
+    /// Where its joints and points of its members are in the equations.
+    shapes: ShapeReader,
     /// What its members do by themselves; none yet, or none if they cannot.
     local: Option<Option<Local>>,
 }
@@ -93,6 +96,8 @@ impl BareFrame {
             joint_of_node,
             transition,
             tensions,
+            joints,
+            samples,
             ..
         } = with_tensions(
             &foundation.frame,
@@ -116,6 +121,7 @@ impl BareFrame {
             levers_m: positions_m.iter().map(|p| [p[0] - x, p[1] - y]).collect(),
             joint_of_node,
             tensions,
+            shapes: ShapeReader { joints, samples },
             finer: None,
             local: None,
         })
@@ -161,6 +167,14 @@ impl OnFrame {
             sweep: Sweep::default(),
             product: Vec::new(),
         })
+    }
+
+    /// The shape of the frame in a motion, divided by a size.
+    pub(crate) fn shape(&self, x: &[f64], size: f64) -> Option<FrameShape> {
+        let mut motions = Vec::new();
+        self.frame.equations.set_motions(x, &mut motions);
+        let frame = &self.frame.tower.frame()?.frame;
+        Some(self.frame.shapes.read(frame, &motions, x).divided_by(size))
     }
 
     /// The shares of the kinetic and of the strain energy of a mode that members of the frame have
@@ -338,6 +352,7 @@ fn add_tower(
             components: &ALL,
             tips: link.tips.to_vec(),
             matrices: link.matrices.clone(),
+            shapes: Vec::new(),
         };
         let element = Element {
             transfer: link.transfer,

@@ -40,6 +40,9 @@ pub(super) struct Part {
     /// Inertia, stiffness to the ground, geometric stiffness for v and y: a row for each component
     /// and coordinate; empty where there is none.
     pub(super) matrices: [Vec<f64>; 3],
+    /// The motion at each distance that was asked for, for v and y: a row for each component, with
+    /// its sign.
+    shapes: Vec<Vec<f64>>,
     /// The unit vectors of the reflections that changed the coordinates.
     reflectors: Vec<Vec<f64>>,
 }
@@ -83,6 +86,7 @@ impl Part {
             components,
             mut tips,
             mut matrices,
+            mut shapes,
         } = made;
         let coordinates = tips.first().map_or(0, Vec::len);
         let own = components.len();
@@ -94,6 +98,10 @@ impl Part {
             for row in &mut tips {
                 reflect(&reflector, &mut row[rank..]);
             }
+            let shapes = shapes
+                .iter_mut()
+                .flat_map(|s| s.chunks_exact_mut(own + coordinates));
+            shapes.for_each(|row| reflect(&reflector, &mut row[own + rank..]));
             for matrix in matrices.iter_mut().filter(|matrix| !matrix.is_empty()) {
                 reflect_matrix(&reflector, own + coordinates, own + rank, matrix);
             }
@@ -112,6 +120,7 @@ impl Part {
             tip: (0..rank).map(column).collect(),
             coordinates,
             matrices,
+            shapes,
             reflectors,
         }
     }
@@ -119,6 +128,43 @@ impl Part {
     /// How many coordinates move the far end.
     pub(super) fn moving(&self) -> usize {
         self.tip.len()
+    }
+
+    /// The translation at a distance that was asked for, by place: the part's share of it for the
+    /// motion of the near end, then for each of its coordinates, in the axes of the element.
+    pub(super) fn translation(&self, place: usize) -> [Vec<f64>; 3] {
+        let (own, rows) = (
+            self.components.len(),
+            self.components.len() + self.coordinates,
+        );
+        let mut translation = [const { Vec::new() }; 3];
+        translation
+            .iter_mut()
+            .for_each(|row| row.resize(6 + self.coordinates, 0.0));
+        for ((component, sign), row) in self
+            .components
+            .iter()
+            .zip(self.shapes[place].chunks_exact(rows))
+        {
+            let Some(out) = translation.get_mut(*component) else {
+                continue;
+            };
+            for ((near, near_sign), entry) in self.components.iter().zip(row) {
+                out[*near] = sign * near_sign * entry;
+            }
+            for (out, entry) in out[6..].iter_mut().zip(&row[own..]) {
+                *out = sign * entry;
+            }
+        }
+        translation
+    }
+
+    /// A row for the motion of the near end and the coordinates, divided: the motion, the
+    /// coordinates that move the far end, the bubbles.
+    pub(super) fn split<'a>(&self, row: &'a [f64]) -> [&'a [f64]; 3] {
+        let (near, own) = row.split_at(6);
+        let (moving, bubbles) = own.split_at(self.moving());
+        [near, moving, bubbles]
     }
 
     /// Its matrices for the components of the motion themselves, without their signs.
@@ -177,6 +223,10 @@ impl Part {
             let rows_of = matrix.chunks_exact(old).take(rows);
             rows_of.flat_map(|row| row[..rows].to_vec()).collect()
         };
+        let shape = |shape: &Vec<f64>| -> Vec<f64> {
+            let rows_of = shape.chunks_exact(old);
+            rows_of.flat_map(|row| row[..rows].to_vec()).collect()
+        };
         let [carried, ground, geometric] = &self.matrices;
         let mut sum = leading(carried);
         sum.resize(rows * rows, 0.0);
@@ -191,6 +241,7 @@ impl Part {
             components: self.components,
             tip: self.tip.clone(),
             coordinates: moving,
+            shapes: self.shapes.iter().map(shape).collect(),
             reflectors: Vec::new(),
             matrices: [sum, leading(ground), leading(geometric)],
         }

@@ -19,6 +19,7 @@ mod pencil;
 mod product;
 mod recipe;
 mod rigid;
+mod shape;
 mod solve;
 mod static_stiffness;
 mod statics;
@@ -28,12 +29,13 @@ pub(crate) use below::{FrameBelow, ReducedFrame};
 pub(crate) use carrying::{BareFrame, OnFrame};
 pub use error::FrameSolveError;
 pub use recipe::FrameRecipe;
+pub use shape::FrameShape;
 pub use solve::{FrameMode, FrameOptions, FrameSolution, count_frame_modes, solve_frame};
 pub use static_stiffness::static_stiffness;
 
 pub use crate::tower::frame::{
     CoatKind, Frame, FrameCoat, FrameDescription, FrameError, FrameFoundation, FrameJoint,
-    FrameMember, FramePart, FramePlace, FrameProblem, FrameRider, FrameSoil, FrameSoilRow,
-    FrameSpring, FrameSupport, GivenSection, JointKind, MarineGrowth, MemberKind, MembersInWater,
-    Rectangle, SectionEnds, Transition, spin_of_axes,
+    FrameMasses, FrameMember, FramePart, FramePlace, FrameProblem, FrameRider, FrameSoil,
+    FrameSoilRow, FrameSpring, FrameSupport, GivenSection, JointKind, MarineGrowth, MemberKind,
+    MembersInWater, Rectangle, SectionEnds, Transition, spin_of_axes,
 };

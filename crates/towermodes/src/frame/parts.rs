@@ -301,12 +301,7 @@ fn chord_block(part: &Part, element: &Element, first: usize) -> Block {
     let (n, moving) = (components.len(), part.moving());
     let bubbles = part.coordinates - moving;
     let rows = 2 * n + bubbles;
-    let columns: Vec<Vec<f64>> = part
-        .tip
-        .iter()
-        .map(|tip| components.iter().map(|c| tip[*c]).collect())
-        .collect();
-    let inverse = inverse_of_columns(&columns, n);
+    let inverse = inverse_tip(part);
     // v and y for (q_near, q_far, bubbles).
     let old = n + part.coordinates;
     let mut change = vec![0.0; old * rows];
@@ -347,6 +342,13 @@ fn chord_block(part: &Part, element: &Element, first: usize) -> Block {
         bubbles,
         matrices,
     }
+}
+
+/// L⁻¹ of a part of an element, in its components.
+pub(super) fn inverse_tip(part: &Part) -> Vec<Vec<f64>> {
+    let of = |tip: &Motion| part.components.iter().map(|(c, _)| tip[*c]).collect();
+    let columns: Vec<Vec<f64>> = part.tip.iter().map(of).collect();
+    inverse_of_columns(&columns, part.components.len())
 }
 
 /// The inverse of the matrix of n rows with these columns, by Gauss-Jordan elimination with pivots.

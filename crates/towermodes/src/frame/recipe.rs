@@ -89,6 +89,8 @@ impl FrameRecipe {
         };
         let compression = stretch.compression();
         let (bodies, soil) = (stretch.bodies(), stretch.soil());
+        let sampled = stretch.sampled.iter();
+        let sampled_m: Vec<f64> = sampled.map(|at| stretch.distance_m(*at)).collect();
         let mut make = |strains, section_at: &dyn Fn(f64) -> Section| {
             let slice = MemberSlice {
                 length_m,
@@ -96,6 +98,7 @@ impl FrameRecipe {
                 compression_n: compression.as_deref(),
                 bodies: &bodies,
                 soil: &soil,
+                sampled_m: &sampled_m,
             };
             Element::of(memory.make(strains, &slice), length_m)
         };
@@ -145,6 +148,8 @@ pub(super) struct Stretch<'a> {
     pub(super) tension: Option<&'a Tension>,
     /// What rides on it, with its axes as those of the stretch.
     pub(super) riders: Vec<(f64, SpatialMatrix)>,
+    /// Fractions of the member at which the shapes are wanted.
+    pub(super) sampled: Vec<f64>,
 }
 
 impl Stretch<'_> {
@@ -171,11 +176,15 @@ impl Stretch<'_> {
 
     /// What rides on it, by its distance (m) from the near end.
     fn bodies(&self) -> Vec<(f64, SpatialMatrix)> {
-        let distance_m = |fraction: f64| (fraction - self.from).abs() * self.member_m;
         let riders = self.riders.iter();
         riders
-            .map(|(fraction, inertia)| (distance_m(*fraction), *inertia))
+            .map(|(fraction, inertia)| (self.distance_m(*fraction), *inertia))
             .collect()
+    }
+
+    /// The distance (m) of a fraction of the member from the near end.
+    fn distance_m(&self, fraction: f64) -> f64 {
+        (fraction - self.from).abs() * self.member_m
     }
 
     /// The soil around it, in parts within which the springs are linear.
@@ -183,7 +192,7 @@ impl Stretch<'_> {
         let ends = [self.from.min(self.to), self.from.max(self.to)];
         let parts = self.member.soil.iter().flat_map(|soil| soil.parts(ends));
         let seen = |(part, [near, far]): ([f64; 2], [SoilStiffness; 2])| {
-            let [from_m, to_m] = part.map(|at| (at - self.from).abs() * self.member_m);
+            let [from_m, to_m] = part.map(|at| self.distance_m(at));
             match self.to < self.from {
                 false => ([from_m, to_m], [near, far]),
                 true => ([to_m, from_m], [far, near]),

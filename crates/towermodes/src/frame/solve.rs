@@ -7,6 +7,7 @@ use super::error::FrameSolveError;
 use super::mechanism::{least_lambda, mechanism};
 use super::pencil::FramePencil;
 use super::recipe::FrameRecipe;
+use super::shape::{FrameShape, ShapeReader};
 use super::statics::with_tensions;
 use crate::eigen::{EigenWorkspace, lowest};
 use crate::tower::frame::Frame;
@@ -50,9 +51,8 @@ pub struct FrameMode {
     /// Estimate of the discretization error, Hz: the change from the degree before; 0 where the
     /// recipe is given.
     pub discretization_error_hz: f64,
-    /// Motion (x, y, z, rotation about x, y, z; m and rad) of each joint, so that the modal mass is
-    /// 1 kg.
-    pub joints: Vec<[f64; 6]>,
+    /// Its shape, m and rad, so that the modal mass is 1 kg.
+    pub shape: FrameShape,
     /// The same of the reference point of the transition piece.
     pub transition: Option<[f64; 6]>,
 }
@@ -125,6 +125,7 @@ fn solve_once(
         joints,
         joint_of_node,
         transition,
+        samples,
         ..
     } = with_tensions(
         frame,
@@ -143,6 +144,7 @@ fn solve_once(
     let mut workspace = EigenWorkspace::default();
     check_stiffness(frame, (&joints, &joint_of_node), &mut pencil)?;
     lowest(&mut pencil, wanted, &mut workspace)?;
+    let reader = ShapeReader { joints, samples };
     let mut motions = Vec::new();
     let modes = workspace.eigenvalues()[..wanted]
         .iter()
@@ -151,19 +153,15 @@ fn solve_once(
             let own = eigenvalue.shifted(pencil.origin);
             // uᵀ(K − σM)u = 1, so the modal mass is 1/(λ − σ).
             let scale = eigenvalue.lambda.sqrt();
-            pencil
-                .equations
-                .set_motions(workspace.vector(index), &mut motions);
-            let motion = |node: &Option<usize>| match node {
-                Some(node) => motions[*node].map(|x| scale * x),
-                None => [0.0; 6],
-            };
+            let vector = workspace.vector(index);
+            pencil.equations.set_motions(vector, &mut motions);
+            let shape = reader.read(frame, &motions, vector);
             FrameMode {
                 frequency_hz: own.frequency_hz(),
                 error_hz: own.frequency_error_hz(),
                 discretization_error_hz: 0.0,
-                joints: joints.iter().map(motion).collect(),
-                transition: transition.map(|node| motion(&Some(node))),
+                shape: shape.divided_by(1.0 / scale),
+                transition: transition.map(|node| motions[node].map(|x| scale * x)),
             }
         });
     let modes: Vec<FrameMode> = modes.collect();

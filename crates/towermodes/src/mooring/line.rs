@@ -88,6 +88,36 @@ impl Rope {
         Some(hung)
     }
 
+    /// At least `count` places along the line between two positions, from the first to the second;
+    /// these two where no number is its tension.
+    pub(super) fn places(&self, ends_m: [Vector; 2], count: usize) -> Vec<Vector> {
+        let Some(hung) = self.between(ends_m) else {
+            return ends_m.to_vec();
+        };
+        let is_rising = self.up * ends_m[0][2] <= self.up * ends_m[1][2];
+        let [lower, upper] = if is_rising {
+            ends_m
+        } else {
+            [ends_m[1], ends_m[0]]
+        };
+        let chord = difference(upper, lower);
+        let span_m = chord[0].hypot(chord[1]);
+        let share = |beside: f64| if span_m > 0.0 { beside / span_m } else { 0.0 };
+        let curve = self
+            .cable
+            .curve(&hung.profile, (span_m, self.up * chord[2]), count);
+        let place = |&(beside, above): &(f64, f64)| {
+            let [x, y, z] = lower;
+            let s = share(beside);
+            [x + s * chord[0], y + s * chord[1], z + self.up * above]
+        };
+        let mut places: Vec<Vector> = curve.iter().map(place).collect();
+        if !is_rising {
+            places.reverse();
+        }
+        places
+    }
+
     /// −∂F_i/∂u_j for two ends of the profile, 0 the lower and 1 the upper one.
     fn block(
         &self,

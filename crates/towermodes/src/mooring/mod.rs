@@ -10,6 +10,7 @@ mod cable;
 mod carrier;
 mod catenary;
 mod check;
+mod curve;
 mod description;
 mod elimination;
 mod equilibrium;

@@ -111,6 +111,17 @@ impl Mooring {
         })
     }
 
+    /// Places along each line of a state of it, at least `count` (one or more), from its first point
+    /// to its second.
+    pub fn places_m(&self, state: &MooringState, count: usize) -> Vec<Vec<[f64; 3]>> {
+        let lines = self.ropes.iter().zip(&self.description.lines);
+        let places = lines.map(|(rope, line)| {
+            let ends_m = line.points.map(|point| state.points_m[point]);
+            rope.places(ends_m, count.max(1))
+        });
+        places.collect()
+    }
+
     /// The mooring system at a pose.
     ///
     /// # Errors

@@ -6,6 +6,7 @@ mod differences;
 mod foundation;
 mod invariance;
 mod masses;
+mod places;
 mod platforms;
 mod random_lines;
 mod random_parts;

@@ -1,6 +1,7 @@
 // How far each mode is deflected at a time: one mode that oscillates, or all after a release from a
 // deflection.
 
+import { largestOfFrame } from "../../view/motion.js";
 import type { Mode } from "../protocol.js";
 import type { Point, Pose, Shape, TowerScene } from "../../view/scene.js";
 
@@ -13,7 +14,7 @@ export function scaleOf(scene: TowerScene, shape: Shape, amplitude: number): num
   const largest = shape.x.reduce((most, x, k) => {
     const translation = Math.hypot(x, shape.y[k] ?? 0, shape.z[k] ?? 0);
     return Math.max(most, translation, Math.abs(shape.rotation_z[k] ?? 0) * height * HEIGHT_PER_RADIAN);
-  }, 0);
+  }, largestOfFrame(shape.frame));
   return largest > 0 ? (amplitude * height) / largest : 0;
 }
 
@@ -45,7 +46,13 @@ function at(heights: number[], values: number[], height: number): number {
 /** The sum of the shapes, each with its factor; written into a pose that is used again if it has
  * as many heights. */
 export function superposed(scene: TowerScene, factors: number[], into: Pose | null): Pose {
-  const pose = into?.displacement.length === scene.height_m.length ? into : emptyPose(scene.height_m.length);
+  const ofFrame = scene.modes[0]?.frame?.length ?? 0;
+  const fits = into?.displacement.length === scene.height_m.length && into.frame.length === ofFrame;
+  const pose = fits ? into : emptyPose(scene.height_m.length, ofFrame);
+  pose.frame.fill(0);
+  factors.forEach((factor, index) => {
+    if (factor !== 0) scene.modes[index]?.frame?.forEach((value, k) => { pose.frame[k]! += factor * value; });
+  });
   for (let k = 0; k < scene.height_m.length; k++) {
     const displacement: Point = pose.displacement[k] ?? [0, 0, 0];
     const rotation: Point = pose.rotation[k] ?? [0, 0, 0];
@@ -66,12 +73,12 @@ export function superposed(scene: TowerScene, factors: number[], into: Pose | nu
   return pose;
 }
 
-function emptyPose(count: number): Pose {
+function emptyPose(count: number, ofFrame: number): Pose {
   const points = (): Point[] => Array.from({ length: count }, () => [0, 0, 0]);
-  return { displacement: points(), rotation: points() };
+  return { displacement: points(), rotation: points(), frame: new Array<number>(ofFrame).fill(0) };
 }
 
 /** The largest translation of a pose. */
 export function largest(pose: Pose): number {
-  return pose.displacement.reduce((most, point) => Math.max(most, Math.hypot(...point)), 0);
+  return pose.displacement.reduce((most, point) => Math.max(most, Math.hypot(...point)), largestOfFrame(pose.frame));
 }

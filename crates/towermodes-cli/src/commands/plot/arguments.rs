@@ -30,7 +30,7 @@ pub(crate) struct PlotArguments {
     #[arg(long, value_enum, default_value_t = What::Shapes)]
     pub(crate) what: What,
 
-    /// Method of computation, for shapes, campbell and convergence
+    /// Method of computation, for shapes, structure, campbell and convergence
     /// [default: rmje-exact; bmodes for BModes decks, except for convergence]
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
@@ -89,6 +89,9 @@ pub(crate) enum What {
     Tower,
     /// The mode shapes, side by side.
     Shapes,
+    /// The whole structure in its modes, in space: the tower with the members or the floating
+    /// platform under it.
+    Structure,
     /// Error of a method over the number of segments.
     Convergence,
     /// Campbell diagram: natural frequencies and excitations over rotor speed.

@@ -9,7 +9,7 @@ pub(crate) use arguments::PlotArguments;
 use std::path::Path;
 
 use towermodes::turbine::Turbine;
-use towermodes::{Options, Tower, Warning};
+use towermodes::{Options, Solution, Tower, TowerDescription, Warning};
 use towermodes_files::{Note, NoteKind, TowerInput};
 use towermodes_report::figures::{TitleWords, titled};
 use towermodes_report::svg::{Figure, Look, Theme};
@@ -118,7 +118,8 @@ fn drawn(
             let figure = figures::tower(&input.description, tower);
             Ok(Drawn::new(figure, tower.warnings()))
         }
-        What::Shapes => shapes(input, tower, arguments),
+        What::Shapes => solved(input, tower, arguments, figures::shapes),
+        What::Structure => solved(input, tower, arguments, figures::structure),
         What::Campbell => campbell(input, tower, arguments),
         What::Convergence => study::convergence(tower, arguments),
         What::Error => study::error(tower, arguments),
@@ -131,14 +132,16 @@ fn options(input: &TowerInput, arguments: &PlotArguments) -> Result<Options, Fai
     arguments.options(input).map_err(Failure::from)
 }
 
-fn shapes(
-    input: &mut TowerInput,
+/// A picture of the modes of a tower.
+fn solved(
+    input: &TowerInput,
     tower: &Tower,
     arguments: &PlotArguments,
+    picture: impl Fn(&TowerDescription, &Tower, &Solution) -> Figure,
 ) -> Result<Drawn, Failure> {
     let options = options(input, arguments)?;
     let solution = solve(tower, &options)?;
-    let figure = figures::shapes(&input.description, tower, &solution);
+    let figure = picture(&input.description, tower, &solution);
     Ok(Drawn::new(figure, &solution.warnings).computed(computed_by(&solution)))
 }
 

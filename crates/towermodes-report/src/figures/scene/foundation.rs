@@ -4,6 +4,7 @@ use towermodes::{Buried, FoundationSprings, Support, Tower};
 
 use super::solids::{ball, block, circle, link, ring, solid};
 use super::{Body, FAR, Form, HALF_SIDE, MASS, Substance};
+use crate::figures::lines::lines_at_rest;
 use crate::figures::parts::{Parts, Platform};
 
 /// Length of a spring and least thickness of a footing, as fractions of the tower's height.
@@ -24,6 +25,7 @@ pub(super) fn foundation(parts: &Parts<'_>) -> Vec<Body> {
         parts.springs(),
     ) {
         (Support::Form(form), ..) => in_soil(parts.tower, form.buried()),
+        (Support::Frame(_), ..) => transition_piece(parts).into_iter().collect(),
         (_, Some(platform), _) => floating(parts, &platform),
         (_, _, Some(given)) if !parts.tower.base().is_clamped() => springs(parts, &given),
         _ => Vec::new(),
@@ -95,17 +97,29 @@ fn in_soil(tower: &Tower, of: Buried) -> Vec<Body> {
     ]
 }
 
-/// A nominal hull, because the input has no shape, with its centre of mass and three moorings.
+/// Half the width of a nominal hull, and the height of its shoulders, m.
+fn hull_size_m(parts: &Parts<'_>, platform: &Platform<'_>) -> [f64; 2] {
+    let (base_m, height_m) = (parts.tower.base_m(), parts.tower.height_m());
+    let half_m = (1.5 * parts.radius_m(base_m)).clamp(0.03 * height_m, 0.1 * height_m);
+    let down_m = (0.15 * (base_m - platform.keel_m())).min(0.1 * height_m);
+    [half_m, base_m - down_m]
+}
+
+/// The corners of a nominal hull, because the input has no shape.
+pub(super) fn hull(parts: &Parts<'_>, platform: &Platform<'_>) -> Vec<[f64; 3]> {
+    let base_m = parts.tower.base_m();
+    let [half_m, shoulder_m] = hull_size_m(parts, platform);
+    let rims = ring(parts.radius_m(base_m), base_m)
+        .chain(ring(half_m, shoulder_m))
+        .chain(ring(half_m, platform.keel_m()));
+    rims.collect()
+}
+
+/// A nominal hull with its centre of mass and its moorings.
 fn floating(parts: &Parts<'_>, platform: &Platform<'_>) -> Vec<Body> {
     let (base_m, height_m) = (parts.tower.base_m(), parts.tower.height_m());
-    let keel_m = platform.keel_m();
-    let radius_m = parts.radius_m(base_m);
-    let half_m = (1.5 * radius_m).clamp(0.03 * height_m, 0.1 * height_m);
-    let shoulder_m = base_m - (0.15 * (base_m - keel_m)).min(0.1 * height_m);
-    let rims = ring(radius_m, base_m)
-        .chain(ring(half_m, shoulder_m))
-        .chain(ring(half_m, keel_m));
-    let mut bodies = vec![solid(Some(base_m), Substance::Foundation, rims.collect())];
+    let corners = hull(parts, platform);
+    let mut bodies = vec![solid(Some(base_m), Substance::Foundation, corners)];
     if platform
         .of
         .center_m
@@ -114,14 +128,44 @@ fn floating(parts: &Parts<'_>, platform: &Platform<'_>) -> Vec<Body> {
     {
         bodies.push(ball(base_m, platform.of.center_m, 1.5 * MASS[0] * height_m));
     }
-    if platform.is_moored() {
-        let fairlead_m = platform.of.mooring.height_m.clamp(keel_m, shoulder_m);
-        for (x, y) in circle(3) {
-            let start = [x * half_m, y * half_m, fairlead_m];
-            let reach_m = ANCHORS * height_m;
-            let end = [x * reach_m, y * reach_m, keel_m - 0.1 * height_m];
-            bodies.push(link(base_m, Form::Line, [start, end]));
-        }
+    match lines_at_rest(platform.of) {
+        Some(at_rest) => bodies.extend(at_rest.lines.into_iter().map(|line| Body {
+            follows_m: line.is_on_platform.then_some(base_m),
+            of: Substance::Link,
+            form: Form::Line,
+            points: line.places_m,
+            radius_m: None,
+        })),
+        None if platform.is_moored() => bodies.extend(nominal_moorings(parts, platform)),
+        None => {}
     }
     bodies
+}
+
+/// Three straight lines, because the input has a stiffness alone.
+fn nominal_moorings(parts: &Parts<'_>, platform: &Platform<'_>) -> Vec<Body> {
+    let (base_m, height_m) = (parts.tower.base_m(), parts.tower.height_m());
+    let keel_m = platform.keel_m();
+    let [half_m, shoulder_m] = hull_size_m(parts, platform);
+    let fairlead_m = platform.of.mooring.height_m.clamp(keel_m, shoulder_m);
+    let line = |(x, y): (f64, f64)| {
+        let start = [x * half_m, y * half_m, fairlead_m];
+        let reach_m = ANCHORS * height_m;
+        let end = [x * reach_m, y * reach_m, keel_m - 0.1 * height_m];
+        link(base_m, Form::Line, [start, end])
+    };
+    circle(3).map(line).collect()
+}
+
+/// The rigid transition piece of a frame, as the smallest body around its joints.
+fn transition_piece(parts: &Parts<'_>) -> Option<Body> {
+    let substructure = parts.substructure()?;
+    let transition = substructure.description().transition.as_ref()?;
+    let [x, y, _] = substructure.of.reference_m();
+    let joints = transition.joints.iter();
+    let joints = joints.map(|joint| substructure.description().joints[*joint].position_m);
+    let corners = joints.chain([transition.position_m]);
+    let corners: Vec<[f64; 3]> = corners.map(|[a, b, c]| [a - x, b - y, c]).collect();
+    let base_m = parts.tower.base_m();
+    (corners.len() > 3).then(|| solid(Some(base_m), Substance::Foundation, corners))
 }

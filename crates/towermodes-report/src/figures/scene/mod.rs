@@ -45,6 +45,12 @@ pub(super) fn scene(description: &TowerDescription, tower: &Tower) -> Vec<Body> 
     bodies
 }
 
+/// The corners of the platform of a floating tower; none of any other.
+pub(super) fn hull(parts: &Parts<'_>) -> Vec<[f64; 3]> {
+    let platform = parts.platform();
+    platform.map_or_else(Vec::new, |platform| foundation::hull(parts, &platform))
+}
+
 /// Balls on the axis, larger for larger masses, the heaviest first.
 fn masses(parts: &Parts<'_>) -> Vec<Body> {
     let mut masses: Vec<_> = parts.masses().collect();

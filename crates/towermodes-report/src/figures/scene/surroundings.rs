@@ -13,11 +13,14 @@ const BELOW_KEEL: f64 = 0.08;
 /// Half the side of the water around a platform, as a fraction of the tower's height.
 const SEA: f64 = 0.5;
 
+/// How far ground and water reach beyond a frame, by its distance from the axis.
+const BESIDE: f64 = 1.25;
+
 /// The ground: soil with springs, the seabed, or the ground that the tower is clamped to.
 pub(super) fn ground(parts: &Parts<'_>) -> Vec<Body> {
     let Parts { description, tower } = parts;
     let (height_m, base_m) = (tower.height_m(), tower.base_m());
-    let half_m = HALF_SIDE * height_m;
+    let half_m = half_side_m(parts);
     let slab_m = SLAB * height_m;
     let surface_m = parts.ground_m();
     let rows = description.soil.iter().flatten();
@@ -34,6 +37,12 @@ pub(super) fn ground(parts: &Parts<'_>) -> Vec<Body> {
     top_m.map(slab).into_iter().collect()
 }
 
+/// Half the side of soil, ground and water: wider than the frame under the tower.
+fn half_side_m(parts: &Parts<'_>) -> f64 {
+    let of_frame_m = parts.substructure().map_or(0.0, |frame| frame.reach_m());
+    (HALF_SIDE * parts.tower.height_m()).max(BESIDE * of_frame_m)
+}
+
 /// Water from the bed, or from below the keel of a platform, to its surface.
 pub(super) fn water(parts: &Parts<'_>) -> Option<Body> {
     let tower = parts.tower;
@@ -42,11 +51,16 @@ pub(super) fn water(parts: &Parts<'_>) -> Option<Body> {
         .platform()
         .filter(|platform| platform.surface_m().is_some());
     // Moorings end in the water, and the ground reaches beyond it.
-    let (low_m, half) = match floats {
-        Some(platform) => (platform.keel_m() - BELOW_KEEL * tower.height_m(), SEA),
-        None => (parts.ground_m().unwrap_or(tower.base_m()), 0.96 * HALF_SIDE),
+    let (low_m, half_m) = match floats {
+        Some(platform) => (
+            platform.keel_m() - BELOW_KEEL * tower.height_m(),
+            SEA * tower.height_m(),
+        ),
+        None => (
+            parts.ground_m().unwrap_or(tower.base_m()),
+            0.96 * half_side_m(parts),
+        ),
     };
     let is_near = (level_m - tower.top_m()).abs() < 2.0 * tower.height_m();
-    let half_m = half * tower.height_m();
     (low_m < level_m && is_near).then(|| block(Substance::Water, half_m, [low_m, level_m]))
 }

@@ -3,6 +3,7 @@
 use towermodes::{Buried, ClosedForm, FoundationSprings, StiffnessFoundation, Support};
 
 use super::callouts::Callout;
+use super::substructure;
 use super::view::View;
 use crate::figures::parts::Parts;
 use crate::figures::symbols::{held_below, held_left, rigid_link, spiral, spring, turn};
@@ -13,7 +14,8 @@ use crate::svg::{Colour, Drawing, Stroke};
 pub(super) fn below(parts: &Parts<'_>) -> f64 {
     match parts.description.foundation.support() {
         Support::Clamped => 26.0,
-        Support::Floating(_) | Support::Frame(_) => 16.0,
+        Support::Floating(_) => 16.0,
+        Support::Frame(_) => substructure::BELOW,
         Support::Stiffness(_) | Support::Springs(_) | Support::Form(_) => 58.0,
     }
 }
@@ -129,12 +131,8 @@ pub(super) fn callout(view: &View<'_>) -> Option<Callout> {
     let half = base_radius(view);
     let (clamp, springs) = ((x + half + 14.0, y + 5.0), (x + half + 27.0, y + 6.0));
     Some(match view.parts.description.foundation.support() {
-        Support::Floating(_) => return None,
+        Support::Floating(_) | Support::Frame(_) => return None,
         Support::Clamped => Callout::whole(clamp, vec!["clamped".to_owned()]),
-        Support::Frame(foundation) => {
-            let members = foundation.frame.description().members.len();
-            Callout::whole(clamp, vec![format!("space frame of {members} members")])
-        }
         Support::Springs(_) if view.parts.springs().is_none() => {
             Callout::whole(clamp, vec!["springs, all rigid: clamped".to_owned()])
         }

@@ -52,13 +52,14 @@ pub(super) fn sheet(parts: Parts<'_>) -> (View<'_>, f64) {
 /// The lowest and the highest height in the picture, m: of the tower and of parts near it.
 fn extent_m(parts: &Parts<'_>) -> (f64, f64) {
     let Parts { description, tower } = parts;
-    let (base_m, top_m) = (tower.base_m(), tower.top_m());
+    let top_m = tower.top_m();
     let platform = parts.platform();
     let heights_m = [
         description.water.map(|water| water.level_m),
         parts
             .rna()
             .map(|rna| top_m + rna.center_m[2] - 0.05 * tower.height_m()),
+        parts.substructure().map(|frame| frame.heights_m()[1]),
         platform.and_then(|platform| platform.surface_m()),
     ];
     let most_m = top_m + NEAR * tower.height_m();
@@ -66,7 +67,7 @@ fn extent_m(parts: &Parts<'_>) -> (f64, f64) {
         .into_iter()
         .flatten()
         .filter(|height_m| *height_m <= most_m);
-    let low_m = platform.map_or(base_m, |platform| platform.keel_m());
+    let low_m = platform.map_or(parts.foot_m(), |platform| platform.keel_m());
     (low_m, near.fold(top_m, f64::max))
 }
 

@@ -9,6 +9,7 @@ mod platform;
 mod rna;
 mod small;
 mod stations;
+mod substructure;
 mod surroundings;
 mod view;
 mod wires;
@@ -71,6 +72,7 @@ fn draw_scene(drawing: &mut Drawing, view: &View<'_>) {
     wires::draw_wires(drawing, view);
     platform::draw_platform(drawing, view);
     draw_foundation(drawing, view);
+    substructure::draw_substructure(drawing, view);
     draw_body(drawing, view);
     draw_masses(drawing, view);
     draw_rna(drawing, view, 1.0);
@@ -80,6 +82,7 @@ fn callouts_of(view: &View<'_>) -> Vec<Callout> {
     let mut callouts: Vec<Callout> = rna::callout(view).into_iter().collect();
     callouts.extend(foundation::callout(view));
     callouts.extend(platform::callouts(view));
+    callouts.extend(substructure::callouts(view));
     callouts.extend(surroundings::callouts(view));
     callouts.extend(wires::callouts(view));
     callouts.extend(stations::mass_callouts(view));

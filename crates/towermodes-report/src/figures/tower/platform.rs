@@ -2,10 +2,12 @@
 
 use super::callouts::Callout;
 use super::view::View;
+use crate::figures::lines::{LinesAtRest, lines_at_rest};
 use crate::figures::parts::Platform;
 use crate::figures::symbols::{center_of_mass, waves};
 use crate::number::{length, mass, stiffness};
 use crate::svg::{Colour, Dash, Drawing, Stroke};
+use crate::wording::counted;
 
 fn half_width(view: &View<'_>) -> f64 {
     let radius = view.radius_at(view.parts.tower.base_m());
@@ -17,9 +19,9 @@ pub(super) fn draw_sea(drawing: &mut Drawing, view: &View<'_>) {
     if view.parts.description.water.is_some() {
         return;
     }
-    if let Some(surface_m) = view
-        .parts
-        .water_m()
+    let platform = view.parts.platform();
+    if let Some(surface_m) = platform
+        .and_then(|platform| platform.surface_m())
         .filter(|height_m| view.shows(*height_m))
     {
         let y = view.y(surface_m);
@@ -31,8 +33,10 @@ pub(super) fn draw_sea(drawing: &mut Drawing, view: &View<'_>) {
 /// Draws the platform and its moorings, if there is one.
 pub(super) fn draw_platform(drawing: &mut Drawing, view: &View<'_>) {
     if let Some(platform) = view.parts.platform() {
-        if platform.is_moored() {
-            draw_moorings(drawing, view, &platform);
+        match lines_at_rest(platform.of) {
+            Some(at_rest) => draw_lines(drawing, view, &at_rest),
+            None if platform.is_moored() => draw_moorings(drawing, view, &platform),
+            None => {}
         }
         draw_hull(drawing, view);
     }
@@ -76,6 +80,29 @@ fn center(view: &View<'_>, platform: &Platform<'_>) -> (f64, f64) {
 fn shows_center(view: &View<'_>, platform: &Platform<'_>) -> bool {
     let x = center(view, platform).0;
     view.shows(platform.of.center_m[2]) && (view.frame.left..=view.frame.right).contains(&x)
+}
+
+/// Mooring lines as they hang, as far as they are on the sheet.
+fn draw_lines(drawing: &mut Drawing, view: &View<'_>, at_rest: &LinesAtRest<'_>) {
+    let stroke = Stroke::new(Colour::Ink, 1.2);
+    drawing.clipped(
+        "lines",
+        view.frame.left_top(),
+        view.frame.size(),
+        |drawing| {
+            for line in &at_rest.lines {
+                let places = line.places_m.iter();
+                let places: Vec<(f64, f64)> =
+                    places.map(|[x, _, z]| (view.x(*x), view.y(*z))).collect();
+                drawing.polyline(&places, &stroke);
+                if let (true, Some(fairlead)) = (line.is_on_platform, places.first()) {
+                    // The hull is nominal: it may not reach the fairlead.
+                    let arm = Stroke::new(Colour::Muted, 0.8).dashed(Dash::Dashed);
+                    drawing.line(*fairlead, (view.axis_x, fairlead.1), &arm);
+                }
+            }
+        },
+    );
 }
 
 /// Lines that hang to both sides; where they end is not known.
@@ -139,18 +166,24 @@ fn hull_text(view: &View<'_>, platform: &Platform<'_>) -> Callout {
 }
 
 fn mooring_text(view: &View<'_>, platform: &Platform<'_>) -> Callout {
-    // The lines of a tower were checked.
-    let linear = platform.of.with_linear_moorings();
-    let mooring = linear
-        .unwrap_or_else(|_| platform.of.clone())
-        .mooring
-        .matrix;
+    let at_rest = lines_at_rest(platform.of);
+    let mut mooring = platform.of.mooring.matrix;
+    let mut lines = vec!["mooring stiffness in x, y, z:".to_owned()];
+    if let Some(at_rest) = &at_rest {
+        let of_lines = &at_rest.state.load.stiffness;
+        let entries = mooring.as_flattened_mut().iter_mut();
+        let sums = entries.zip(of_lines.as_flattened());
+        sums.for_each(|(sum, own)| *sum += own);
+        let count = counted(at_rest.lines.len(), "mooring line");
+        lines[0] = format!("{count}, stiffness in x, y, z:");
+    }
     let value = |i: usize| stiffness(mooring[i][i], "").trim_end().to_owned();
-    let lines = vec![
-        "mooring stiffness in x, y, z:".to_owned(),
-        format!("{}, {}, {} N/m", value(0), value(1), value(2)),
-    ];
-    Callout::whole((view.frame.right - 40.0, view.frame.bottom - 14.0), lines)
+    lines.push(format!("{}, {}, {} N/m", value(0), value(1), value(2)));
+    let at = match at_rest {
+        Some(_) => (view.axis_x + half_width(view), view.frame.bottom - 14.0),
+        None => (view.frame.right - 40.0, view.frame.bottom - 14.0),
+    };
+    Callout::whole(at, lines)
 }
 
 fn surface_text(view: &View<'_>, platform: &Platform<'_>) -> Option<Callout> {

@@ -1,7 +1,7 @@
 //! The tower small, in a column beside curves on the same axis of heights: its form without words.
 
 use super::view::View;
-use super::{body, foundation, platform, rna, surroundings, wires};
+use super::{body, foundation, platform, rna, substructure, surroundings, wires};
 use crate::figures::parts::Parts;
 use crate::svg::{Colour, Drawing, Frame};
 
@@ -77,6 +77,7 @@ pub(in crate::figures) fn draw_small(
         wires::draw_wires(drawing, view);
         platform::draw_hull(drawing, view);
         foundation::draw_foundation(drawing, view);
+        substructure::draw_members(drawing, view);
     });
     body::draw_body(drawing, view);
     body::draw_masses(drawing, view);

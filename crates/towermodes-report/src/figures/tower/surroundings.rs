@@ -25,11 +25,12 @@ pub(super) fn draw_water_and_ground(drawing: &mut Drawing, view: &View<'_>) {
     let frame = view.frame;
     let within = |height_m: f64| view.y(height_m).clamp(frame.top, frame.bottom);
     let ground = view.parts.ground_m().map_or(frame.bottom, within);
-    if let Some(water) = &view.parts.description.water {
-        let level = within(water.level_m);
+    let around_m = view.parts.description.water.map(|water| water.level_m);
+    if let Some(level_m) = around_m.or_else(|| view.parts.substructure()?.water_m()) {
+        let level = within(level_m);
         let size = (frame.right - frame.left, ground - level);
         drawing.rectangle((frame.left, level), size, Colour::Water, None);
-        if view.shows(water.level_m) {
+        if view.shows(level_m) {
             waves(drawing, frame.left, frame.right, level);
         }
     }

@@ -1,6 +1,5 @@
 //! The foundation in tables.
 
-use towermodes::frame::FrameFoundation;
 use towermodes::{
     ClosedForm, FloatingPlatform, FoundationSprings, ReferredMatrix, StiffnessFoundation, Support,
     TowerDescription,
@@ -10,7 +9,9 @@ use super::super::document::Block;
 use super::super::table::Table;
 use super::bodies::inertia;
 use super::inputs::of_inputs;
+use super::substructure::substructure;
 use super::{paragraph, table};
+use crate::figures::{LinesAtRest, lines_at_rest};
 use crate::number::{digits, given, length};
 
 /// The degrees of freedom of the rows and columns of a matrix.
@@ -26,31 +27,8 @@ pub(super) fn foundation(description: &TowerDescription) -> Vec<Block> {
         }
         Support::Floating(platform) => floating(platform, description.gravity_m_per_s2),
         Support::Form(form) => of_form(form),
-        Support::Frame(foundation) => vec![table(of_frame(foundation))],
+        Support::Frame(foundation) => substructure(foundation),
     }
-}
-
-fn of_frame(foundation: &FrameFoundation) -> Table {
-    let frame = &foundation.frame;
-    let description = frame.description();
-    let [x, y, z] = foundation.reference_m().map(given);
-    Table::of_facts(
-        "Space frame under the tower",
-        [
-            ("joints", description.joints.len().to_string()),
-            ("members", description.members.len().to_string()),
-            ("supports", description.supports.len().to_string()),
-            ("mass of the frame (kg)", digits(frame.mass_kg(), 6)),
-            (
-                "mass of the transition piece (kg)",
-                given(foundation.platform.mass_kg),
-            ),
-            (
-                "reference point of the transition piece, x, y, z (m)",
-                format!("{x}, {y}, {z}"),
-            ),
-        ],
-    )
 }
 
 /// The values of a foundation by closed form, what follows from them, and its stiffness: as springs
@@ -94,10 +72,10 @@ fn of_springs(caption: &str, springs: &FoundationSprings, number: impl Fn(f64) -
     )
 }
 
-fn floating(platform: &FloatingPlatform, gravity_m_per_s2: f64) -> Vec<Block> {
+fn floating(given_platform: &FloatingPlatform, gravity_m_per_s2: f64) -> Vec<Block> {
     // The lines of a tower were checked.
-    let linear = platform.with_linear_moorings();
-    let platform = &linear.unwrap_or_else(|_| platform.clone());
+    let linear = given_platform.with_linear_moorings();
+    let platform = &linear.unwrap_or_else(|_| given_platform.clone());
     let [x, y, z] = platform.center_m;
     let mut facts = vec![
         ("mass including ballast (kg)", given(platform.mass_kg)),
@@ -121,7 +99,60 @@ fn floating(platform: &FloatingPlatform, gravity_m_per_s2: f64) -> Vec<Block> {
     for (name, referred) in matrices {
         blocks.extend(referred_matrix(name, referred));
     }
+    blocks.extend(lines_at_rest(given_platform).iter().flat_map(mooring));
     blocks
+}
+
+/// The lines at rest, and their stiffness.
+fn mooring(at_rest: &LinesAtRest<'_>) -> Vec<Block> {
+    let description = &at_rest.of.description;
+    let caption = format!(
+        "Mooring lines at rest in {} m of water",
+        length(description.depth_m)
+    );
+    let header = [
+        "line",
+        "#length (m)",
+        "#EA (N)",
+        "#mass in air (kg/m)",
+        "#diameter (m)",
+        "#tension at the upper end (N)",
+        "#horizontal tension (N)",
+        "#on the seabed (m)",
+    ];
+    let mut lines = Table::new(&caption, header);
+    for (number, (line, state)) in (1..).zip(description.lines.iter().zip(&at_rest.state.lines)) {
+        let kind = &description.line_types[line.line_type];
+        let [a, b] = state.tensions_n;
+        lines.push([
+            format!("{number}"),
+            length(line.length_m),
+            given(kind.axial_stiffness_n),
+            given(kind.mass_kg_per_m),
+            given(kind.diameter_m),
+            digits(a.max(b), 5),
+            digits(state.horizontal_n, 5),
+            length(state.on_seabed_m),
+        ]);
+    }
+    let height = length(at_rest.of.reference_height_m());
+    let load = &at_rest.state.load;
+    let stiffness = format!("Stiffness of the mooring lines (N/m, N, N m) about z = {height} m");
+    let [x, y, z, rx, ry, rz] = load.force.map(|value| digits(value, 5));
+    let force = format!("Force of the mooring lines on the platform about z = {height} m");
+    let force = Table::of_facts(
+        &force,
+        [
+            ("force x, y, z (N)", format!("{x}, {y}, {z}")),
+            ("moment about x, y, z (N m)", format!("{rx}, {ry}, {rz}")),
+        ],
+    );
+    let number = |value| digits(value, 5);
+    vec![
+        table(lines.shortened()),
+        table(force),
+        table(matrix(&stiffness, &load.stiffness, number)),
+    ]
 }
 
 fn referred_matrix(name: &str, referred: &ReferredMatrix) -> Option<Block> {

@@ -8,7 +8,7 @@ use super::super::table::Table;
 use super::bodies::{point_masses, rna};
 use super::foundation::foundation;
 use super::surroundings::surroundings;
-use super::{inputs, paragraph, table, tabulated_picture};
+use super::{inputs, own_picture, paragraph, table, tabulated_picture};
 use crate::figures;
 use crate::number::{NOTHING, digits, given, length, mass};
 use crate::wording::speed_range;
@@ -40,6 +40,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     }
     blocks.push(Block::Heading("Foundation".to_owned()));
     blocks.extend(foundation(description));
+    blocks.extend(figures::mooring(description, &content.tower).map(own_picture));
     blocks.extend(surroundings(description, &content.tower));
     blocks
 }

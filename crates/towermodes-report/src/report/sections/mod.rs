@@ -16,6 +16,7 @@ mod reproduction;
 mod resonance;
 mod sensitivities;
 mod soil_band;
+mod substructure;
 mod summary;
 mod surroundings;
 mod turbine;

@@ -1,5 +1,7 @@
 //! The mode shapes as a picture and animated.
 
+use towermodes::Support;
+
 use super::super::content::ReportContent;
 use super::super::document::Block;
 use super::{paragraph, picture};
@@ -22,8 +24,16 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
             figures::shapes(&content.description, tower, solution),
             "shapes",
         ),
-        Block::Animation(animated),
     ];
+    let stands_on_more = match content.description.foundation.support() {
+        Support::Frame(_) | Support::Floating(_) => true,
+        Support::Clamped | Support::Stiffness(_) | Support::Springs(_) | Support::Form(_) => false,
+    };
+    if stands_on_more {
+        let whole = figures::structure(&content.description, tower, solution);
+        blocks.push(picture(whole, "structure"));
+    }
+    blocks.push(Block::Animation(animated));
     if count > MOST_ANIMATED {
         blocks.push(paragraph(format!(
             "Only the lowest {MOST_ANIMATED} of the {count} modes are animated."

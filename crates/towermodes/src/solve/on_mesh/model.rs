@@ -6,7 +6,7 @@ use crate::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams, assemble_bla
 use crate::blade::Blade;
 use crate::chain::Chains;
 use crate::elements::{Element, Mesh, assemble_chains};
-use crate::frame::{BareFrame, FrameSolveError, OnFrame};
+use crate::frame::{BareFrame, FrameShape, FrameSolveError, OnFrame};
 use crate::modes::ByMotion;
 use crate::subsystem::{
     Coefficients, Eigenproblem, Energies, Resultant, Subsystem, SubsystemPencil,
@@ -127,6 +127,11 @@ impl Model {
     /// Why the frame under the tower is a mechanism, if it is one.
     pub(crate) fn frame_mechanism(&self) -> Option<FrameSolveError> {
         self.on_frame.as_ref().and_then(OnFrame::mechanism)
+    }
+
+    /// The shape of the frame under the tower in a vector, divided by a size; none without one.
+    pub(crate) fn frame_shape(&self, vector: &[f64], size: f64) -> Option<FrameShape> {
+        self.on_frame.as_ref()?.shape(vector, size)
     }
 
     /// Why the frame under the tower has no equations, if so.

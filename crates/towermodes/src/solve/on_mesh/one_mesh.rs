@@ -234,7 +234,9 @@ fn shapes(
                 let motion = identity.shares.scale(identity.family);
                 let (component, _) = motion.components()[0];
                 let curve = ModeCurve::new(mesh.borders_m(), &*curves, &[component]);
-                Mode::new(number, found, identity, model.origin, &curve, heights_m)
+                let mut mode = Mode::new(number, found, identity, model.origin, &curve, heights_m);
+                mode.frame = model.frame_shape(vector, curve.largest());
+                mode
             }
         };
         if !mode.is_finite() {

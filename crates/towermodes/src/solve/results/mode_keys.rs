@@ -3,6 +3,7 @@
 use serde::{Serialize, Serializer};
 
 use super::super::Mode;
+use crate::frame::FrameShape;
 use crate::modes::serialized::{directions, shape};
 use crate::modes::{Energy, Family, SecondFamily, ShapePoint};
 
@@ -63,6 +64,9 @@ struct ModeKeys {
     #[serde(serialize_with = "shape")]
     #[cfg_attr(feature = "schema", schemars(with = "crate::modes::serialized::Shape"))]
     station_shape: Vec<ShapePoint>,
+    /// The shape of the substructure on the scale of the others; null for a tower that does not
+    /// stand on members.
+    frame: Option<FrameShape>,
 }
 
 fn finite_period_s(mode: &Mode) -> Option<f64> {

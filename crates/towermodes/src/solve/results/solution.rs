@@ -5,6 +5,7 @@ use super::super::on_mesh::spectrum::{Found, ModeKey, Proof};
 use super::super::request::added_mass::AddedMassAt;
 use crate::Method;
 use crate::eigen::Statistics;
+use crate::frame::FrameShape;
 use crate::modes::{
     Energy, EnergyParts, Family, ModeCurve, ModeName, SecondFamily, ShapePoint, Shares,
 };
@@ -70,6 +71,8 @@ pub struct Mode {
     pub station_shape: Vec<ShapePoint>,
     /// The shape at the heights of [`Options::heights_m`](crate::Options::heights_m).
     pub shape_there: Vec<ShapePoint>,
+    /// The shape of the frame under the tower on the scale of the others; none without a frame.
+    pub frame: Option<FrameShape>,
     /// Its identity on any mesh and by any method.
     pub(crate) key: ModeKey,
 }
@@ -105,6 +108,7 @@ impl Mode {
             shape: curve.sample(equal_m),
             station_shape: curve.sample(stations_m),
             shape_there: curve.sample(others_m),
+            frame: None,
         }
     }
 
@@ -124,6 +128,8 @@ impl Mode {
             shape: turned(&self.shape),
             station_shape: turned(&self.station_shape),
             shape_there: turned(&self.shape_there),
+            // A frame couples all motions: none is another one turned.
+            frame: None,
             ..*self
         }
     }
@@ -132,7 +138,8 @@ impl Mode {
     pub(crate) fn is_finite(&self) -> bool {
         let points = self.shape.iter().chain(&self.station_shape);
         let mut points = points.chain(&self.shape_there);
-        self.modal_mass.is_finite() && points.all(ShapePoint::is_finite)
+        let is_frame_finite = self.frame.as_ref().is_none_or(FrameShape::is_finite);
+        self.modal_mass.is_finite() && is_frame_finite && points.all(ShapePoint::is_finite)
     }
 
     /// Whether it is the same mode as one of another solution of the tower, on another mesh or by

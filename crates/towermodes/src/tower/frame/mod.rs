@@ -6,6 +6,7 @@ mod description;
 mod error;
 mod foundation;
 mod in_water;
+mod masses;
 mod member;
 pub(super) mod part;
 mod soil;
@@ -20,6 +21,7 @@ pub use description::{
 pub use error::{FrameError, FramePlace, FrameProblem};
 pub use foundation::FrameFoundation;
 pub use in_water::{MarineGrowth, MembersInWater};
+pub use masses::FrameMasses;
 pub use member::{FrameMember, FrameSpring, GivenSection, MemberKind, Rectangle, SectionEnds};
 pub use part::FramePart;
 pub use soil::{FrameSoil, FrameSoilRow};

@@ -1,8 +1,9 @@
 //! The assumptions on the foundation.
 
-use towermodes::{FloatingPlatform, StiffnessFoundation, Support};
+use towermodes::{FloatingPlatform, ReferredMatrix, StiffnessFoundation, Support};
 
 use super::super::super::content::ReportContent;
+use super::super::substructure;
 
 /// The degrees of freedom of the base.
 const MOTIONS: [&str; 6] = [
@@ -24,7 +25,7 @@ pub(super) fn foundation(content: &ReportContent) -> String {
             format!("{}{}", springs(content), inertia(foundation))
         }
         Support::Floating(platform) => floating(platform),
-        Support::Frame(_) => "The tower stands on the transition piece of a space frame, whose members vibrate with it; the weight of the frame does not change the stiffness of its members.".to_owned(),
+        Support::Frame(foundation) => substructure::assumption(foundation),
         Support::Form(form) => format!("{}{}", form.assumption(), held(content)),
     }
 }
@@ -65,13 +66,15 @@ fn floating(platform: &FloatingPlatform) -> String {
     // The lines of a tower were checked.
     let linear = platform.with_linear_moorings();
     let platform = &linear.unwrap_or_else(|_| platform.clone());
+    let given = |matrix: &ReferredMatrix| matrix.matrix != NONE;
+    let is_moored = given(&platform.mooring) || platform.mooring_lines.is_some();
     let parts = [
-        (&platform.added_mass, "constant added mass"),
-        (&platform.hydrostatic, "hydrostatic stiffness"),
-        (&platform.mooring, "linear moorings"),
+        (given(&platform.added_mass), "constant added mass"),
+        (given(&platform.hydrostatic), "hydrostatic stiffness"),
+        (is_moored, "linear moorings"),
     ];
     let of = |is_there: bool| {
-        let those = parts.iter().filter(|(m, _)| (m.matrix != NONE) == is_there);
+        let those = parts.iter().filter(|(given, _)| *given == is_there);
         those.map(|(_, name)| *name).collect::<Vec<&str>>()
     };
     let with = match of(true)[..] {
@@ -87,5 +90,13 @@ fn floating(platform: &FloatingPlatform) -> String {
     } else {
         " and the frequency dependence of the added mass are neglected"
     };
-    format!("The base is a rigid floating platform{with}; radiation damping{frequency}.{without}")
+    let lines = match platform.mooring_lines {
+        Some(_) => {
+            " The mooring lines are quasi-static: their stiffness is that at the reference position, their mass moves with no mode."
+        }
+        None => "",
+    };
+    format!(
+        "The base is a rigid floating platform{with}; radiation damping{frequency}.{without}{lines}"
+    )
 }
