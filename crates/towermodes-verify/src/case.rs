@@ -169,10 +169,10 @@ impl Case {
             Subject::Frame(frame, recipe) => {
                 let found = FoundFrame::of(frame, *recipe, &self.expected);
                 let method = recipe.map_or_else(|| run.name(), method_of);
-                self.other_rows(run, &method, found, FoundFrame::get)
+                self.other_rows(run, &method, &found, FoundFrame::get)
             }
             Subject::Mooring(mooring) => {
-                self.other_rows(run, "catenary", at_rest(mooring), of_mooring)
+                self.other_rows(run, "catenary", &at_rest(mooring), of_mooring)
             }
         }
     }
@@ -182,7 +182,7 @@ impl Case {
         &self,
         run: &Run,
         method: &str,
-        found: Result<T, String>,
+        found: &Result<T, String>,
         get: impl Fn(&T, Quantity) -> Option<f64>,
     ) -> Vec<Row> {
         let got = |expected: &Expected| {

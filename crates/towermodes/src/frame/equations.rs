@@ -64,7 +64,7 @@ impl Link {
         let moving = self.tip.len();
         let (own, bubbles) = x[self.first..][..self.coordinates].split_at(moving);
         let mut ends = [0.0; MOST_ENDS];
-        ends[..6].copy_from_slice(&self.parts.into_axes(near));
+        ends[..6].copy_from_slice(&self.parts.to_axes(near));
         ends[6..6 + moving].copy_from_slice(own);
         Side { ends, bubbles }
     }
@@ -73,7 +73,7 @@ impl Link {
 impl Chord {
     /// Its ends and bubbles for the unknowns x and the motions of its ends.
     pub(super) fn side<'a>(&self, x: &'a [f64], motions: [Motion; 2]) -> Side<'a> {
-        let [near, far] = motions.map(|motion| self.parts.into_axes(&motion));
+        let [near, far] = motions.map(|motion| self.parts.to_axes(&motion));
         let mut ends = [0.0; MOST_ENDS];
         ends[..6].copy_from_slice(&near);
         ends[6..].copy_from_slice(&far);

@@ -41,7 +41,7 @@ impl Local {
         let mut memory = UnitLoads::default();
         let mut of_forces: Vec<Vec<f64>> = Vec::with_capacity(6);
         let flexibility = flexibility(equations, (&order, &mut factors), node, &mut memory, |x| {
-            of_forces.push(x.to_vec())
+            of_forces.push(x.to_vec());
         });
         let stiffness = inverse(flexibility);
         let shape = |row: &[f64; 6]| {

@@ -195,7 +195,7 @@ impl Parts {
     }
 
     /// A motion in the axes of the parts.
-    pub(super) fn into_axes(&self, motion: &Motion) -> Motion {
+    pub(super) fn to_axes(&self, motion: &Motion) -> Motion {
         match &self.axes {
             Some(axes) => into_axes(axes, motion),
             None => *motion,

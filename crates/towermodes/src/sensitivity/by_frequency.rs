@@ -42,7 +42,7 @@ pub(super) fn sensitivities(
         };
         let all = all.get_or_insert_with(|| found.clone());
         for (change, own) in all.changes.iter_mut().zip(&found.changes) {
-            change.modes[place] = own.modes[place].clone().map(|of| released(of, slope));
+            change.modes[place] = own.modes[place].map(|of| released(of, slope));
         }
         last = Some((held, found));
     }

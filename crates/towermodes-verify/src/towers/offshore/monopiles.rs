@@ -45,7 +45,7 @@ pub fn iea_15_monopile() -> FrameDescription {
             outer_diameter_m: 10.0,
             wall_thickness_m,
         };
-        let below = if member % 2 == 0 {
+        let below = if member.is_multiple_of(2) {
             member.saturating_sub(1)
         } else {
             member

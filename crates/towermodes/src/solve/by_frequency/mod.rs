@@ -149,9 +149,10 @@ fn each<L: Listed>(
             true => roots.len(),
             false => modes.len() + 1,
         };
-        for place in modes.len()..last {
-            let mut mode = list.modes()[place].clone();
-            L::release(&mut mode, &roots[place]);
+        let next = modes.len()..last;
+        for (mode, root) in list.modes()[next.clone()].iter().zip(&roots[next]) {
+            let mut mode = mode.clone();
+            L::release(&mut mode, root);
             modes.push(mode);
         }
         if modes.len() == roots.len() {

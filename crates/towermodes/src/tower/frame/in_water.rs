@@ -98,11 +98,9 @@ impl MembersInWater {
                 below_m = above_m;
             }
         }
-        if is_flooded {
-            if let Some(range) = within(heights_m, [f64::NEG_INFINITY, water.level_m]) {
-                let full = at(inner, range);
-                coats.push(solid(range, water.density_kg_per_m3, full, [0.0; 2]));
-            }
+        if is_flooded && let Some(range) = within(heights_m, [f64::NEG_INFINITY, water.level_m]) {
+            let full = at(inner, range);
+            coats.push(solid(range, water.density_kg_per_m3, full, [0.0; 2]));
         }
         coats
     }

@@ -290,9 +290,8 @@ fn check_member(description: &FrameDescription, member: &FrameMember) -> Result<
     finite("spin", member.spin_deg)?;
     member.coats.iter().try_for_each(check_coat)?;
     let is_beam = matches!(member.kind, MemberKind::Beam { .. });
-    let soil = member.soil.iter();
-    soil.map(|soil| check_soil(soil, is_beam))
-        .collect::<Result<(), _>>()?;
+    let mut soil = member.soil.iter();
+    soil.try_for_each(|soil| check_soil(soil, is_beam))?;
     let may_be_short = match &member.kind {
         MemberKind::Beam { ends, material } => {
             check_material(material)?;

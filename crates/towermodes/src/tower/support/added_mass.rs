@@ -121,10 +121,11 @@ fn is_positive_definite(matrix: &SpatialMatrix) -> bool {
         if !is_positive {
             return false;
         }
-        for i in pivot + 1..6 {
-            let factor = rest[i][pivot] / own;
-            for j in pivot + 1..6 {
-                rest[i][j] -= factor * rest[pivot][j];
+        let of_pivot = rest[pivot];
+        for row in &mut rest[pivot + 1..] {
+            let factor = row[pivot] / own;
+            for (entry, of_pivot) in row.iter_mut().zip(of_pivot).skip(pivot + 1) {
+                *entry -= factor * of_pivot;
             }
         }
     }
