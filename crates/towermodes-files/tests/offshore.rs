@@ -411,12 +411,10 @@ fn a_tower_on_members_is_not_written_where_they_have_no_place() {
     let Some(input) = read("fast8/Test21.fst", true, &ReadOptions::default()) else {
         return;
     };
-    for format in [OutputFormat::Toml, OutputFormat::Bmodes] {
-        let options = ConvertOptions {
-            sections_file: Some("sections.dat".to_owned()),
-            ..ConvertOptions::default()
-        };
-        let refused = convert(&input, format, &options).expect_err("a frame");
-        assert!(refused.to_string().contains("--clamped"), "{refused}");
-    }
+    let options = ConvertOptions {
+        sections_file: Some("sections.dat".to_owned()),
+        ..ConvertOptions::default()
+    };
+    let refused = convert(&input, OutputFormat::Bmodes, &options).expect_err("a frame");
+    assert!(refused.to_string().contains("--clamped"), "{refused}");
 }

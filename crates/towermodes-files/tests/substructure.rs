@@ -43,7 +43,7 @@ fn refused(text: &str, table: &str) {
         // The whole table of a part, where the mistake is no single value.
         let is_around = at == "-" && first.span.start > 0;
         let is_there = found.starts_with(at) || is_around;
-        assert!(is_there, "{to}: at {:.60}", found);
+        assert!(is_there, "{to}: at {found:.60}");
     }
 }
 

@@ -7,7 +7,10 @@ use criterion::Criterion;
 use towermodes::{Options, Solver, Tower};
 use towermodes_random::Lattice;
 
-const CASES: [(&str, fn() -> Lattice); 2] = [
+/// A name and what makes the frame.
+type Case = (&'static str, fn() -> Lattice);
+
+const CASES: [Case; 2] = [
     ("jacket", Lattice::jacket),
     ("lattice of 700 members", || Lattice::of_members(700)),
 ];

@@ -153,15 +153,15 @@ fn check_symmetric(matrix: &SpatialMatrix, at: usize, text: &str) -> Result<(), 
         .as_flattened()
         .iter()
         .fold(0.0_f64, |a, x| a.max(x.abs()));
-    for i in 0..6 {
-        for j in 0..i {
-            let (lower, upper) = (matrix[i][j], matrix[j][i]);
+    for (i, row) in matrix.iter().enumerate() {
+        for (j, lower) in row[..i].iter().enumerate() {
+            let upper = matrix[j][i];
             if (lower - upper).abs() > SYMMETRIC * size {
                 let message = format!(
                     "entry ({}, {}) of the stiffness is {}, but entry ({}, {}) is {}: the matrix must be symmetric",
                     i + 1,
                     j + 1,
-                    Exact(lower),
+                    Exact(*lower),
                     j + 1,
                     i + 1,
                     Exact(upper)
