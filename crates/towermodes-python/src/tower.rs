@@ -145,7 +145,9 @@ impl Tower {
     #[getter]
     fn joints(&self) -> Vec<(String, [f64; 3])> {
         let frame = self.model.tower.frame();
-        let joints = frame.iter().flat_map(|frame| &frame.frame.description().joints);
+        let joints = frame
+            .iter()
+            .flat_map(|frame| &frame.frame.description().joints);
         let joint = joints.map(|joint| (joint.name.clone(), joint.position_m));
         joint.collect()
     }
