@@ -111,7 +111,7 @@ impl Mooring {
         })
     }
 
-    /// Places along each line of a state of it, at least `count` (one or more), from its first point
+    /// Places along each line of a state of it, at least `count` (one or more), from its first
     /// to its second.
     pub fn places_m(&self, state: &MooringState, count: usize) -> Vec<Vec<[f64; 3]>> {
         let lines = self.ropes.iter().zip(&self.description.lines);

@@ -1,4 +1,4 @@
-//! Places along lines: their length, their ends, their lowest height, and their direction at an end.
+//! Places along lines: their length, their ends, their lowest height, and direction at an end.
 
 use super::decks::deck;
 use towermodes::mooring::{LineType, Mooring, Pose};
