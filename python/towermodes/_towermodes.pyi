@@ -6,7 +6,7 @@ The classes and functions of the package.
 from _typeshed import Incomplete, SupportsGetItem
 from typing import Any, Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Answer", "Converted", "Found", "Solution", "Tower", "TurbineModes", "calibrate", "campbell", "check", "close", "columns_of_stream", "compare", "damping", "design", "examine", "first_order", "mode_named", "read", "read_text", "rows_within", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep", "tower_file_keys", "turbine_campbell", "values_of_study", "values_of_table"]
+__all__ = ["VERSION", "Answer", "Converted", "Found", "Solution", "Tower", "TurbineModes", "calibrate", "campbell", "check", "close", "columns_of_stream", "compare", "damping", "design", "examine", "first_order", "mode_named", "read", "read_text", "rows_within", "run", "sensitivities", "solve_substructure", "source", "stream_of_columns", "stream_of_results", "sweep", "tower_file_keys", "turbine_campbell", "values_of_study", "values_of_table"]
 
 VERSION: Final[str]
 """

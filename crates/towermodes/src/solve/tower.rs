@@ -54,17 +54,18 @@ impl Solver {
         let Self { options, workspace } = self;
         options.check()?;
         workspace.model.monitor.restart();
-        let solve =
-            |tower: &Tower, workspace: &mut Workspace| match options.method.converges_by_degree() {
-                true => p_refinement::solve(tower, options, workspace),
-                false => solve_segments(tower, options, workspace),
-            };
+        let solve = match options.method.converges_by_degree() {
+            true => p_refinement::solve,
+            false => solve_segments,
+        };
         if !tower.has_added_mass_by_frequency() {
-            return solve(tower, workspace);
+            return solve(tower, options, workspace);
         }
         let mut solution = match options.added_mass.fixed() {
-            Some(frequency) => solve(&tower.with_added_mass_at(frequency), workspace),
-            None => by_frequency::solve(tower, options, workspace, solve),
+            Some(frequency) => solve(&tower.with_added_mass_at(frequency), options, workspace),
+            None => by_frequency::solve(tower, options, workspace, |tower, workspace| {
+                solve(tower, options, workspace)
+            }),
         }?;
         solution.added_mass = Some(options.added_mass);
         Ok(solution)
