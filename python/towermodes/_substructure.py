@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from os import fsdecode
-from typing import Any
 
 from towermodes import _towermodes as _rust
 from towermodes._checks import whole
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

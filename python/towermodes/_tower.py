@@ -74,6 +74,8 @@ class Tower:
         shear: Shear deformation: True, or a shear coefficient.
         point_mass: Masses: dicts with `height`, `mass`, and `inertia`.
         foundation: `type` and its keys.
+        substructure: Joints and members under the tower: `joint`, `member` and others.
+        mooring: Mooring lines of a floating platform: `line`, `line_type`, `point` and others.
         soil: Soil springs over the height: dicts with `rows`.
         ground: Soil in layers around the embedded pile: `surface`, `submerged`, `layer` and others.
         added_mass: Tables of added mass: dicts with `rows`.
@@ -118,6 +120,8 @@ class Tower:
         shear: bool | float | None = None,
         point_mass: Sequence[Table] | None = None,
         foundation: Table | None = None,
+        substructure: Table | None = None,
+        mooring: Table | None = None,
         soil: Sequence[Table] | None = None,
         ground: Table | None = None,
         added_mass: Sequence[Table] | None = None,
