@@ -1,10 +1,9 @@
 //! Shapes of frames: points within members against joints there, and against the tower.
 
+use crate::towers::carried;
 use towermodes::frame::*;
 use towermodes::tower::Tube;
-use towermodes::{
-    Foundation, Material, Options, RigidBody, Rna, Station, Tower, TowerDescription, solve,
-};
+use towermodes::{Foundation, Material, Options, Rna, Station, Tower, TowerDescription, solve};
 
 fn steel() -> Material {
     Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10)
@@ -159,13 +158,6 @@ fn elements_of_subdyn_move_between_their_nodes_as_cubics() {
 
 #[test]
 fn the_frame_moves_with_the_tower_on_it() {
-    let mut below = portal();
-    below.transition = Some(Transition {
-        position_m: [0.0, 0.0, 0.0],
-        joints: vec![2, 3],
-        is_held: false,
-    });
-    let frame = Frame::new(below).expect("a frame");
     let on = |foundation| {
         let description = TowerDescription {
             materials: vec![steel()],
@@ -179,8 +171,7 @@ fn the_frame_moves_with_the_tower_on_it() {
             .expect("a solution")
             .modes
     };
-    let foundation = FrameFoundation::new(frame, RigidBody::default()).expect("a foundation");
-    for mode in on(Foundation::Frame(Box::new(foundation))) {
+    for mode in on(carried(portal(), &[2, 3], [0.0; 3])) {
         let shape = mode.frame.as_ref().expect("a frame");
         let base = &mode.shape[0];
         let ([x, y, z], [rx, ry, rz]) = (base.translation, base.rotation);

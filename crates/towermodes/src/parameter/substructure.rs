@@ -197,7 +197,7 @@ pub(super) static JOINTS: Part = Part {
             meaning: "stiffness of the springs of the joint",
             nature: Nature::Amount,
             place: |i| joint(i),
-            get: |d, i| joint_stiffness(&frame(d)?.joints.get(i[0])?.kind),
+            get: |d, i| joint_stiffness(frame(d)?.joints.get(i[0])?.kind),
             set: |d, i, value| {
                 let kind = &mut frame_mut(d)?.joints.get_mut(i[0])?.kind;
                 *joint_stiffness_mut(kind)? = value;
@@ -205,7 +205,7 @@ pub(super) static JOINTS: Part = Part {
             },
             is_listed: |d, i| {
                 let joint = frame(d).and_then(|frame| frame.joints.get(i[0]));
-                joint.is_some_and(|joint| joint_stiffness(&joint.kind).is_some())
+                joint.is_some_and(|joint| joint_stiffness(joint.kind).is_some())
             },
         },
     ],
@@ -216,20 +216,8 @@ fn joint(indices: Indices) -> Place {
     Place::Substructure { part }
 }
 
-fn joint_stiffness(kind: &JointKind) -> Option<f64> {
-    match *kind {
-        JointKind::Cantilever => None,
-        JointKind::Pin {
-            stiffness_n_m_per_rad,
-            ..
-        }
-        | JointKind::Universal {
-            stiffness_n_m_per_rad,
-        }
-        | JointKind::Ball {
-            stiffness_n_m_per_rad,
-        } => Some(stiffness_n_m_per_rad),
-    }
+fn joint_stiffness(mut kind: JointKind) -> Option<f64> {
+    joint_stiffness_mut(&mut kind).copied()
 }
 
 fn joint_stiffness_mut(kind: &mut JointKind) -> Option<&mut f64> {

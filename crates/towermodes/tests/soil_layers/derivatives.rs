@@ -53,29 +53,7 @@ fn check_ground(segments: Option<usize>) {
         assert!(names.contains(&name), "{name} in {names:?}");
     }
     let options = with!(Options, modes = 2, segments);
-    let mut solver = Solver::new(options);
-    let result = solver
-        .sensitivities(&description, &of_ground)
-        .expect("solved");
-    for (change, derivatives) in of_ground.iter().zip(&result.changes) {
-        let name = change.name();
-        let got = derivatives.modes[0].expect(name).hz_per_unit;
-        let present = match name.starts_with("add") {
-            true => 0.0,
-            false => change.parameters()[0].value(&description),
-        };
-        let step = 1e-3 * if present == 0.0 { 1.0 } else { present.abs() };
-        let at = |sign: f64| {
-            let mut near = description.clone();
-            change.apply(&mut near, present + sign * step);
-            first_hz(&near)
-        };
-        let expected = (at(1.0) - at(-1.0)) / (2.0 * step);
-        let scale = first_hz(&description) / step;
-        let difference = (got - expected).abs();
-        let allowed = 1e-3 * expected.abs() + 1e-9 * scale;
-        assert!(difference <= allowed, "{name}: {got} for {expected}");
-    }
+    assert_derivatives_of_solves(&description, options, &of_ground);
 }
 
 #[test]
@@ -121,5 +99,35 @@ fn scour_of_zero_has_a_derivative() {
             let expected = (4.0 * at(0.01) - at(0.02) - 3.0 * at(0.0)) / 0.02;
             assert_close(got, expected, 2e-3, &format!("{model:?} {}", change.name()));
         }
+    }
+}
+
+/// The derivatives of the first frequency are those of solves on both sides.
+#[track_caller]
+pub(super) fn assert_derivatives_of_solves(
+    description: &TowerDescription,
+    options: Options,
+    changes: &[Change],
+) {
+    let result = Solver::new(options).sensitivities(description, changes);
+    let result = result.expect("solved");
+    for (change, derivatives) in changes.iter().zip(&result.changes) {
+        let name = change.name();
+        let got = derivatives.modes[0].expect(name).hz_per_unit;
+        let present = match name.starts_with("add") {
+            true => 0.0,
+            false => change.parameters()[0].value(description),
+        };
+        let step = 1e-3 * if present == 0.0 { 1.0 } else { present.abs() };
+        let at = |sign: f64| {
+            let mut near = description.clone();
+            change.apply(&mut near, present + sign * step);
+            first_hz(&near)
+        };
+        let expected = (at(1.0) - at(-1.0)) / (2.0 * step);
+        let scale = first_hz(description) / step;
+        let difference = (got - expected).abs();
+        let allowed = 1e-3 * expected.abs() + 1e-9 * scale;
+        assert!(difference <= allowed, "{name}: {got} for {expected}");
     }
 }

@@ -1,14 +1,15 @@
 //! Piles of frames in layers of soil: those of a tower, alone and in groups, mirrored, divided.
 
+use super::derivatives::assert_derivatives_of_solves;
 use super::scour::random_site;
 use super::{Random, clay, free_tip, ground, ground_of, layer, oc3, sand};
-use crate::towers;
+use crate::towers::{self, carried};
 use towermodes::frame::*;
 use towermodes::tower::Tube;
 use towermodes::{
     AxialModel, Change, Foundation, FoundationSprings, GroundLayer, LayerSoil, Material, Method,
-    Options, Parameter, PyRow, RigidBody, Rna, Scour, ShearModulus, SoilModel, Solver, Station,
-    Tower, TowerDescription,
+    Options, Parameter, PyRow, Rna, Scour, ShearModulus, SoilModel, Station, Tower,
+    TowerDescription,
 };
 use towermodes_testing::{Says, with};
 
@@ -41,17 +42,6 @@ fn on_members(whole: &TowerDescription) -> TowerDescription {
         foundation: carried(frame, &[1], [0.0, 0.0, pile[1].height_m]),
         ..whole.clone()
     }
-}
-
-fn carried(mut frame: FrameDescription, joints: &[usize], position_m: [f64; 3]) -> Foundation {
-    frame.transition = Some(Transition {
-        position_m,
-        joints: joints.to_vec(),
-        is_held: false,
-    });
-    let frame = Frame::new(frame).expect("a frame");
-    let foundation = FrameFoundation::new(frame, RigidBody::default()).expect("a foundation");
-    Foundation::Frame(Box::new(foundation))
 }
 
 fn frequencies(description: &TowerDescription) -> Vec<f64> {
@@ -398,30 +388,7 @@ fn every_number_of_the_ground_has_the_derivative_of_solves_on_piles_of_a_frame()
     ];
     let changes = changes.map(|name| Change::parse(name, &description).expect(name));
     let options = with!(Options, modes = 2);
-    let mut solver = Solver::new(options.clone());
-    let result = solver.sensitivities(&description, &changes);
-    let result = result.expect("solved");
-    let first = |description: &TowerDescription| {
-        towers::solved(description, &options).modes[0].extrapolated_hz
-    };
-    for (change, derivatives) in changes.iter().zip(&result.changes) {
-        let name = change.name();
-        let got = derivatives.modes[0].expect(name).hz_per_unit;
-        let present = match name.starts_with("add") {
-            true => 0.0,
-            false => change.parameters()[0].value(&description),
-        };
-        let step = 1e-3 * if present == 0.0 { 1.0 } else { present.abs() };
-        let at = |sign: f64| {
-            let mut near = description.clone();
-            change.apply(&mut near, present + sign * step);
-            first(&near)
-        };
-        let expected = (at(1.0) - at(-1.0)) / (2.0 * step);
-        let allowed = 1e-3 * expected.abs() + 1e-9 * first(&description) / step;
-        let difference = (got - expected).abs();
-        assert!(difference <= allowed, "{name}: {got} for {expected}");
-    }
+    assert_derivatives_of_solves(&description, options, &changes);
 }
 
 /// The springs along the piles are those of the soil, those under the tips of the foundation.

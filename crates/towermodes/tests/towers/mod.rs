@@ -5,13 +5,29 @@
     reason = "each test file uses its own part of the library"
 )]
 
-use towermodes::{Family, Options, Solution, Tower, TowerDescription, solve};
+use towermodes::frame::{Frame, FrameDescription, FrameFoundation, Transition};
+use towermodes::{
+    Family, Foundation, Options, RigidBody, Solution, Tower, TowerDescription, solve,
+};
 pub use towermodes_verify::towers::*;
 
 /// Solves a description or panics with what is wrong.
 pub fn solved(description: &TowerDescription, options: &Options) -> Solution {
     let tower = Tower::new(description.clone()).expect("a valid tower");
     solve(&tower, options).expect("a solvable tower")
+}
+
+/// A frame as a foundation, with a transition piece without mass at this point, on which these
+/// joints are.
+pub fn carried(mut frame: FrameDescription, joints: &[usize], position_m: [f64; 3]) -> Foundation {
+    frame.transition = Some(Transition {
+        position_m,
+        joints: joints.to_vec(),
+        is_held: false,
+    });
+    let frame = Frame::new(frame).expect("a frame");
+    let foundation = FrameFoundation::new(frame, RigidBody::default()).expect("a foundation");
+    Foundation::Frame(Box::new(foundation))
 }
 
 /// The frequencies of a family, rising, Hz.

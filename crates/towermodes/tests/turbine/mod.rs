@@ -15,7 +15,10 @@ use crate::rotor::assert_near;
 use std::f64::consts::PI;
 
 use towermodes::turbine::{Turbine, TurbineDescription, TurbineMesh, TurbineModel};
-use towermodes::{BladeDescription, BladeSection, Properties, PropertyStation, TowerDescription};
+use towermodes::{
+    BladeDescription, BladeSection, Method, Options, Properties, PropertyStation, Tower,
+    TowerDescription, solve,
+};
 use towermodes_testing::changed;
 use towermodes_verify::towers;
 
@@ -103,4 +106,42 @@ fn frequencies(model: &mut TurbineModel, limit_hz: f64, rpm: f64) -> Vec<f64> {
     let all = spectrum.frequencies.iter();
     all.flat_map(|f| std::iter::repeat_n(f.frequency_hz, f.multiplicity))
         .collect()
+}
+
+/// Blades, shaft and yaw drive that do not deform, in a rotor at rest on a tower without a machine,
+/// have the first seven frequencies of the tower program with the machine as a rigid body.
+#[track_caller]
+fn assert_is_rigid_at_rest(description: &TowerDescription, tower_degree: usize) {
+    let mut machine = tilted();
+    machine.shaft_n_m_per_rad = f64::INFINITY;
+    // It would turn with the nacelle, but is no part of the rigid body.
+    machine.generator.inertia_kg_m2 = 0.0;
+    for section in &mut machine.blade.sections {
+        section.flap_n_m2 *= 1e12;
+        section.edge_n_m2 *= 1e12;
+    }
+    let rigid = TowerDescription {
+        rna: machine.rna().expect("a machine"),
+        ..description.clone()
+    };
+    let options = Options {
+        method: Method::Spectral,
+        ..Options::default()
+    };
+    let solution = solve(&Tower::new(rigid).expect("a tower"), &options).expect("solved");
+    let modes = &solution.modes;
+    let limit_hz = 0.5 * (modes[6].frequency_hz + modes[7].frequency_hz);
+    let turbine = Turbine::new(description.clone(), machine).expect("a turbine");
+    let exact = TurbineMesh {
+        tower_degree,
+        ..FINE
+    };
+    let mut model = TurbineModel::new(&turbine, &exact).expect("a model");
+    let found = frequencies(&mut model, limit_hz, 0.0);
+    assert_eq!(found.len(), 7);
+    for (found, mode) in found.iter().zip(modes) {
+        let expected = mode.extrapolated_hz;
+        let error = (found / expected - 1.0).abs();
+        assert!(error < 1e-9, "{found} Hz, expected {expected} Hz");
+    }
 }

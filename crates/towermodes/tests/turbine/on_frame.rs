@@ -5,15 +5,12 @@ use nalgebra::{Matrix3, RowDVector, Vector3};
 use towermodes::frame::*;
 use towermodes::tower::Tube;
 use towermodes::turbine::{Turbine, TurbineDescription, TurbineMesh, TurbineModel};
-use towermodes::{
-    Foundation, Inertia, Material, Method, Options, RigidBody, Station, Tower, TowerDescription,
-    solve,
-};
+use towermodes::{Foundation, Inertia, Material, RigidBody, Station, TowerDescription};
 
 use towermodes_testing::Says;
 
 use super::dense::{Dense, GAUSS, Numbers, Real, TOWER_ELEMENTS, body_inertia, hermite, random};
-use super::{FINE, frequencies, tilted};
+use super::{FINE, assert_is_rigid_at_rest, frequencies, tilted};
 
 const DENSITY: f64 = 7850.0;
 const YOUNG: f64 = 2.1e11;
@@ -262,41 +259,8 @@ fn assert_close(found: &[f64], expected: &[f64], tolerance: f64) {
 /// and another elimination. What the blades yield is 1e-10.
 #[test]
 fn a_stiff_rotor_at_rest_is_a_rigid_body_on_a_tower_on_a_frame() {
-    let mut machine = tilted();
-    machine.shaft_n_m_per_rad = f64::INFINITY;
-    // It would turn with the nacelle, but is no part of the rigid body.
-    machine.generator.inertia_kg_m2 = 0.0;
-    for section in &mut machine.blade.sections {
-        section.flap_n_m2 *= 1e12;
-        section.edge_n_m2 *= 1e12;
-    }
     let description = on(tripod(), steel_tower(&ABOVE, Foundation::Clamped));
-    let rigid = TowerDescription {
-        rna: machine.rna().expect("a machine"),
-        ..description.clone()
-    };
-    let options = Options {
-        method: Method::Spectral,
-        ..Options::default()
-    };
-    let solution = solve(&Tower::new(rigid).expect("a tower"), &options).expect("solved");
-    let modes = &solution.modes;
-    let limit_hz = 0.5 * (modes[6].frequency_hz + modes[7].frequency_hz);
-    let turbine = Turbine::new(description, machine).expect("a turbine");
-    let exact = TurbineMesh {
-        tower_degree: 12,
-        ..FINE
-    };
-    let mut model = TurbineModel::new(&turbine, &exact).expect("a model");
-    let found = frequencies(&mut model, limit_hz, 0.0);
-    assert_eq!(found.len(), 7);
-    for (found, mode) in found.iter().zip(modes) {
-        let expected = mode.extrapolated_hz;
-        assert!(
-            (found / expected - 1.0).abs() < 1e-9,
-            "{found} Hz, expected {expected} Hz"
-        );
-    }
+    assert_is_rigid_at_rest(&description, 12);
 }
 
 /// One member, in one piece or cut, is the lower part of a longer tower, with the weight of all, at

@@ -4,12 +4,10 @@ use std::sync::Arc;
 
 use towermodes::space::SpatialMatrix;
 use towermodes::turbine::{Turbine, TurbineMesh, TurbineModel};
-use towermodes::{
-    AddedMassTable, Foundation, Method, Options, Rna, Tower, TowerDescription, solve,
-};
+use towermodes::{AddedMassTable, Foundation, Rna, TowerDescription};
 use towermodes_verify::towers::floater;
 
-use super::{FINE, frequencies, tilted};
+use super::{assert_is_rigid_at_rest, tilted};
 
 /// The floater with these factors of its added mass at frequency zero, in rows and at infinite
 /// frequency.
@@ -42,39 +40,8 @@ fn floater_with([zero, infinite]: [f64; 2], rows: &[(f64, f64)]) -> TowerDescrip
 /// machine as a rigid body, whose modes have the added mass of their own frequencies too.
 #[test]
 fn a_stiff_rotor_at_rest_is_a_rigid_body_on_a_floater_with_added_mass_by_frequency() {
-    let mut machine = tilted();
-    machine.shaft_n_m_per_rad = f64::INFINITY;
-    machine.generator.inertia_kg_m2 = 0.0;
-    for section in &mut machine.blade.sections {
-        section.flap_n_m2 *= 1e12;
-        section.edge_n_m2 *= 1e12;
-    }
     let rows = [(0.1, 1.02), (0.2, 1.1), (0.5, 0.95), (3.0, 0.8)];
-    let description = floater_with([1.0, 0.85], &rows);
-    let rigid = TowerDescription {
-        rna: machine.rna().expect("a machine"),
-        ..description.clone()
-    };
-    let options = Options {
-        method: Method::Spectral,
-        ..Options::default()
-    };
-    let solution = solve(&Tower::new(rigid).expect("a tower"), &options).expect("solved");
-    let modes = &solution.modes;
-    let limit_hz = 0.5 * (modes[6].frequency_hz + modes[7].frequency_hz);
-    let turbine = Turbine::new(description, machine).expect("a turbine");
-    let exact = TurbineMesh {
-        tower_degree: 10,
-        ..FINE
-    };
-    let mut model = TurbineModel::new(&turbine, &exact).expect("a model");
-    let found = frequencies(&mut model, limit_hz, 0.0);
-    assert_eq!(found.len(), 7);
-    for (found, mode) in found.iter().zip(modes) {
-        let expected = mode.extrapolated_hz;
-        let error = (found / expected - 1.0).abs();
-        assert!(error < 1e-9, "{found} Hz, expected {expected} Hz");
-    }
+    assert_is_rigid_at_rest(&floater_with([1.0, 0.85], &rows), 10);
 }
 
 /// An added mass that falls steeply between two modes leaves a doubt, which counts with bounds of

@@ -1,6 +1,6 @@
 //! The layers of soil around the pile, in a table.
 
-use towermodes::{Ground, GroundLayer, HeadStiffness, Tower};
+use towermodes::{Ground, GroundLayer, HeadStiffness, SpringsAt, Tower};
 
 use super::super::table::Table;
 use super::inputs::{in_short, of_inputs};
@@ -35,15 +35,20 @@ fn springs(tower: &Tower) -> Table {
         ],
     );
     for springs in tower.springs_of_soil() {
-        table.push([
-            length(springs.height_m),
-            given(springs.lateral_n_per_m2),
-            given(springs.vertical_n_per_m2),
-            given(springs.rotation_n),
-            given(springs.torsion_n),
-        ]);
+        table.push(cells(&springs));
     }
     table.without_empty_columns().shortened()
+}
+
+/// The height of springs, and their stiffness across, along, for rotation across and torsion.
+fn cells(springs: &SpringsAt) -> [String; 5] {
+    [
+        length(springs.height_m),
+        given(springs.lateral_n_per_m2),
+        given(springs.vertical_n_per_m2),
+        given(springs.rotation_n),
+        given(springs.torsion_n),
+    ]
 }
 
 fn springs_of_members(tower: &Tower) -> Table {
@@ -60,14 +65,8 @@ fn springs_of_members(tower: &Tower) -> Table {
     );
     for of_member in tower.springs_of_members() {
         for springs in &of_member.springs {
-            table.push([
-                of_member.member.clone(),
-                length(springs.height_m),
-                given(springs.lateral_n_per_m2),
-                given(springs.vertical_n_per_m2),
-                given(springs.rotation_n),
-                given(springs.torsion_n),
-            ]);
+            let member = std::iter::once(of_member.member.clone());
+            table.push(member.chain(cells(springs)));
         }
     }
     table.without_empty_columns().shortened()

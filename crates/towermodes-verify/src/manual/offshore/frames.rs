@@ -16,7 +16,7 @@ use crate::towers::offshore::{
 /// Elements of the public frames.
 const EXACT: FrameRecipe = FrameRecipe::Spectral { degree: 8 };
 /// Ten digits of the source, in which nodal coordinates lose some.
-const DIGITS: f64 = 4e-10;
+const DIGITS: f64 = 3e-10;
 /// Motions without stiffness cost the source two digits.
 const DIGITS_OF_MECHANISMS: f64 = 1e-8;
 

@@ -89,14 +89,7 @@ impl<G: Gyroscopic + ?Sized> Search<'_, G> {
             return false;
         }
         let (middle, half) = (0.5 * (low.w + high.w), 0.5 * (high.w - low.w));
-        let below = Raise {
-            by_inertia: -half * half,
-            by_change: -half,
-        };
-        let above = Raise {
-            by_inertia: 0.0,
-            by_change: half,
-        };
+        let (below, above) = (Raise::below(half), Raise::above(half));
         let mut is_alike = |raise| self.system.count_raised(middle, raise) == count;
         is_alike(below) && is_alike(above)
     }

@@ -31,14 +31,7 @@ impl TurbineModel {
             return false;
         };
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let below = Raise {
-            by_inertia: -half * half,
-            by_change: -half,
-        };
-        let above = Raise {
-            by_inertia: 0.0,
-            by_change: half,
-        };
+        let (below, above) = (Raise::below(half), Raise::above(half));
         // Below: −to² M. Above: (half² − from²) M, which is less than nothing but near zero.
         let upper = if half < from { least } else { most };
         let at = (middle, speed);

@@ -17,6 +17,22 @@ pub(crate) struct Raise {
 }
 
 impl Raise {
+    /// What makes H(w) a lower bound of H(w ± r), for r in rad/s: −r N − r² M.
+    pub(crate) fn below(r: f64) -> Self {
+        Self {
+            by_inertia: -r * r,
+            by_change: -r,
+        }
+    }
+
+    /// What makes H(w) an upper bound of H(w ± r), for r in rad/s: r N.
+    pub(crate) fn above(r: f64) -> Self {
+        Self {
+            by_inertia: 0.0,
+            by_change: r,
+        }
+    }
+
     /// What H(w) + R has more than −w² M of the inertia of what does not turn.
     pub(crate) fn inertia(self, w: f64) -> f64 {
         self.by_inertia + 2.0 * self.by_change * w
