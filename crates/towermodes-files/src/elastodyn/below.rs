@@ -215,7 +215,7 @@ impl<'a> Model<'a> {
 
 /// The mistake of a substructure that nothing holds: buoyancy and mooring lines would have to.
 fn floats(span: Range<usize>) -> Diagnostic {
-    let message = "nothing holds the substructure of SubDyn, so it floats: a flexible floater is not solved, because buoyancy and mooring lines have no place on its members";
+    let message = "nothing holds the substructure of SubDyn, so it floats: a flexible floater is not solved, because buoyancy and mooring lines cannot be applied to single members yet";
     let hint = "set CompSub to 0 for a rigid platform (with its mass in ElastoDyn), hold reaction joints, or use --clamped for the tower alone";
     Diagnostic::new(span, DiagnosticKind::Unsupported(message.to_owned())).with_hint(hint)
 }

@@ -93,7 +93,7 @@ fn floating(
 ) -> Platform {
     if platform.added_mass_by_frequency.is_some() {
         notes.push(Note::left_out(
-            "BModes has no added mass by frequency: that at infinite frequency is written",
+            "BModes has no added mass by frequency: the added mass at infinite frequency is written",
         ));
     }
     let platform = &platform.with_added_mass_at(f64::INFINITY);

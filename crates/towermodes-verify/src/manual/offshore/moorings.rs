@@ -180,7 +180,7 @@ fn with_free_parts() -> Vec<Case> {
     clumps.expected.extend(place(Hanging::Point(2), at));
     let mut bridles = of(
         "bridles",
-        "The source has a vertical force of -5839329.3288 N. It is left out: all that hangs from the platform in water weighs 0.56 N less, by the lengths off the seabed.",
+        "The source has a vertical force of -5839329.3288 N. It is left out: the parts that are off the seabed weigh 0.56 N less in water.",
         delta(),
         "540352.73536 540354.20507 88699.634909 3493073162.0 3493058945.7 466624282.24 -40109035.363 -",
     );

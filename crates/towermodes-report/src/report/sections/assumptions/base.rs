@@ -92,7 +92,7 @@ fn floating(platform: &FloatingPlatform) -> String {
     };
     let lines = match platform.mooring_lines {
         Some(_) => {
-            " The mooring lines are quasi-static: their stiffness is that at the reference position, their mass moves with no mode."
+            " The mooring lines are quasi-static: their stiffness is that at the reference position, their mass is left out."
         }
         None => "",
     };
