@@ -14,6 +14,7 @@ mod design_studies;
 mod elastodyn;
 mod elastodyn_formulas;
 mod elastodyn_writer;
+mod flexible_floater;
 mod ground;
 mod ground_layers;
 mod ground_refusals;

@@ -11,7 +11,9 @@ use super::main_input::main_file::MainFile;
 use super::names::line_of;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
-use crate::hydrodyn::{HydrodynInput, HydrodynPlatform, WaterDefaults, read_hydrodyn, read_water};
+use crate::hydrodyn::{
+    HydrodynInput, HydrodynPlatform, Moored, WaterDefaults, read_hydrodyn, read_water,
+};
 use crate::mooring::{MooringInput, MooringSite, read_map, read_moordyn};
 use crate::note::Note;
 use crate::resolver::FileResolver;
@@ -78,7 +80,8 @@ impl<'a> Model<'a> {
     }
 
     /// The substructure of SubDyn, with the platform of ElastoDyn as its transition piece, and the
-    /// water on its members.
+    /// water on its members. If no reaction joint is held, it floats: water plane, buoyancy and
+    /// mooring lines hold it.
     fn substructure(&self) -> Result<Below, ReadError> {
         let Some(file) = self.file(&["SubFile", "SDFile"]) else {
             return Ok(Below::default());
@@ -93,9 +96,9 @@ impl<'a> Model<'a> {
             subdyn.stand_on(&soil)?;
             parts.push(MissingPart::Soil);
         }
-        if subdyn.description.supports.is_empty() {
-            return Err(ReadError::mistake(self.fst, floats(file.span)));
-        }
+        let floats = subdyn.description.supports.is_empty();
+        let bare = subdyn.frame(Interface::Rigid(self.main.platform.reference_m))?;
+        let mut restoring = None;
         let mut below = Below {
             notes: subdyn.notes.clone(),
             parts,
@@ -106,15 +109,31 @@ impl<'a> Model<'a> {
             below
                 .notes
                 .extend(water.notes.iter().cloned().chain(on_frame));
-            below.sources.extend(water.sources);
+            if floats {
+                let moored = self.moored(&water, &mut below)?;
+                let gravity_m_per_s2 = self.gravity_m_per_s2();
+                let moment_kg_m = bare.mass_moment_kg_m();
+                let description = &mut subdyn.description;
+                let (found, notes) =
+                    water.restoring(description, moment_kg_m, &moored, gravity_m_per_s2);
+                let joint = subdyn.interface_joints.first();
+                water.put_on_joint(description, joint.copied().unwrap_or(0), &moored);
+                below.notes.extend(notes);
+                restoring = Some(found);
+            }
+            below.sources.splice(0..0, water.sources);
             below.parts.push(MissingPart::Water);
+        }
+        if floats && restoring.is_none() {
+            return Err(ReadError::mistake(self.fst, nothing_holds(file.span)));
         }
         let frame = subdyn.frame(Interface::Rigid(self.main.platform.reference_m))?;
         let piece = transition_piece(self.main);
-        let foundation = FrameFoundation::new(frame, piece).map_err(|error| {
+        let mut foundation = FrameFoundation::new(frame, piece).map_err(|error| {
             let kind = DiagnosticKind::Frame(Box::new(error));
             ReadError::mistake(self.fst, Diagnostic::new(file.span, kind))
         })?;
+        foundation.restoring = restoring;
         below.foundation = Foundation::Frame(Box::new(foundation));
         below.notes.extend(held_note(self.main));
         below.sources.splice(0..0, subdyn.sources);
@@ -141,11 +160,7 @@ impl<'a> Model<'a> {
             parts: vec![MissingPart::Platform, MissingPart::Water],
             ..Below::default()
         };
-        let site = MooringSite {
-            depth_m: Some(water.water.depth_m),
-            water_density_kg_per_m3: Some(water.water.density_kg_per_m3),
-            gravity_m_per_s2: Some(gravity_m_per_s2),
-        };
+        let site = self.site(&water);
         below.sources.extend(water.sources);
         if let Some(lines) = self.mooring(&site)? {
             let mooring = lines.mooring()?;
@@ -161,6 +176,33 @@ impl<'a> Model<'a> {
         }
         below.foundation = Foundation::Floating(Box::new(platform));
         Ok(below)
+    }
+
+    /// The mooring system of a substructure that floats, at its reference position.
+    fn moored(&self, water: &HydrodynInput, below: &mut Below) -> Result<Moored, ReadError> {
+        let Some(lines) = self.mooring(&self.site(water))? else {
+            return Ok(Moored::default());
+        };
+        let mooring = lines.mooring()?;
+        let state = lines.at_rest(&mooring)?;
+        below.notes.extend(lines.notes.iter().cloned());
+        below.notes.extend(lines.warnings(&mooring, &state));
+        below.parts.push(MissingPart::MooringLines);
+        let moored = Moored {
+            stiffness: state.load.stiffness,
+            mass: mooring.platform_mass(),
+            fairleads: lines.fairleads()?,
+        };
+        below.sources.push(lines.source);
+        Ok(moored)
+    }
+
+    fn site(&self, water: &HydrodynInput) -> MooringSite {
+        MooringSite {
+            depth_m: Some(water.water.depth_m),
+            water_density_kg_per_m3: Some(water.water.density_kg_per_m3),
+            gravity_m_per_s2: Some(self.gravity_m_per_s2()),
+        }
     }
 
     /// The content of the file of HydroDyn, if there is one.
@@ -213,10 +255,10 @@ impl<'a> Model<'a> {
     }
 }
 
-/// The mistake of a substructure that nothing holds: buoyancy and mooring lines would have to.
-fn floats(span: Range<usize>) -> Diagnostic {
-    let message = "nothing holds the substructure of SubDyn, so it floats: a flexible floater is not solved, because buoyancy and mooring lines cannot be applied to single members yet";
-    let hint = "set CompSub to 0 for a rigid platform (with its mass in ElastoDyn), hold reaction joints, or use --clamped for the tower alone";
+/// The mistake of a substructure that nothing holds, not even water.
+fn nothing_holds(span: Range<usize>) -> Diagnostic {
+    let message = "nothing holds the substructure of SubDyn: it has no reaction joint that is held, and no HydroDyn file whose water carries it";
+    let hint = "hold reaction joints, give CompHydro 1 and a HydroFile for a floater, or use --clamped for the tower alone";
     Diagnostic::new(span, DiagnosticKind::Unsupported(message.to_owned())).with_hint(hint)
 }
 

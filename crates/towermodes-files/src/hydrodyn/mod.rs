@@ -6,6 +6,7 @@
 //! between versions.
 
 mod added_stiffness;
+mod afloat;
 mod beams;
 mod coefficients;
 mod ends;
@@ -27,6 +28,7 @@ mod wamit;
 mod water;
 mod water_plane;
 
+pub(crate) use afloat::Moored;
 pub use ends::StripEnd;
 pub use input::HydrodynInput;
 pub use platform::HydrodynPlatform;

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use towermodes::space::SpatialMatrix;
 
-use super::spatial::{NONE, add, load_of, of_force};
+use super::spatial::{NONE, Vector, add, load_of, of_force};
 use super::strip::{Stretch, StripMember, blend};
 use super::strip_inertia::slices;
 use super::water::SeaWater;
@@ -23,17 +23,38 @@ pub(super) fn of(members: &[StripMember], water: &SeaWater) -> Hydrostatics {
         stiffness: NONE,
         load: [0.0; 6],
     };
-    let floating = |member: &&StripMember| member.has_hydrostatics && !member.is_potential_flow;
-    for member in members.iter().filter(floating) {
+    for member in members.iter().filter(|member| member.floats()) {
         for stretch in member.stretches.iter().filter(|stretch| stretch.is_wet) {
             sum.add_buoyancy(member, stretch);
         }
-        if let Some(radius_m) = radius_at_level(member, water.level_m) {
-            let plane = water_plane(member, radius_m, water.level_m);
-            add(&mut sum.stiffness, 1.0, &plane);
-        }
+    }
+    for (_, plane) in planes(members, water) {
+        add(&mut sum.stiffness, 1.0, &plane);
     }
     sum
+}
+
+/// Where each member with hydrostatic loads crosses the surface, and the stiffness of its water
+/// plane divided by ρ g, for the origin.
+pub(super) fn planes(
+    members: &[StripMember],
+    water: &SeaWater,
+) -> impl Iterator<Item = (Vector, SpatialMatrix)> {
+    let level_m = water.level_m;
+    let floating = members.iter().filter(|member| member.floats());
+    floating.filter_map(move |member| {
+        let radius_m = radius_at_level(member, level_m)?;
+        let [from_m, to_m] = member.ends_m.map(|end_m| end_m[2]);
+        let center_m = member.point_m((level_m - from_m) / (to_m - from_m));
+        Some((center_m, water_plane(member, radius_m, center_m)))
+    })
+}
+
+impl StripMember {
+    /// Whether buoyancy and water plane of its strips are its own.
+    fn floats(&self) -> bool {
+        self.has_hydrostatics && !self.is_potential_flow
+    }
 }
 
 impl Hydrostatics {
@@ -68,9 +89,7 @@ fn radius_at_level(member: &StripMember, level_m: f64) -> Option<f64> {
 
 /// Stiffness of the ellipse in which an inclined circular cylinder crosses the surface, by ρ g:
 /// area π R²/cos φ, second moments A (R/cos φ)²/4 along the tilt and A R²/4 across it.
-fn water_plane(member: &StripMember, radius_m: f64, level_m: f64) -> SpatialMatrix {
-    let [from_m, to_m] = member.ends_m;
-    let [x, y, _] = member.point_m((level_m - from_m[2]) / (to_m[2] - from_m[2]));
+fn water_plane(member: &StripMember, radius_m: f64, [x, y, _]: Vector) -> SpatialMatrix {
     let [kx, ky, kz] = member.axis();
     let cosine = kz.abs();
     let area = PI * radius_m * radius_m / cosine;

@@ -7,6 +7,7 @@
 mod attachment;
 mod bodies;
 mod column;
+mod fairleads;
 mod input;
 mod line_types;
 mod lines;
@@ -21,6 +22,7 @@ mod row;
 mod site;
 mod tables;
 
+pub(crate) use fairleads::Fairlead;
 pub(crate) use input::Spans;
 pub use input::{MooringInput, MooringSite};
 pub use map::read_map;

@@ -71,10 +71,7 @@ impl FrameBelow {
         let [_, _, reference_m] = foundation.reference_m();
         let rise_m = base_m - reference_m;
         let recipe = FrameRecipe::Spectral { degree };
-        let members_n = match foundation.weight_on_members {
-            true => gravity_m_per_s2,
-            false => 0.0,
-        };
+        let members_n = foundation.gravity_on_members(gravity_m_per_s2);
         let Assembled {
             mut equations,
             transition,
@@ -85,8 +82,8 @@ impl FrameBelow {
             |frame, tensions| assemble_below_transition(frame, recipe, tensions),
             |assembled| {
                 if let Some(node) = assembled.transition {
+                    add_platform(assembled, node, foundation, gravity_m_per_s2);
                     let equations = &mut assembled.equations;
-                    add_platform(equations, node, &foundation.platform, gravity_m_per_s2);
                     add_rigidly(equations, (node, rise_m), [*carried, NONE, NONE]);
                 }
             },

@@ -8,24 +8,25 @@ use super::elimination::Factors;
 use super::equations::{ELASTIC, Equations, GEOMETRIC, GROUND, INERTIA, KINDS, Link};
 use super::error::FrameSolveError;
 use super::finer::Finer;
+use super::hinge::UNIT;
 use super::local::Local;
 use super::mechanism::mechanism;
 use super::order::Order;
 use super::parts::Parts;
 use super::product::Sweep;
 use super::recipe::FrameRecipe;
-use super::rigid::{Motion, NONE, rigid_transfer};
+use super::rigid::{Motion, NONE, add_transposed, rigid_transfer, transposed};
 use super::shape::{FrameShape, ShapeReader};
 use super::statics::with_tensions;
 use super::tension::Tension;
 use crate::beam::MemberPart;
-use crate::space::{SpatialMatrix, add_scaled};
+use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
 use crate::subsystem::{
     Branch, Coefficients, Energies, InternalForces, MatrixKind, Resultant, SegmentCurves,
     ShearFraction, Subsystem,
 };
 use crate::tower::frame::FrameFoundation;
-use crate::tower::{Motions, RigidBody, Tower, spatial_inertia};
+use crate::tower::{Motions, Tower, spatial_inertia};
 
 /// The equations of a frame under a tower, with the platform and the stiffness of the weight of
 /// all, but without the tower: the same on every mesh of the tower.
@@ -84,11 +85,7 @@ impl BareFrame {
     ) -> Result<Self, FrameSolveError> {
         let [x, y, z] = foundation.reference_m();
         let gravity_m_per_s2 = tower.gravity_m_per_s2();
-        let members_n = if foundation.weight_on_members {
-            gravity_m_per_s2
-        } else {
-            0.0
-        };
+        let members_n = foundation.gravity_on_members(gravity_m_per_s2);
         let mut bare = (0, 0);
         let Assembled {
             mut equations,
@@ -105,10 +102,10 @@ impl BareFrame {
             |frame, tensions| assemble(frame, FrameRecipe::Spectral { degree }, tensions),
             |assembled| {
                 if let Some(node) = assembled.transition {
-                    let equations = &mut assembled.equations;
+                    let equations = &assembled.equations;
                     bare = (equations.nodes.len(), equations.links.len());
-                    add_platform(equations, node, &foundation.platform, gravity_m_per_s2);
-                    add_tower(equations, branch, node, tower.base_m() - z);
+                    add_platform(assembled, node, foundation, gravity_m_per_s2);
+                    add_tower(&mut assembled.equations, branch, node, tower.base_m() - z);
                 }
             },
         )?;
@@ -238,6 +235,53 @@ impl OnFrame {
         Ok(change / self.energy(&Coefficients::MASS, x))
     }
 
+    /// The inertia of all against motions of the base as a rigid body, of a frame that floats: kg,
+    /// kg m, kg m²; none where supports hold it.
+    pub(crate) fn rigid_inertia(&mut self) -> Option<SpatialMatrix> {
+        let first = self.first_of_rigid()?;
+        let to_piece = transposed(&self.from_base());
+        let columns = to_piece.map(|motion| {
+            let mut x = vec![0.0; self.degrees_of_freedom()];
+            (0..6).for_each(|i| x[first + i] = motion[i] / UNIT);
+            let mut force = vec![0.0; x.len()];
+            self.product(&Coefficients::MASS, &x, &mut force);
+            self.at_base(first, &force)
+        });
+        Some(transposed(&columns))
+    }
+
+    /// The place of the coordinates that move all as a rigid body, if nothing but what they move
+    /// holds the frame: those of the transition piece.
+    fn first_of_rigid(&self) -> Option<usize> {
+        let foundation = self.frame.tower.frame()?;
+        foundation.restoring.as_ref()?;
+        let mut roots = self
+            .frame
+            .equations
+            .links
+            .iter()
+            .filter(|l| l.parent.is_none());
+        let root = roots
+            .next()
+            .filter(|l| l.child == self.frame.node && l.tip.len() == 6)?;
+        roots.next().is_none().then_some(root.first)
+    }
+
+    /// The motion of the transition piece from that of the base.
+    fn from_base(&self) -> SpatialMatrix {
+        let tower = &self.frame.tower;
+        let reference_m = tower.frame().map_or(0.0, |frame| frame.reference_m()[2]);
+        rigid_transfer([0.0, 0.0, reference_m - tower.base_m()])
+    }
+
+    /// The force on the whole about the base, of forces on the coordinates.
+    fn at_base(&self, first: usize, forces: &[f64]) -> Motion {
+        let on_piece: Motion = std::array::from_fn(|i| forces[first + i] / UNIT);
+        let mut force = Motion::default();
+        add_transposed(&mut force, &self.from_base(), &on_piece);
+        force
+    }
+
     /// Why the frame is a mechanism under its tower, if it is one.
     pub(crate) fn mechanism(&self) -> Option<FrameSolveError> {
         let BareFrame {
@@ -318,21 +362,36 @@ impl OnFrame {
     }
 }
 
-/// Adds a rigid body to the transition piece, with its weight.
+/// Adds the body of the transition piece, with its weight, and what holds a frame that floats.
 pub(super) fn add_platform(
-    equations: &mut Equations,
+    assembled: &mut Assembled,
     node: usize,
-    body: &RigidBody,
+    foundation: &FrameFoundation,
     gravity_m_per_s2: f64,
 ) {
-    let matrices = &mut equations.nodes[node];
+    let body = &foundation.platform;
+    let [_, _, reference_m] = foundation.reference_m();
+    let rise_m = reference_m - foundation.pivot_m();
+    let nodes = &mut assembled.equations.nodes;
+    if let Some(restoring) = &foundation.restoring {
+        let mut matrix = restoring.matrix;
+        transform_matrix(&mut matrix, -rise_m);
+        add_scaled(&mut nodes[node][GROUND], 1.0, &matrix);
+        for (joint, matrix) in &restoring.on_joints {
+            if let Some(node) = assembled.joints[*joint] {
+                add_scaled(&mut nodes[node][GROUND], 1.0, matrix);
+            }
+        }
+    }
+    let matrices = &mut nodes[node];
     let inertia = spatial_inertia(body.mass_kg, body.center_m, &body.inertia_kg_m2);
     add_scaled(&mut matrices[INERTIA], 1.0, &inertia);
     let weight_n = body.mass_kg * gravity_m_per_s2;
+    let [x_m, y_m, z_m] = body.center_m;
     add_scaled(
         &mut matrices[GEOMETRIC],
         weight_n,
-        &turning_over(body.center_m),
+        &turning_over([x_m, y_m, z_m + rise_m]),
     );
 }
 
@@ -536,6 +595,11 @@ impl Subsystem for OnFrame {
         let of_tower = resultant.energy.iter().sum();
         let of_frame = self.energy_of_frame(of_all, of_tower, x);
         (0..6).for_each(|i| resultant.energy[i] += of_frame[i]);
+        if let Some(first) = self.first_of_rigid() {
+            let mut product = vec![0.0; x.len()];
+            self.product(a, x, &mut product);
+            resultant.force = self.at_base(first, &product);
+        }
         resultant
     }
 

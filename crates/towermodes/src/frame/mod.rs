@@ -37,5 +37,5 @@ pub use crate::tower::frame::{
     CoatKind, Frame, FrameCoat, FrameDescription, FrameError, FrameFoundation, FrameJoint,
     FrameMasses, FrameMember, FramePart, FramePlace, FrameProblem, FrameRider, FrameSoil,
     FrameSoilRow, FrameSpring, FrameSupport, GivenSection, JointKind, MarineGrowth, MemberKind,
-    MembersInWater, Rectangle, SectionEnds, Transition, spin_of_axes,
+    MembersInWater, Rectangle, Restoring, SectionEnds, Transition, spin_of_axes,
 };

@@ -74,6 +74,9 @@ pub(super) fn substructure(
     if !foundation.weight_on_members {
         writing.value("weight_on_members", "false");
     }
+    if foundation.restoring.is_some() {
+        writing.note("the stiffness of buoyancy, weights and moorings of a substructure that floats: a tower file has no place for it");
+    }
     let flooded = &foundation.in_water.flooded;
     if !flooded.is_empty() {
         let names = flooded.iter().map(|member| &*frame.members[*member].name);

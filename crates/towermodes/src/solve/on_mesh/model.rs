@@ -8,6 +8,7 @@ use crate::chain::Chains;
 use crate::elements::{Element, Mesh, assemble_chains};
 use crate::frame::{BareFrame, FrameShape, FrameSolveError, OnFrame};
 use crate::modes::ByMotion;
+use crate::space::SpatialMatrix;
 use crate::subsystem::{
     Coefficients, Eigenproblem, Energies, Resultant, Subsystem, SubsystemPencil,
 };
@@ -122,6 +123,13 @@ impl Model {
             Some(on_frame) => on_frame.change_on_finer(lambda, vector),
             None => Ok(0.0),
         }
+    }
+
+    /// The inertia of the whole tower as a rigid body about its base, with the frame below it if
+    /// that floats: kg, kg m, kg m².
+    pub(crate) fn rigid_inertia(&mut self, tower: &Tower, rotary_inertia: bool) -> SpatialMatrix {
+        let with_frame = self.on_frame.as_mut().and_then(OnFrame::rigid_inertia);
+        with_frame.unwrap_or_else(|| tower.rigid_inertia(rotary_inertia))
     }
 
     /// Why the frame under the tower is a mechanism, if it is one.

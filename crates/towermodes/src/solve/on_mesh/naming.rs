@@ -58,8 +58,8 @@ pub(crate) fn identify(
     let floats = tower.base().floats;
     let all = floats || wanted == Wanted::All;
     set_modal_forces(model, spectrum, found, all, forces);
-    let inertia = || tower.rigid_inertia(options.has_rotary_inertia());
-    let body = floats.then(|| RigidTower::new(&inertia()));
+    let rotary = options.has_rotary_inertia();
+    let body = floats.then(|| RigidTower::new(&model.rigid_inertia(tower, rotary)));
     let mut arrears = Arrears::new(Family::ALL.map(Family::is_rigid), TIE);
     identities.clear();
     for (index, (found, forces)) in found.iter().zip(forces).enumerate() {

@@ -167,7 +167,7 @@ pub(crate) fn describe(
     model.monitor.enter(Stage::Buckling);
     let buckling_load_factor = buckling_load_factor(tower, model, Some(spectrum))?;
     model.monitor.enter(Stage::Shapes);
-    let rigid_inertia = tower.rigid_inertia(options.has_rotary_inertia());
+    let rigid_inertia = model.rigid_inertia(tower, options.has_rotary_inertia());
     let listed = &found[..found.len().min(options.modes + 1)];
     identify(
         tower,

@@ -69,7 +69,7 @@ fn unstable(tower: &Tower, model: &mut Model, scale: f64) -> Result<SolveError, 
     let (lambda, index, vector) = worst.ok_or(EigenError::NotFinite)?;
     let forces = model.modal_forces(index, &vector);
     let force = forces.force.map(|force| force * lambda.sqrt());
-    let rigid = RigidTower::new(&tower.rigid_inertia(true)).shares(&force);
+    let rigid = RigidTower::new(&model.rigid_inertia(tower, true)).shares(&force);
     let motion = Shares::afloat(&forces.kinetic.shares(), &rigid).largest();
     Ok(SolveError::Unstable { motion })
 }

@@ -7,6 +7,7 @@ use super::description::FrameDescription;
 use super::error::{FrameError, FramePlace, FrameProblem};
 use super::in_water::MembersInWater;
 use super::member::MemberKind;
+use super::restoring::Restoring;
 use super::validate::Frame;
 
 /// A frame that carries a tower on its transition piece.
@@ -24,6 +25,8 @@ pub struct FrameFoundation {
     pub materials: Vec<Option<usize>>,
     /// What the water of the tower finds on members.
     pub in_water: MembersInWater,
+    /// What holds the frame if it floats; none if its supports do.
+    pub restoring: Option<Restoring>,
     reference_m: [f64; 3],
 }
 
@@ -42,6 +45,7 @@ impl FrameFoundation {
                 weight_on_members: true,
                 materials: Vec::new(),
                 in_water: MembersInWater::default(),
+                restoring: None,
             }),
             None => Err(FrameError {
                 place: FramePlace::Transition,
@@ -50,9 +54,28 @@ impl FrameFoundation {
         }
     }
 
+    /// Height of the point about which the weights on the transition piece turn over, m: only about
+    /// that of the buoyancy's stiffness its entries and theirs add up.
+    pub(crate) fn pivot_m(&self) -> f64 {
+        let [_, _, reference_m] = self.reference_m;
+        self.restoring
+            .as_ref()
+            .map_or(reference_m, |restoring| restoring.height_m)
+    }
+
+    /// Gravity for the forces of members at rest, m/s²: afloat none, because buoyancy, which is not
+    /// among them, carries the weight where it is.
+    pub(crate) fn gravity_on_members(&self, gravity_m_per_s2: f64) -> f64 {
+        match self.weight_on_members && self.restoring.is_none() {
+            true => gravity_m_per_s2,
+            false => 0.0,
+        }
+    }
+
     /// Removes everything but the elastic members, whose elements stay as they are.
     pub(crate) fn remove_masses_and_springs(&mut self) {
         self.platform = RigidBody::default();
+        self.restoring = None;
         self.frame.remove_masses_and_springs();
     }
 

@@ -9,6 +9,7 @@ mod in_water;
 mod masses;
 mod member;
 pub(super) mod part;
+mod restoring;
 mod soil;
 mod validate;
 
@@ -24,5 +25,6 @@ pub use in_water::{MarineGrowth, MembersInWater};
 pub use masses::FrameMasses;
 pub use member::{FrameMember, FrameSpring, GivenSection, MemberKind, Rectangle, SectionEnds};
 pub use part::FramePart;
+pub use restoring::Restoring;
 pub use soil::{FrameSoil, FrameSoilRow};
 pub use validate::Frame;

@@ -58,13 +58,14 @@ impl Base {
         }
     }
 
-    /// The base rides on the transition piece, which the frame holds. The weight of the tower turns
-    /// over about the reference point of the transition piece.
+    /// The base rides on the transition piece, which the frame holds, or which floats. The weight of
+    /// the tower turns over about the reference point of the transition piece, or about that of the
+    /// stiffness of the buoyancy.
     fn on_frame(foundation: &FrameFoundation, base_m: f64, mass_kg: f64) -> Self {
-        let [_, _, reference_m] = foundation.reference_m();
         Self {
             moves: [true; 6],
-            overturning_kg_m: mass_kg * (base_m - reference_m),
+            overturning_kg_m: mass_kg * (base_m - foundation.pivot_m()),
+            floats: foundation.restoring.is_some(),
             on_frame: true,
             ..Self::default()
         }

@@ -13,7 +13,7 @@ use crate::tower::closed_form::ClosedForm;
 use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
 use crate::tower::foundation::{FloatingPlatform, Foundation, StiffnessFoundation, Support};
-use crate::tower::frame::{FrameFoundation, FramePart};
+use crate::tower::frame::{FrameFoundation, FramePart, FrameProblem};
 use crate::tower::parts::added_mass::AddedMassTable;
 
 /// Entries of a stiffness that should be equal may differ by this fraction of their diagonal
@@ -182,10 +182,46 @@ fn check_frame(foundation: &FrameFoundation) -> Result<(), TowerError> {
             return error(place, Problem::LayerUpsideDown { bottom_m, top_m });
         }
     }
+    check_restoring(foundation)?;
     match foundation.frame.check() {
         Ok(()) => Ok(()),
         Err(problem) => {
             let place = site(problem.place.part());
+            let message = problem.to_string();
+            error(place, Problem::Frame { message })
+        }
+    }
+}
+
+/// What holds a frame that floats has joints of the frame, and numbers.
+fn check_restoring(foundation: &FrameFoundation) -> Result<(), TowerError> {
+    let place = Place::Substructure {
+        part: FramePart::Transition,
+    };
+    let Some(restoring) = &foundation.restoring else {
+        return Ok(());
+    };
+    let quantity = "the height that the stiffness of the buoyancy is about";
+    coordinate(place, quantity, restoring.height_m)?;
+    if let Some(value) = restoring.entries().find(|entry| !entry.is_finite()) {
+        let quantity = "the stiffness of buoyancy and moorings";
+        return error(place, Problem::NotFinite { quantity, value });
+    }
+    let joints = foundation.frame.description().joints.len();
+    match restoring
+        .on_joints
+        .iter()
+        .find(|(joint, _)| *joint >= joints)
+    {
+        None if restoring.entries().all(|entry| entry == 0.0) => {
+            error(place, Problem::WeightsWithoutBuoyancy)
+        }
+        None => Ok(()),
+        Some((joint, _)) => {
+            let problem = FrameProblem::NoJoint {
+                joint: *joint,
+                joints,
+            };
             let message = problem.to_string();
             error(place, Problem::Frame { message })
         }

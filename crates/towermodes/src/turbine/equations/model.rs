@@ -77,7 +77,7 @@ impl TurbineModel {
         if !is_finite {
             return Err(TurbineError::Overflow);
         }
-        let floats = tower.base().floats;
+        let floats = tower.base().floats && tower.frame().is_none();
         let below = Below::new(tower, mesh.tower_degree)?;
         let platform = floats.then(|| RigidTower::new(&tower.rigid_inertia(true)));
         let mut model = Self {

@@ -1,0 +1,250 @@
+//! A floater whose members deform: beside the rigid platform of the same masses, in OpenFAST files.
+
+use std::f64::consts::PI;
+
+use towermodes::frame::MemberKind;
+use towermodes::{
+    Family, Foundation, Inertia, Options, RigidBody, Solution, Tower, TowerDescription, solve,
+};
+use towermodes_files::{InMemory, Input, ReadError, ReadOptions, Source, read_source};
+use towermodes_testing::{Says, with};
+
+use crate::elastodyn::texts::{BLADE, MASSES, TOWER, main_text};
+use crate::hydrodyn::texts::{Layout, deck as hydrodyn};
+use crate::moorings::texts::MOORDYN_2;
+use crate::subdyn::texts::deck as subdyn;
+
+const JOINTS: [[f64; 3]; 11] = [
+    [0.0, 0.0, -10.0],
+    [15.0, 0.0, -10.0],
+    [-7.5, 12.990381, -10.0],
+    [-7.5, -12.990381, -10.0],
+    [0.0, 0.0, 10.0],
+    [15.0, 0.0, 5.0],
+    [-7.5, 12.990381, 5.0],
+    [-7.5, -12.990381, 5.0],
+    [15.0, 0.0, 0.0],
+    [-7.5, 12.990381, 0.0],
+    [-7.5, -12.990381, 0.0],
+];
+/// Columns, the outer ones in two parts, then pontoons.
+const MEMBERS: [([usize; 2], f64, f64); 10] = [
+    ([0, 4], 3.0, 0.03),
+    ([1, 8], 4.0, 0.03),
+    ([2, 9], 4.0, 0.03),
+    ([3, 10], 4.0, 0.03),
+    ([8, 5], 4.0, 0.03),
+    ([9, 6], 4.0, 0.03),
+    ([10, 7], 4.0, 0.03),
+    ([0, 1], 1.6, 0.03),
+    ([0, 2], 1.6, 0.03),
+    ([0, 3], 1.6, 0.03),
+];
+const DENSITY: f64 = 7850.0;
+const PIECE_KG: f64 = 2e4;
+
+fn rows(row: impl Fn(usize) -> String, count: usize) -> String {
+    (0..count).map(|i| row(i) + "\n").collect()
+}
+
+/// The steel as one rigid body, by the formulas of tubes.
+fn steel() -> RigidBody {
+    let tube = |&([from, to], diameter_m, wall_m): &([usize; 2], f64, f64)| {
+        let (a, b) = (JOINTS[from], JOINTS[to]);
+        let along: [f64; 3] = std::array::from_fn(|i| b[i] - a[i]);
+        let length_m = along.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let (outer, inner) = (0.5 * diameter_m, 0.5 * diameter_m - wall_m);
+        let mass_kg = DENSITY * PI * (outer * outer - inner * inner) * length_m;
+        let squares = outer * outer + inner * inner;
+        let about_axis = 0.5 * mass_kg * squares;
+        let across = mass_kg * (3.0 * squares + length_m * length_m) / 12.0;
+        let entry = |i: usize, j: usize| {
+            let own = along[i] * along[j] / (length_m * length_m);
+            across * f64::from(u8::from(i == j)) + (about_axis - across) * own
+        };
+        RigidBody {
+            mass_kg,
+            center_m: std::array::from_fn(|i| 0.5 * (a[i] + b[i])),
+            inertia_kg_m2: Inertia {
+                xx: entry(0, 0),
+                yy: entry(1, 1),
+                zz: entry(2, 2),
+                xy: -entry(0, 1),
+                yz: -entry(1, 2),
+                xz: -entry(0, 2),
+            },
+        }
+    };
+    RigidBody::combined(&MEMBERS.iter().map(tube).collect::<Vec<_>>())
+}
+
+/// Whether the members deform, and whether there is water.
+fn read(is_flexible: bool, has_water: bool) -> Result<TowerDescription, ReadError> {
+    let piece = RigidBody {
+        mass_kg: PIECE_KG,
+        center_m: [0.0, 0.0, 10.0],
+        inertia_kg_m2: Inertia {
+            xx: 1e5,
+            yy: 1e5,
+            zz: 1e5,
+            ..Inertia::default()
+        },
+    };
+    let body = match is_flexible {
+        true => piece,
+        false => RigidBody::combined(&[piece, steel()]),
+    };
+    let Inertia { xx, yy, zz, .. } = body.inertia_kg_m2;
+    let values = [body.mass_kg, body.center_m[2], xx, yy, zz].map(|x| format!("{x:e}"));
+    let mut changes = vec![("TowerBsHt", "10"), ("PtfmRefzt", "10")];
+    let names = [
+        "PtfmMass",
+        "PtfmCMzt",
+        "PtfmRIner",
+        "PtfmPIner",
+        "PtfmYIner",
+    ];
+    changes.extend(names.into_iter().zip(values.iter().map(String::as_str)));
+    let free = ["Sg", "Sw", "Hv", "R", "P", "Y"].map(|motion| format!("Ptfm{motion}DOF"));
+    changes.extend(free.iter().map(|name| (name.as_str(), "True")));
+    let point = |i: usize, rest: &str| {
+        let [x, y, z] = JOINTS[i];
+        format!("{} {x} {y} {z} {rest}", i + 1)
+    };
+    let member = |i: usize, rest: &str| {
+        let ([from, to], diameter_m, _) = MEMBERS[i];
+        let section = [1.6, 3.0, 4.0].iter().position(|d| *d == diameter_m);
+        let section = section.expect("a section") + 1;
+        format!(
+            "{} {} {} {section} {section} {rest}",
+            i + 1,
+            from + 1,
+            to + 1
+        )
+    };
+    let section = |i: usize, before: &str| {
+        let diameter_m = [1.6, 3.0, 4.0][i];
+        format!("{} {before} {diameter_m} 0.03", i + 1)
+    };
+    let frame = subdyn(&[
+        ("NJoints", &rows(|i| point(i, "1 0 0 0 0"), JOINTS.len())),
+        ("NReact", ""),
+        ("NInterf", "5 1 1 1 1 1 1 1"),
+        ("NMembers", &rows(|i| member(i, "1c 0"), MEMBERS.len())),
+        (
+            "NPropSetsCyl",
+            &rows(|i| section(i, "2.1e11 8.08e10 7850"), 3),
+        ),
+    ]);
+    let water = hydrodyn(
+        Layout::V41,
+        &[
+            ("NJoints", &rows(|i| point(i, "1 0"), JOINTS.len())),
+            ("NMembers", &rows(|i| member(i, "1 0.5 1 F"), MEMBERS.len())),
+            ("NPropSets", &rows(|i| section(i, ""), 3)),
+            ("NFillGroups", "3 2 3 4 -7 1025"),
+        ],
+    );
+    let lines = MOORDYN_2
+        .replace("5.2      0.0     -70.0", "15 0 -10")
+        .replace("-2.6      4.5     -70.0", "-7.5 12.990381 -10")
+        .replace("-2.6     -4.5     -70.0", "-7.5 -12.990381 -10")
+        .replace("902.2", "915.0");
+    let (sub, hydro) = (u8::from(is_flexible), u8::from(has_water));
+    let fst = format!(
+        "------- OpenFAST INPUT FILE -------\na semisubmersible\n1 CompElast - switch\n\
+         {sub} CompSub - switch\n{hydro} CompHydro - switch\n3 CompMooring - switch\n\
+         9.81 Gravity - m/s2\n1025 WtrDens - kg/m3\n320 WtrDpth - m\n0 MSL2SWL - m\n\
+         \"main.dat\" EDFile - name\n\"sub.dat\" SubFile - name\n\"wet.dat\" HydroFile - name\n\
+         \"lines.dat\" MooringFile - name\n"
+    );
+    let files = [
+        ("main.dat", main_text(5, &changes)),
+        ("tower.dat", TOWER.to_owned() + MASSES),
+        ("parts\\blade.dat", BLADE.to_owned()),
+        ("sub.dat", frame),
+        ("wet.dat", water),
+        ("lines.dat", lines),
+    ];
+    let files = InMemory {
+        files: files.map(|(name, text)| (name.to_owned(), text)).into(),
+    };
+    let source = Source {
+        name: "model.fst".to_owned(),
+        text: fst,
+    };
+    match read_source(source, &files, &ReadOptions::default())? {
+        Input::Tower(input) => Ok(input.description),
+        Input::Blade(_) | Input::Substructure(_) => panic!("no tower"),
+    }
+}
+
+fn solved(description: TowerDescription) -> Solution {
+    let tower = Tower::new(description).unwrap_or_else(|error| panic!("{error}"));
+    let solution = solve(&tower, &with!(Options, modes = 10));
+    let solution = solution.unwrap_or_else(|error| panic!("{error}"));
+    assert!(solution.certificate.complete);
+    solution
+}
+
+fn flexible(stiffer: f64) -> Solution {
+    let mut description = read(true, true).unwrap_or_else(|error| panic!("{error}"));
+    let Foundation::Frame(foundation) = &mut description.foundation else {
+        panic!("no frame");
+    };
+    for member in &mut foundation.numbers_mut().members {
+        if let MemberKind::Beam { material, .. } = &mut member.kind {
+            material.youngs_modulus_pa *= stiffer;
+            material.shear_modulus_pa *= stiffer;
+        }
+    }
+    solved(description)
+}
+
+#[test]
+fn stiff_members_give_the_modes_of_the_rigid_platform() {
+    let rigid = solved(read(false, true).unwrap_or_else(|error| panic!("{error}")));
+    let [stiff, real] = [1e7, 1.0].map(flexible);
+    for (a, b) in stiff.modes.iter().zip(&rigid.modes) {
+        let change = a.frequency_hz / b.frequency_hz - 1.0;
+        assert!(change.abs() < 1e-6, "{}: {change:e}", b.frequency_hz);
+        assert_eq!(a.name().family, b.name().family, "{}", b.frequency_hz);
+    }
+    let rigid_body = rigid.modes[..6]
+        .iter()
+        .all(|mode| mode.name().family.is_rigid());
+    assert!(rigid_body, "six platform motions");
+    let tower = |solution: &Solution| {
+        let mut modes = solution.modes.iter();
+        let first = modes.find(|mode| mode.name().family == Family::ForeAft);
+        first
+            .map(|mode| mode.frequency_hz)
+            .expect("a mode of the tower")
+    };
+    // Members that deform are springs in series with the tower; moorings are softer than all.
+    let (of_real, of_rigid) = (tower(&real), tower(&rigid));
+    assert!(
+        (0.3..0.999).contains(&(of_real / of_rigid)),
+        "{of_real} {of_rigid}"
+    );
+    for (a, b) in real.modes[..3].iter().zip(&rigid.modes) {
+        let change = a.frequency_hz / b.frequency_hz - 1.0;
+        assert!((-0.05..1e-9).contains(&change), "{change:e}");
+    }
+}
+
+#[test]
+fn a_floater_needs_water_that_carries_it() {
+    let dry = read(true, false).map(|_| ()).expect_err("dry").to_string();
+    dry.says_all("model.fst & nothing holds the substructure of SubDyn & CompHydro");
+    let mut description = read(true, true).unwrap_or_else(|error| panic!("{error}"));
+    if let Foundation::Frame(foundation) = &mut description.foundation {
+        foundation.restoring = Some(towermodes::frame::Restoring::default());
+    }
+    let loose = Tower::new(description)
+        .map(|_| ())
+        .expect_err("nothing holds");
+    loose
+        .to_string()
+        .says_all("gravity & hydrostatic stiffness");
+}
