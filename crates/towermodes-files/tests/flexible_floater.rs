@@ -204,10 +204,17 @@ fn flexible(stiffer: f64) -> Solution {
 #[test]
 fn stiff_members_give_the_modes_of_the_rigid_platform() {
     let rigid = solved(read(false, true).unwrap_or_else(|error| panic!("{error}")));
-    let [stiff, real] = [1e7, 1.0].map(flexible);
+    let [stiff, real] = [1e5, 1.0].map(flexible);
     for (a, b) in stiff.modes.iter().zip(&rigid.modes) {
         let change = a.frequency_hz / b.frequency_hz - 1.0;
-        assert!(change.abs() < 1e-6, "{}: {change:e}", b.frequency_hz);
+        // What the members deform is less by the factor of their stiffness; under the modes of
+        // the tower they are a hundred times as soft.
+        let allowed = if b.name().family.is_rigid() {
+            1e-6
+        } else {
+            2e-4
+        };
+        assert!(change.abs() < allowed, "{}: {change:e}", b.frequency_hz);
         assert_eq!(a.name().family, b.name().family, "{}", b.frequency_hz);
     }
     let rigid_body = rigid.modes[..6]

@@ -592,14 +592,23 @@ impl Subsystem for OnFrame {
         let of_all = self.energy(a, x);
         let own = self.tower_vector(x);
         let mut resultant = self.tower.resultant(a, &own, base_m);
-        let of_tower = resultant.energy.iter().sum();
-        let of_frame = self.energy_of_frame(of_all, of_tower, x);
-        (0..6).for_each(|i| resultant.energy[i] += of_frame[i]);
+        let of_tower: f64 = resultant.energy.iter().sum();
+        let mut of_rigid = [0.0; 6];
         if let Some(first) = self.first_of_rigid() {
             let mut product = vec![0.0; x.len()];
             self.product(a, x, &mut product);
-            resultant.force = self.at_base(first, &product);
+            let force = self.at_base(first, &product);
+            let mut motions = std::mem::take(&mut self.sweep.motions);
+            self.frame.equations.set_motions(x, &mut motions);
+            // Afloat the frame follows the base but for its deformation.
+            of_rigid =
+                std::array::from_fn(|i| motions[self.foot][i] * (force[i] - resultant.force[i]));
+            self.sweep.motions = motions;
+            resultant.force = force;
         }
+        let known = of_tower + of_rigid.iter().sum::<f64>();
+        let of_frame = self.energy_of_frame(of_all, known, x);
+        (0..6).for_each(|i| resultant.energy[i] += of_rigid[i] + of_frame[i]);
         resultant
     }
 
