@@ -25,7 +25,7 @@ pub(crate) struct Moored {
 impl HydrodynInput {
     /// What holds a frame that floats in this water, under gravity (m/s²). For rigid motions it is
     /// the stiffness of [`platform`](Self::platform), with the moorings, and with the weights of
-    /// the structure, whose mass has the moment `structure_kg_m` about z = 0, of filling and growth.
+    /// filling, growth and structure, whose mass has the moment `structure_kg_m` about z = 0.
     pub(crate) fn restoring(
         &self,
         frame: &FrameDescription,

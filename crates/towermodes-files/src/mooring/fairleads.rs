@@ -38,7 +38,7 @@ impl MooringInput {
 
 /// A line by itself, about its fairlead.
 fn alone(description: &MooringDescription, line: &MooringLine) -> Option<MooringDescription> {
-    let points = line.points.map(|point| description.points[point].clone());
+    let points = line.points.map(|point| description.points[point]);
     let fairlead_m = match points.each_ref().map(|point| point.attachment) {
         [Attachment::Fixed, Attachment::Platform] => points[1].position_m,
         [Attachment::Platform, Attachment::Fixed] => points[0].position_m,
@@ -49,7 +49,7 @@ fn alone(description: &MooringDescription, line: &MooringLine) -> Option<Mooring
         points: points.into(),
         lines: vec![MooringLine {
             points: [0, 1],
-            ..line.clone()
+            ..*line
         }],
         ..description.clone()
     })

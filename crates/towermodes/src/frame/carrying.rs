@@ -239,7 +239,7 @@ impl OnFrame {
     /// kg m, kg m²; none where supports hold it.
     pub(crate) fn rigid_inertia(&mut self) -> Option<SpatialMatrix> {
         let first = self.first_of_rigid()?;
-        let to_piece = transposed(&self.from_base());
+        let to_piece = transposed(&self.piece_of_base());
         let columns = to_piece.map(|motion| {
             let mut x = vec![0.0; self.degrees_of_freedom()];
             (0..6).for_each(|i| x[first + i] = motion[i] / UNIT);
@@ -268,7 +268,7 @@ impl OnFrame {
     }
 
     /// The motion of the transition piece from that of the base.
-    fn from_base(&self) -> SpatialMatrix {
+    fn piece_of_base(&self) -> SpatialMatrix {
         let tower = &self.frame.tower;
         let reference_m = tower.frame().map_or(0.0, |frame| frame.reference_m()[2]);
         rigid_transfer([0.0, 0.0, reference_m - tower.base_m()])
@@ -278,7 +278,7 @@ impl OnFrame {
     fn at_base(&self, first: usize, forces: &[f64]) -> Motion {
         let on_piece: Motion = std::array::from_fn(|i| forces[first + i] / UNIT);
         let mut force = Motion::default();
-        add_transposed(&mut force, &self.from_base(), &on_piece);
+        add_transposed(&mut force, &self.piece_of_base(), &on_piece);
         force
     }
 

@@ -63,8 +63,8 @@ impl FrameFoundation {
             .map_or(reference_m, |restoring| restoring.height_m)
     }
 
-    /// Gravity for the forces of members at rest, m/s²: afloat none, because buoyancy, which is not
-    /// among them, carries the weight where it is.
+    /// Gravity for the forces of members at rest, m/s²: afloat none, because buoyancy carries the
+    /// weight where it is and is not among them.
     pub(crate) fn gravity_on_members(&self, gravity_m_per_s2: f64) -> f64 {
         match self.weight_on_members && self.restoring.is_none() {
             true => gravity_m_per_s2,

@@ -58,9 +58,9 @@ impl Base {
         }
     }
 
-    /// The base rides on the transition piece, which the frame holds, or which floats. The weight of
-    /// the tower turns over about the reference point of the transition piece, or about that of the
-    /// stiffness of the buoyancy.
+    /// The base rides on the transition piece, which the frame holds, or which floats. The weight
+    /// of the tower turns over about the reference point of the transition piece, or about that
+    /// of the stiffness of the buoyancy.
     fn on_frame(foundation: &FrameFoundation, base_m: f64, mass_kg: f64) -> Self {
         Self {
             moves: [true; 6],
