@@ -46,5 +46,6 @@ mod whirl;
 mod windio;
 mod windio_files;
 mod windio_floater;
+mod windio_jacket;
 mod windio_slips;
 mod written_decks;

@@ -108,8 +108,8 @@ impl Reading {
         let options: [(bool, &[FileFormat], &str); 7] = [
             (
                 self.clamped,
-                &[ElastoDyn],
-                "clamped applies only to OpenFAST models",
+                &[ElastoDyn, WindIo],
+                "clamped applies only to OpenFAST models and windIO turbines",
             ),
             (
                 self.bmodes_quirks,

@@ -38,8 +38,8 @@ pub(crate) struct ReadingArguments {
     #[arg(help_heading = MODEL, long)]
     no_gravity: bool,
 
-    /// Clamp a tower of OpenFAST at its base, without the structure below it; of a SubDyn file hold
-    /// the interface joints
+    /// Clamp a tower of OpenFAST or windIO at its base, without the jacket or platform below it; of
+    /// a SubDyn file hold the interface joints
     #[arg(help_heading = OTHERS, long)]
     pub(crate) clamped: bool,
 
@@ -156,8 +156,12 @@ impl ReadingArguments {
         let options = [
             (
                 given.clamped,
-                &[FileFormat::ElastoDyn, FileFormat::SubDyn][..],
-                "--clamped applies only to OpenFAST models and SubDyn files; [foundation] type = \"clamped\" clamps a tower",
+                &[
+                    FileFormat::ElastoDyn,
+                    FileFormat::SubDyn,
+                    FileFormat::WindIo,
+                ][..],
+                "--clamped applies only to OpenFAST models, SubDyn files and windIO turbines; [foundation] type = \"clamped\" clamps a tower",
             ),
             (
                 given.bmodes_quirks,

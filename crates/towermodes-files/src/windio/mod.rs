@@ -1,9 +1,10 @@
 //! Turbines in windIO, the ontology of IEA Wind, versions 1 and 2: reads
-//! tower, monopile and floating platform with its mooring lines, writes towers.
+//! tower, monopile, jacket and floating platform with its mooring lines, writes towers.
 //!
 //! Sources: the schemas of windIO 1.0 and 2.x (`IEAontology_schema.yaml`, `turbine_schema.yaml`).
 
 mod floater;
+mod jacket;
 mod machine;
 mod support;
 mod text;
@@ -85,13 +86,13 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     let (rna, rotor) = top(&outline, version, options, reading);
     let structure = Structure::read(&outline, version, options.part, reading);
     let ((rna, without_mass), mut structure) = (rna?, structure?);
-    let floats = options.part == TowerPart::All && !options.clamped;
-    let mut missing_parts = missing_parts(&outline, floats, reading);
+    let is_whole = options.part == TowerPart::All && !options.clamped;
+    let mut missing_parts = missing_parts(&outline, is_whole, reading);
     missing_parts.extend(without_mass);
     let in_soil = support::water::stand(&mut structure, &outline, options.part, reading);
     let in_soil = reading.keep(in_soil)?;
     support::comparison::compare(&structure, reading);
-    let joint_m = structure.joint_m();
+    let (joint_m, base_m) = (structure.joint_m(), structure.base_m());
     // A mistake in it is reported where it matters.
     let blades = machine::speeds::blade_count(&outline).ok().flatten();
     let blades = blades.filter(|_| options.part != TowerPart::Monopile);
@@ -120,7 +121,9 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
         missing_parts,
         ..description
     };
-    if floats {
+    if is_whole {
+        let on_jacket = jacket::stand(&outline, base_m, &mut description, reading);
+        reading.keep(on_jacket)?;
         let afloat = afloat(&outline, version, options, &mut description, reading);
         reading.keep(afloat)?;
     }
@@ -216,23 +219,23 @@ fn outline(reading: &Reading<'_>) -> Result<Outline, Diagnostic> {
 }
 
 /// The parts under the tower that are left out, with notes.
-fn missing_parts(outline: &Outline, floats: bool, reading: &mut Reading<'_>) -> Vec<MissingPart> {
+fn missing_parts(outline: &Outline, is_whole: bool, reading: &mut Reading<'_>) -> Vec<MissingPart> {
     let Some(components) = &outline.components else {
         return Vec::new();
     };
     let parts = [
         (
-            components.floating_platform.is_some() && !floats,
+            components.floating_platform.is_some() && !is_whole,
             MissingPart::Platform,
             "the floating platform is left out: the tower is clamped at its base",
         ),
         (
-            components.mooring.is_some() && !(floats && components.floating_platform.is_some()),
+            components.mooring.is_some() && !(is_whole && components.floating_platform.is_some()),
             MissingPart::MooringLines,
             "the mooring lines are left out",
         ),
         (
-            components.jacket.is_some(),
+            components.jacket.is_some() && !is_whole,
             MissingPart::Substructure,
             "the jacket is left out: the tower is clamped at its base",
         ),

@@ -55,6 +55,16 @@ impl<'a> Materials<'a> {
         Ok(self.used.len() - 1)
     }
 
+    /// A material by its name.
+    pub(crate) fn named(
+        &mut self,
+        name_node: &Node,
+        reading: &mut Reading<'_>,
+    ) -> Result<Material, Diagnostic> {
+        let index = self.index_of(name_node, reading)?;
+        Ok(self.used[index].material)
+    }
+
     /// The density of a material by its name, kg/m³; it needs no stiffness.
     pub(crate) fn density(
         &self,

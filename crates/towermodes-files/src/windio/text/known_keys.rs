@@ -73,6 +73,11 @@ pub(crate) fn note_material(node: &Node, what: &str, reading: &mut Reading<'_>) 
     note_keys(Some(node), "material", what, reading);
 }
 
+/// The same of a jacket.
+pub(crate) fn note_jacket(node: &Node, reading: &mut Reading<'_>) {
+    note_keys(Some(node), "jacket", "jacket", reading);
+}
+
 fn note_structure(components: &Components, part: TowerPart, reading: &mut Reading<'_>) {
     let (tower, monopile) = (components.tower.as_ref(), components.monopile.as_ref());
     let parts = [
