@@ -309,18 +309,41 @@ pub(crate) fn eliminate<S: Scalar>(matrix: &mut [S], rows: usize, first: usize) 
     let mut negative = 0;
     for last in (first..rows).rev() {
         let (rest, row) = matrix.split_at_mut(last * rows);
-        let mut pivot = row[last].re();
-        if pivot.abs() < TINY_PIVOT {
-            pivot = -TINY_PIVOT;
-        }
-        row[last] = S::real(pivot);
-        negative += usize::from(pivot < 0.0);
-        for (i, out) in rest.chunks_exact_mut(rows).enumerate() {
-            let factor = row[i].conj().over(pivot);
-            for (out, row) in out[..=i].iter_mut().zip(&row[..=i]) {
-                *out -= factor * *row;
-            }
-        }
+        negative += eliminate_row(rest, row, (rows, last), 0);
     }
     negative
+}
+
+/// The same where the rows from `first` on are given alone: what they leave for the rows before is
+/// not subtracted from these.
+pub(crate) fn eliminate_rows(given: &mut [f64], rows: usize, first: usize) -> usize {
+    let mut negative = 0;
+    for last in (first..rows).rev() {
+        let (rest, row) = given.split_at_mut((last - first) * rows);
+        negative += eliminate_row(rest, row, (rows, last), first);
+    }
+    negative
+}
+
+/// Eliminates a row, the one with this number, from those before it, the first of which has the
+/// number `first`; returns how many pivots are negative.
+#[inline]
+fn eliminate_row<S: Scalar>(
+    rest: &mut [S],
+    row: &mut [S],
+    (rows, last): (usize, usize),
+    first: usize,
+) -> usize {
+    let mut pivot = row[last].re();
+    if pivot.abs() < TINY_PIVOT {
+        pivot = -TINY_PIVOT;
+    }
+    row[last] = S::real(pivot);
+    for (i, out) in (first..).zip(rest.chunks_exact_mut(rows)) {
+        let factor = row[i].conj().over(pivot);
+        for (out, row) in out[..=i].iter_mut().zip(&row[..=i]) {
+            *out -= factor * *row;
+        }
+    }
+    usize::from(pivot < 0.0)
 }

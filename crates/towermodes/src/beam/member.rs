@@ -32,8 +32,9 @@ pub(crate) struct MemberElement {
 /// Motions of an element that couple with no others, and their matrices.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct MemberPart {
-    /// The components of the motion of an end, in the axes of the member.
-    pub(crate) components: &'static [Component],
+    /// The components of the motion of an end, in the axes of the member; of a bending plane that
+    /// is equal to the other one also those of the other.
+    pub(crate) planes: Vec<&'static [Component]>,
     /// The motion of the far end for the part's own coordinates, whose stiffness is the identity: a
     /// row for each component.
     pub(crate) tips: Vec<Vec<f64>>,
@@ -76,14 +77,20 @@ pub(crate) struct MemberStrains {
 }
 
 impl MemberStrains {
-    /// Spectral elements of a degree; see [`BeamRecipe`](super::BeamRecipe).
-    pub(crate) fn of_degree(degree: usize, shears: bool) -> Self {
+    /// Spectral elements of a degree, with no more polynomials than the curvature needs beside it:
+    /// shear is a small part of the deflection, and in a uniform member the waves of torsion and
+    /// axial motion are many times as long as those of bending.
+    pub(crate) fn of_degree(degree: usize, shears: bool, is_uniform: bool) -> Self {
+        let along = match is_uniform {
+            true => degree / 2 + 1,
+            false => degree,
+        };
         Self {
             // One curvature alone would tie the rotation of the far end to its deflection.
             curvature: (degree - 1).max(2),
-            shear: if shears { degree } else { 0 },
-            torsion: degree,
-            axial: degree,
+            shear: if shears { (degree - 2).max(1) } else { 0 },
+            torsion: along,
+            axial: along,
         }
     }
 
@@ -133,31 +140,30 @@ impl MemberElement {
             for (distance_m, inertia) in element.bodies {
                 add_inertia(beam, *distance_m, inertia);
             }
-            return vec![part_of(beam, &ALL, element.sampled_m)];
+            return vec![part_of(beam, vec![&ALL], element.sampled_m)];
         }
         let mut parts: Vec<MemberPart> = Vec::with_capacity(Motion::ALL.len());
+        let has_equal_planes = planes_are_equal(&self.sections, element.soil);
         for motion in Motion::ALL {
             let (motions, components) = (Motions::only(motion), motion.components());
-            parts.push(match (motion, parts.first()) {
-                (Motion::Bending(_), Some(first))
-                    if planes_are_equal(&self.sections, element.soil) =>
-                {
-                    MemberPart {
-                        components,
-                        ..first.clone()
-                    }
-                }
-                (Motion::Bending(_), _) => {
+            if let (Motion::Bending(_), true, Some(first)) =
+                (motion, has_equal_planes, parts.first_mut())
+            {
+                first.planes.push(components);
+                continue;
+            }
+            parts.push(match motion {
+                Motion::Bending(_) => {
                     let beam = &mut self.in_plane;
                     fill(beam, stencil, (motions, components), strains, &slice);
                     add_soil(beam, components, element.soil, points);
-                    part_of(beam, components, element.sampled_m)
+                    part_of(beam, vec![components], element.sampled_m)
                 }
-                (Motion::Torsion | Motion::Axial, _) => {
+                Motion::Torsion | Motion::Axial => {
                     let beam = &mut self.in_line;
                     fill(beam, stencil, (motions, components), strains, &slice);
                     add_soil(beam, components, element.soil, points);
-                    part_of(beam, components, element.sampled_m)
+                    part_of(beam, vec![components], element.sampled_m)
                 }
             });
         }
@@ -192,11 +198,11 @@ fn fill<const D: usize>(
 
 fn part_of<const D: usize>(
     beam: &Beam<D>,
-    components: &'static [Component],
+    planes: Vec<&'static [Component]>,
     sampled_m: &[f64],
 ) -> MemberPart {
     MemberPart {
-        components,
+        planes,
         tips: beam.tip_rows(0).map(<[f64]>::to_vec).collect(),
         matrices: beam.matrices.clone(),
         shapes: sampled_m.iter().map(|at_m| shape_at(beam, *at_m)).collect(),

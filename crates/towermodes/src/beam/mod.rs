@@ -23,7 +23,7 @@ pub(crate) use blade::rotating::{assemble_blade, blade_coordinates};
 pub(crate) use blade::turning::congruent;
 pub use blade::turning::{BladeFactors, TurningBlade};
 pub use elimination::Condensed;
-pub(crate) use elimination::{eliminate, first_block};
+pub(crate) use elimination::{eliminate, eliminate_rows, first_block};
 pub(crate) use member::{MemberElement, MemberPart, MemberSlice, MemberStrains, SoilPart};
 pub use model::Beam;
 pub(crate) use space_vectors::TopWorkspace;

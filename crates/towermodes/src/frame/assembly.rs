@@ -573,7 +573,7 @@ impl<'a> Assembly<'a> {
                 let transfer = rigid::matrix_out_of_axes(&axes, &element.transfer);
                 let tip = element.tip();
                 let tip = tip
-                    .map(|column| rigid::out_of_axes(&axes, column))
+                    .map(|column| rigid::out_of_axes(&axes, &column))
                     .collect();
                 let at = (member, from, to);
                 let samples = Sample::of_link(at, (&element, &axes), parent, first);

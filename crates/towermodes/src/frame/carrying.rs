@@ -408,7 +408,7 @@ fn add_tower(
     for link in &branch.links {
         let child = add_node(equations, &link.body);
         let made = MemberPart {
-            components: &ALL,
+            planes: vec![&ALL],
             tips: link.tips.to_vec(),
             matrices: link.matrices.clone(),
             shapes: Vec::new(),
@@ -421,7 +421,7 @@ fn add_tower(
             parent: Some(parent),
             child,
             transfer: element.transfer,
-            tip: element.tip().copied().collect(),
+            tip: element.tip().collect(),
             first: equations.unknowns,
             coordinates: element.coordinates(),
             own: 1.0,

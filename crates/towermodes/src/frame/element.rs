@@ -30,12 +30,13 @@ pub(super) struct Element {
 /// A part of an element.
 #[derive(Debug, Clone)]
 pub(super) struct Part {
-    /// The components of the motion of an end that it has, each with its sign.
-    pub(super) components: &'static [Component],
-    /// The columns of L, in all components: the motion of the far end for each coordinate that
-    /// moves it.
-    pub(super) tip: Vec<Motion>,
-    /// All coordinates, the bubbles last.
+    /// The components of the motion of an end that it has, each with its sign; a second time for a
+    /// bending plane that is equal to the first.
+    pub(super) planes: Vec<&'static [Component]>,
+    /// The columns of L: the motion of the far end in these components for each coordinate of a
+    /// plane that moves it.
+    pub(super) tip: Vec<Vec<f64>>,
+    /// All coordinates of a plane, the bubbles last.
     pub(super) coordinates: usize,
     /// Inertia, stiffness to the ground, geometric stiffness for v and y: a row for each component
     /// and coordinate; empty where there is none.
@@ -56,25 +57,33 @@ impl Element {
         }
     }
 
-    /// The columns of L of all parts.
-    pub(super) fn tip(&self) -> impl Iterator<Item = &Motion> {
-        self.parts.iter().flat_map(|part| &part.tip)
+    /// The columns of L of all parts, in all components.
+    pub(super) fn tip(&self) -> impl Iterator<Item = Motion> {
+        let planes = self.planes();
+        planes.flat_map(|(part, components)| part.tip_in(components))
+    }
+
+    /// Its parts, each in each of its planes.
+    pub(super) fn planes(&self) -> impl Iterator<Item = (&Part, &'static [Component])> {
+        let parts = self.parts.iter();
+        parts.flat_map(|part| part.planes.iter().map(move |plane| (part, *plane)))
     }
 
     /// All coordinates.
     pub(super) fn coordinates(&self) -> usize {
-        self.parts.iter().map(|part| part.coordinates).sum()
+        self.planes().map(|(part, _)| part.coordinates).sum()
     }
 
     /// The same without its bubbles, and with more inertia, given for the motions of both ends (12
     /// rows).
     pub(super) fn with_nodal_inertia(&self, inertia: &[[f64; 12]; 12]) -> Self {
-        let parts = self.parts.iter();
+        let parts = self.planes().map(|(part, components)| {
+            let in_plane = (components, &self.transfer);
+            part.with_nodal_inertia(in_plane, inertia)
+        });
         Self {
             transfer: self.transfer,
-            parts: parts
-                .map(|part| part.with_nodal_inertia(&self.transfer, inertia))
-                .collect(),
+            parts: parts.collect(),
         }
     }
 }
@@ -83,13 +92,13 @@ impl Part {
     /// A part with changed coordinates.
     pub(super) fn new(made: MemberPart) -> Self {
         let MemberPart {
-            components,
+            planes,
             mut tips,
             mut matrices,
             mut shapes,
         } = made;
         let coordinates = tips.first().map_or(0, Vec::len);
-        let own = components.len();
+        let own = tips.len();
         let (mut rank, mut reflectors) = (0, Vec::new());
         for d in 0..own {
             let Some(reflector) = reflector(&tips[d], rank) else {
@@ -108,15 +117,9 @@ impl Part {
             rank += 1;
             reflectors.push(reflector);
         }
-        let column = |k: usize| {
-            let mut motion = [0.0; 6];
-            for ((component, sign), row) in components.iter().zip(&tips) {
-                motion[*component] = sign * row[k];
-            }
-            motion
-        };
+        let column = |k: usize| tips.iter().map(|row| row[k]).collect();
         Self {
-            components,
+            planes,
             tip: (0..rank).map(column).collect(),
             coordinates,
             matrices,
@@ -130,26 +133,43 @@ impl Part {
         self.tip.len()
     }
 
-    /// The translation at a distance that was asked for, by place: the part's share of it for the
-    /// motion of the near end, then for each of its coordinates, in the axes of the element.
-    pub(super) fn translation(&self, place: usize) -> [Vec<f64>; 3] {
-        let (own, rows) = (
-            self.components.len(),
-            self.components.len() + self.coordinates,
-        );
+    /// How many components the motion of an end has in a plane.
+    pub(super) fn own(&self) -> usize {
+        self.planes[0].len()
+    }
+
+    /// The columns of L in a plane, in all components.
+    fn tip_in(&self, components: &'static [Component]) -> impl Iterator<Item = Motion> {
+        self.tip.iter().map(|column| {
+            let mut motion = [0.0; 6];
+            for ((component, sign), entry) in components.iter().zip(column) {
+                motion[*component] = sign * entry;
+            }
+            motion
+        })
+    }
+
+    /// The translation at a distance that was asked for, by place: the share that a plane has of
+    /// it for the motion of the near end, then for each of its coordinates, in the axes of the
+    /// element.
+    pub(super) fn translation(
+        &self,
+        components: &'static [Component],
+        place: usize,
+    ) -> [Vec<f64>; 3] {
+        let (own, rows) = (self.own(), self.own() + self.coordinates);
         let mut translation = [const { Vec::new() }; 3];
         translation
             .iter_mut()
             .for_each(|row| row.resize(6 + self.coordinates, 0.0));
-        for ((component, sign), row) in self
-            .components
+        for ((component, sign), row) in components
             .iter()
             .zip(self.shapes[place].chunks_exact(rows))
         {
             let Some(out) = translation.get_mut(*component) else {
                 continue;
             };
-            for ((near, near_sign), entry) in self.components.iter().zip(row) {
+            for ((near, near_sign), entry) in components.iter().zip(row) {
                 out[*near] = sign * near_sign * entry;
             }
             for (out, entry) in out[6..].iter_mut().zip(&row[own..]) {
@@ -167,26 +187,6 @@ impl Part {
         [near, moving, bubbles]
     }
 
-    /// Its matrices for the components of the motion themselves, without their signs.
-    pub(super) fn in_motions(&self) -> [Vec<f64>; 3] {
-        let own = self.components.len();
-        let rows = own + self.coordinates;
-        let sign = |k: usize| self.components.get(k).map_or(1.0, |(_, sign)| *sign);
-        let mut matrices = self.matrices.clone();
-        for matrix in matrices.iter_mut().filter(|m| !m.is_empty()) {
-            for (i, row) in matrix.chunks_exact_mut(rows).enumerate() {
-                for (j, entry) in row
-                    .iter_mut()
-                    .enumerate()
-                    .filter(|(j, _)| i < own || *j < own)
-                {
-                    *entry *= sign(i) * sign(j);
-                }
-            }
-        }
-        matrices
-    }
-
     /// The coordinates y after the change, from those before it, in place.
     pub(super) fn change(&self, own: &mut [f64]) {
         for (rank, reflector) in self.reflectors.iter().enumerate() {
@@ -201,19 +201,24 @@ impl Part {
         }
     }
 
-    fn with_nodal_inertia(&self, transfer: &SpatialMatrix, inertia: &[[f64; 12]; 12]) -> Self {
-        let (own, moving) = (self.components.len(), self.moving());
+    fn with_nodal_inertia(
+        &self,
+        (components, transfer): (&'static [Component], &SpatialMatrix),
+        inertia: &[[f64; 12]; 12],
+    ) -> Self {
+        let (own, moving) = (self.own(), self.moving());
+        let tip: Vec<Motion> = self.tip_in(components).collect();
         let rows = own + moving;
         // The motion of both ends for each of (v, y).
         let ends = |row: usize| -> [f64; 12] {
             let mut near = [0.0; 6];
             let far = match row.checked_sub(own) {
                 None => {
-                    let (component, sign) = self.components[row];
+                    let (component, sign) = components[row];
                     near[component] = sign;
                     super::rigid::moved(transfer, &near)
                 }
-                Some(k) => self.tip[k],
+                Some(k) => tip[k],
             };
             std::array::from_fn(|i| if i < 6 { near[i] } else { far[i - 6] })
         };
@@ -238,7 +243,7 @@ impl Part {
             }
         }
         Self {
-            components: self.components,
+            planes: vec![components],
             tip: self.tip.clone(),
             coordinates: moving,
             shapes: self.shapes.iter().map(shape).collect(),

@@ -10,7 +10,7 @@ use super::kinds::Combination;
 use super::order::{Block, Order, Step};
 use super::parts::{MOST_ENDS, Side};
 use super::rigid::{Motion, NONE, add_transposed, moved, product, transposed, transposed_product};
-use crate::beam::{eliminate, first_block};
+use crate::beam::{eliminate_rows, first_block};
 use crate::space::{SpatialMatrix, add_scaled};
 
 /// Factors of a matrix, and working memory; reused from factorization to factorization.
@@ -253,7 +253,7 @@ fn eliminate_node(link: &Link, step: &Step, factors: &mut Factors, front: &mut V
     let (n, moving) = (6 * step.neighbours.len(), link.tip.len());
     let size = n + moving;
     front.clear();
-    front.resize(size * size, 0.0);
+    front.resize(moving * size, 0.0);
     let Factors {
         links,
         diagonal,
@@ -263,7 +263,7 @@ fn eliminate_node(link: &Link, step: &Step, factors: &mut Factors, front: &mut V
     let (own, rows) = (&links[step.link], link.parts.ends);
     let at_node = diagonal[step.node];
     for (t, column) in link.tip.iter().enumerate() {
-        let row = &mut front[(n + t) * size..(n + t + 1) * size];
+        let row = &mut front[t * size..(t + 1) * size];
         for (k, block) in step.own_blocks.iter().enumerate() {
             let mut coupled = [0.0; 6];
             add_transposed(&mut coupled, &block_of(blocks, *block), column);
@@ -286,18 +286,27 @@ fn eliminate_node(link: &Link, step: &Step, factors: &mut Factors, front: &mut V
     if let Some(parent) = step.parent {
         carry_to_parent(link, step, parent, own, diagonal, blocks);
     }
-    let negative = eliminate(front, size, n);
+    let negative = eliminate_rows(front, size, n);
+    // What the rows leave for two neighbours: −Σ r rᵀ/pivot.
+    let left = |k: usize, l: usize| {
+        let mut block = NONE;
+        for (t, row) in front.chunks_exact(size).enumerate() {
+            let [of_k, of_l] = [k, l].map(|k| &row[6 * k..6 * k + 6]);
+            for (sums, entry) in block.iter_mut().zip(of_k) {
+                let factor = entry / row[n + t];
+                for (sum, entry) in sums.iter_mut().zip(of_l) {
+                    *sum -= factor * entry;
+                }
+            }
+        }
+        block
+    };
     for (k, node) in step.neighbours.iter().enumerate() {
-        let entry = |i: usize, j: usize| front[(6 * k + i.max(j)) * size + 6 * k + i.min(j)];
-        let block = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
-        add_scaled(&mut diagonal[*node], 1.0, &block);
+        add_scaled(&mut diagonal[*node], 1.0, &left(k, k));
         for l in 0..k {
-            let entry = |i: usize, j: usize| front[(6 * k + i) * size + 6 * l + j];
-            let block = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
-            add_block(blocks, pair(step, k, l), &block);
+            add_block(blocks, pair(step, k, l), &left(k, l));
         }
     }
-    front.drain(..n * size);
     negative
 }
 

@@ -2,13 +2,14 @@
 //!
 //! A block acts on some of the entries of its ends (the motion of the near end, then that of the
 //! far end of a chord, or the coordinates of a link that move its child) and on its own bubbles,
-//! which are eliminated by themselves.
+//! which are eliminated by themselves. Where both bending planes are equal one block is in both.
 
 use super::element::{Element, Part};
 use super::kinds::{Combination, ELASTIC, KINDS, add_matrices};
 use super::rigid::{Motion, Vector, into_axes, out_of_axes};
 use crate::beam::eliminate;
 use crate::space::SpatialMatrix;
+use crate::tower::Component;
 
 /// The largest number of entries of the ends.
 pub(super) const MOST_ENDS: usize = 12;
@@ -37,25 +38,36 @@ pub(super) struct Parts {
 /// A block.
 #[derive(Debug, Clone)]
 pub(super) struct Block {
-    /// Its entries of the ends, by place.
-    pub(super) ends: Vec<usize>,
-    /// The place of its first bubble among the bubbles of the link or the chord.
-    pub(super) first: usize,
+    pub(super) planes: Vec<Plane>,
     pub(super) bubbles: usize,
     /// For its entries of the ends and its bubbles, row by row; empty where there is none.
     pub(super) matrices: [Vec<f64>; KINDS],
 }
 
+/// Where a block is: both bending planes have the same one.
+#[derive(Debug, Clone)]
+pub(super) struct Plane {
+    /// Its entries of the ends, by place, each with its sign.
+    pub(super) ends: Vec<Component>,
+    /// The place of its first bubble among the bubbles of the link or the chord.
+    pub(super) first: usize,
+}
+
 impl Block {
     pub(super) fn rows(&self) -> usize {
-        self.ends.len() + self.bubbles
+        self.leading() + self.bubbles
     }
 
-    /// Its entries of the ends and its bubbles, together.
-    fn gather(&self, ends: &Ends, bubbles: &[f64], at: &mut Vec<f64>) {
+    /// Number of its entries of the ends.
+    fn leading(&self) -> usize {
+        self.planes[0].ends.len()
+    }
+
+    /// Its entries of the ends and its bubbles in a plane, together.
+    fn gather(&self, plane: &Plane, ends: &Ends, bubbles: &[f64], at: &mut Vec<f64>) {
         at.clear();
-        at.extend(self.ends.iter().map(|end| ends[*end]));
-        at.extend_from_slice(&bubbles[self.first..][..self.bubbles]);
+        at.extend(plane.ends.iter().map(|(end, sign)| sign * ends[*end]));
+        at.extend_from_slice(&bubbles[plane.first..][..self.bubbles]);
     }
 }
 
@@ -74,17 +86,21 @@ impl Parts {
     pub(super) fn of_link(element: &Element, axes: Option<[Vector; 3]>) -> Self {
         let (mut moving, mut bubbles, mut blocks) = (0, 0, Vec::new());
         for part in &element.parts {
-            let mut ends: Vec<usize> = part.components.iter().map(|(c, _)| *c).collect();
-            ends.extend((0..part.moving()).map(|k| 6 + moving + k));
-            let [inertia, ground, geometric] = part.in_motions();
+            let of_part = part.coordinates - part.moving();
+            let mut plane = |components: &&'static [Component]| {
+                let mut ends = components.to_vec();
+                ends.extend((0..part.moving()).map(|k| (6 + moving + k, 1.0)));
+                let first = bubbles;
+                moving += part.moving();
+                bubbles += of_part;
+                Plane { ends, first }
+            };
+            let [inertia, ground, geometric] = part.matrices.clone();
             blocks.push(Block {
-                ends,
-                first: bubbles,
-                bubbles: part.coordinates - part.moving(),
+                planes: part.planes.iter().map(&mut plane).collect(),
+                bubbles: of_part,
                 matrices: [inertia, ground, geometric, Vec::new()],
             });
-            moving += part.moving();
-            bubbles += part.coordinates - part.moving();
         }
         Self {
             axes,
@@ -98,7 +114,7 @@ impl Parts {
         let (mut first, mut blocks) = (0, Vec::new());
         for part in &element.parts {
             let block = chord_block(part, element, first);
-            first += block.bubbles;
+            first += block.bubbles * block.planes.len();
             blocks.push(block);
         }
         Self {
@@ -125,8 +141,10 @@ impl Parts {
             motions: MOST_ENDS,
             ends: MOST_ENDS,
             blocks: vec![Block {
-                ends: (0..MOST_ENDS).collect(),
-                first: 0,
+                planes: vec![Plane {
+                    ends: (0..MOST_ENDS).map(|end| (end, 1.0)).collect(),
+                    first: 0,
+                }],
                 bubbles: 0,
                 matrices,
             }],
@@ -134,7 +152,8 @@ impl Parts {
     }
 
     pub(super) fn bubbles(&self) -> usize {
-        self.blocks.iter().map(|block| block.bubbles).sum()
+        let blocks = self.blocks.iter();
+        blocks.map(|block| block.bubbles * block.planes.len()).sum()
     }
 
     /// Factors the bubbles of each block of A, whose coordinates have `own` as stiffness of their
@@ -150,20 +169,26 @@ impl Parts {
         rest.resize(self.ends * self.ends, 0.0);
         let mut negative = 0;
         for (block, matrix) in self.blocks.iter().zip(factors) {
-            let (rows, leading) = (block.rows(), block.ends.len());
+            let (rows, leading) = (block.rows(), block.leading());
             matrix.clear();
             matrix.resize(rows * rows, 0.0);
             add_matrices(a, &block.matrices, matrix);
-            let is_coordinate = |k: usize| block.ends.get(k).is_none_or(|e| *e >= self.motions);
+            let [plane, ..] = &block.planes[..] else {
+                continue;
+            };
+            let is_coordinate =
+                |k: usize| plane.ends.get(k).is_none_or(|(e, _)| *e >= self.motions);
             (0..rows)
                 .filter(|k| is_coordinate(*k))
                 .for_each(|k| matrix[k * rows + k] += own);
-            negative += eliminate(matrix, rows, leading);
-            for (i, row) in block.ends.iter().enumerate() {
-                for (j, column) in block.ends[..=i].iter().enumerate() {
-                    let entry = matrix[i * rows + j];
-                    rest[row * self.ends + column] = entry;
-                    rest[column * self.ends + row] = entry;
+            negative += block.planes.len() * eliminate(matrix, rows, leading);
+            for plane in &block.planes {
+                for (i, (row, of_row)) in plane.ends.iter().enumerate() {
+                    for (j, (column, sign)) in plane.ends[..=i].iter().enumerate() {
+                        let entry = of_row * sign * matrix[i * rows + j];
+                        rest[row * self.ends + column] = entry;
+                        rest[column * self.ends + row] = entry;
+                    }
                 }
             }
         }
@@ -221,13 +246,15 @@ impl Parts {
         at: &mut Vec<f64>,
     ) {
         for (block, matrix) in self.blocks.iter().zip(factors) {
-            let leading = block.ends.len();
-            block.gather(ends, bubbles, at);
-            forward(matrix, block.rows(), leading, at);
-            for (end, force) in block.ends.iter().zip(&*at) {
-                ends[*end] = *force;
+            let leading = block.leading();
+            for plane in &block.planes {
+                block.gather(plane, ends, bubbles, at);
+                forward(matrix, block.rows(), leading, at);
+                for ((end, sign), force) in plane.ends.iter().zip(&*at) {
+                    ends[*end] = sign * force;
+                }
+                bubbles[plane.first..][..block.bubbles].copy_from_slice(&at[leading..]);
             }
-            bubbles[block.first..][..block.bubbles].copy_from_slice(&at[leading..]);
         }
     }
 
@@ -240,10 +267,12 @@ impl Parts {
         at: &mut Vec<f64>,
     ) {
         for (block, matrix) in self.blocks.iter().zip(factors) {
-            let leading = block.ends.len();
-            block.gather(ends, bubbles, at);
-            backward(matrix, block.rows(), leading, at);
-            bubbles[block.first..][..block.bubbles].copy_from_slice(&at[leading..]);
+            let leading = block.leading();
+            for plane in &block.planes {
+                block.gather(plane, ends, bubbles, at);
+                backward(matrix, block.rows(), leading, at);
+                bubbles[plane.first..][..block.bubbles].copy_from_slice(&at[leading..]);
+            }
         }
     }
 
@@ -255,11 +284,12 @@ impl Parts {
         at: &mut Vec<f64>,
         energies: &mut [f64; KINDS],
     ) {
-        for block in &self.blocks {
-            block.gather(ends, bubbles, at);
+        let planes = self.blocks.iter();
+        let planes = planes.flat_map(|block| block.planes.iter().map(move |plane| (block, plane)));
+        for (block, plane) in planes {
+            block.gather(plane, ends, bubbles, at);
             for (energy, matrix) in energies.iter_mut().zip(&block.matrices) {
-                let rows = matrix.chunks_exact(block.rows()).zip(&*at);
-                *energy += rows.map(|(row, x)| x * dot(row, at)).sum::<f64>();
+                for_each_product(matrix, at, |row, product| *energy += at[row] * product);
             }
         }
     }
@@ -274,20 +304,19 @@ impl Parts {
     ) -> Ends {
         let mut forces = [0.0; MOST_ENDS];
         out.fill(0.0);
-        for block in &self.blocks {
-            let rows = block.rows();
-            block.gather(ends, bubbles, at);
+        let planes = self.blocks.iter();
+        let planes = planes.flat_map(|block| block.planes.iter().map(move |plane| (block, plane)));
+        for (block, plane) in planes {
+            block.gather(plane, ends, bubbles, at);
+            let out = &mut out[plane.first..];
             for (factor, matrix) in factors.iter().zip(&block.matrices) {
-                if *factor == 0.0 || matrix.is_empty() {
+                if *factor == 0.0 {
                     continue;
                 }
-                let mut rows = matrix.chunks_exact(rows);
-                for (end, row) in block.ends.iter().zip(&mut rows) {
-                    forces[*end] += factor * dot(row, at);
-                }
-                for (out, row) in out[block.first..].iter_mut().zip(rows) {
-                    *out += factor * dot(row, at);
-                }
+                for_each_product(matrix, at, |row, product| match plane.ends.get(row) {
+                    Some((end, sign)) => forces[*end] += sign * factor * product,
+                    None => out[row - plane.ends.len()] += factor * product,
+                });
             }
         }
         forces
@@ -297,11 +326,15 @@ impl Parts {
 /// A part of an element as a block of a chord: its coordinates s that move the far end are
 /// L⁻¹ (q_far − X q_near), and its elastic energy is sᵀ s.
 fn chord_block(part: &Part, element: &Element, first: usize) -> Block {
-    let components: Vec<usize> = part.components.iter().map(|(c, _)| *c).collect();
-    let (n, moving) = (components.len(), part.moving());
+    let (n, moving) = (part.own(), part.moving());
     let bubbles = part.coordinates - moving;
     let rows = 2 * n + bubbles;
     let inverse = inverse_tip(part);
+    // X in the components of the part.
+    let components = part.planes[0];
+    let transfer = |(d, of_row): &Component, (c, sign): &Component| {
+        of_row * sign * element.transfer[*d][*c]
+    };
     // v and y for (q_near, q_far, bubbles).
     let old = n + part.coordinates;
     let mut change = vec![0.0; old * rows];
@@ -309,19 +342,17 @@ fn chord_block(part: &Part, element: &Element, first: usize) -> Block {
     for (k, inverse) in inverse.iter().enumerate() {
         let row = &mut change[(n + k) * rows..][..2 * n];
         row[n..].copy_from_slice(inverse);
-        for (to_near, c) in row[..n].iter_mut().zip(&components) {
+        for (to_near, c) in row[..n].iter_mut().zip(components) {
             let moved = components.iter().zip(inverse);
-            *to_near = -moved
-                .map(|(d, l)| l * element.transfer[*d][*c])
-                .sum::<f64>();
+            *to_near = -moved.map(|(d, l)| l * transfer(d, c)).sum::<f64>();
         }
     }
     for bubble in 0..bubbles {
         change[(n + moving + bubble) * rows + 2 * n + bubble] = 1.0;
     }
     let mut matrices = [const { Vec::new() }; KINDS];
-    for (matrix, own) in matrices.iter_mut().zip(part.in_motions()) {
-        *matrix = congruence(&own, &change, old, rows);
+    for (matrix, own) in matrices.iter_mut().zip(&part.matrices) {
+        *matrix = congruence(own, &change, old, rows);
     }
     let mut elastic = vec![0.0; rows * rows];
     for row in change[n * rows..].chunks_exact(rows).take(moving) {
@@ -332,13 +363,15 @@ fn chord_block(part: &Part, element: &Element, first: usize) -> Block {
         }
     }
     matrices[ELASTIC] = elastic;
+    let plane = |(k, components): (usize, &&'static [Component])| {
+        let far = components.iter().map(|(c, sign)| (6 + c, *sign));
+        Plane {
+            ends: components.iter().copied().chain(far).collect(),
+            first: first + k * bubbles,
+        }
+    };
     Block {
-        ends: components
-            .iter()
-            .copied()
-            .chain(components.iter().map(|c| 6 + c))
-            .collect(),
-        first,
+        planes: part.planes.iter().enumerate().map(plane).collect(),
         bubbles,
         matrices,
     }
@@ -346,9 +379,7 @@ fn chord_block(part: &Part, element: &Element, first: usize) -> Block {
 
 /// L⁻¹ of a part of an element, in its components.
 pub(super) fn inverse_tip(part: &Part) -> Vec<Vec<f64>> {
-    let of = |tip: &Motion| part.components.iter().map(|(c, _)| tip[*c]).collect();
-    let columns: Vec<Vec<f64>> = part.tip.iter().map(of).collect();
-    inverse_of_columns(&columns, part.components.len())
+    inverse_of_columns(&part.tip, part.own())
 }
 
 /// The inverse of the matrix of n rows with these columns, by Gauss-Jordan elimination with pivots.
@@ -401,6 +432,31 @@ fn congruence(matrix: &[f64], change: &[f64], old: usize, rows: usize) -> Vec<f6
         }
     }
     sum
+}
+
+/// Passes each row of a matrix (all of them or none) times a vector; four rows at a time, whose
+/// sums do not wait for each other.
+fn for_each_product(matrix: &[f64], x: &[f64], mut each: impl FnMut(usize, f64)) {
+    let n = x.len();
+    let fours = matrix.chunks_exact(4 * n);
+    let (done, rest) = ((matrix.len() - fours.remainder().len()) / n.max(1), fours.remainder());
+    for (k, four) in fours.enumerate() {
+        let rows: [&[f64]; 4] = std::array::from_fn(|i| &four[i * n..][..n]);
+        let mut sums = [[0.0; 2]; 4];
+        for j in 0..n / 2 {
+            for (sums, row) in sums.iter_mut().zip(&rows) {
+                sums[0] += row[2 * j] * x[2 * j];
+                sums[1] += row[2 * j + 1] * x[2 * j + 1];
+            }
+        }
+        for (i, (sums, row)) in sums.iter().zip(&rows).enumerate() {
+            let last = if n % 2 == 1 { row[n - 1] * x[n - 1] } else { 0.0 };
+            each(4 * k + i, sums[0] + sums[1] + last);
+        }
+    }
+    for (k, row) in rest.chunks_exact(n).enumerate() {
+        each(done + k, dot(row, x));
+    }
 }
 
 /// Two sums at a time, which the processor adds as one.

@@ -104,7 +104,8 @@ impl FrameRecipe {
         };
         match self {
             Self::Spectral { degree } => {
-                let strains = MemberStrains::of_degree(degree, member.shears);
+                let is_uniform = ends.are_equal() && member.soil.is_empty();
+                let strains = MemberStrains::of_degree(degree, member.shears, is_uniform);
                 Some(make(strains, &|z| coated(stretch.fraction(z))))
             }
             Self::Subdyn { .. } => {

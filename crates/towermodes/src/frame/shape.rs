@@ -117,12 +117,12 @@ impl Sample {
         parent: Node,
         first: usize,
     ) -> Vec<Self> {
-        let moving: usize = element.parts.iter().map(|part| part.moving()).sum();
+        let moving: usize = element.planes().map(|(part, _)| part.moving()).sum();
         let row = |place: usize, i: usize| {
             let mut row = vec![0.0; 12 + element.coordinates()];
             let (mut next, mut bubble) = (12, 12 + moving);
-            for part in &element.parts {
-                let of_part = &part.translation(place)[i];
+            for (part, components) in element.planes() {
+                let of_part = &part.translation(components, place)[i];
                 let [near, own, bubbles] = part.split(of_part);
                 add(&mut row[..6], 1.0, near);
                 add(&mut row[next..], 1.0, own);
@@ -141,20 +141,21 @@ impl Sample {
         ends: [Node; 2],
         first: usize,
     ) -> Vec<Self> {
-        let inverses: Vec<Vec<Vec<f64>>> = element.parts.iter().map(inverse_tip).collect();
-        let bubbles = element.parts.iter().map(|p| p.coordinates - p.moving());
+        let inverses: Vec<Vec<Vec<f64>>> = element.planes().map(|(p, _)| inverse_tip(p)).collect();
+        let bubbles = element.planes().map(|(p, _)| p.coordinates - p.moving());
         let length = 12 + bubbles.sum::<usize>();
         let row = |place: usize, i: usize| {
             let (mut row, mut bubble) = (vec![0.0; length], 12);
-            for (part, inverse) in element.parts.iter().zip(&inverses) {
-                let of_part = &part.translation(place)[i];
+            for ((part, components), inverse) in element.planes().zip(&inverses) {
+                let of_part = &part.translation(components, place)[i];
                 let [near, own, bubbles] = part.split(of_part);
                 add(&mut row[..6], 1.0, near);
                 // The coordinates that move the far end are L⁻¹ (q_far − X q_near).
                 for (entry, inverse) in own.iter().zip(inverse) {
-                    for ((component, _), l) in part.components.iter().zip(inverse) {
-                        row[6 + component] += entry * l;
-                        add(&mut row[..6], -entry * l, &element.transfer[*component]);
+                    for ((component, sign), l) in components.iter().zip(inverse) {
+                        let share = entry * l * sign;
+                        row[6 + component] += share;
+                        add(&mut row[..6], -share, &element.transfer[*component]);
                     }
                 }
                 add(&mut row[bubble..], 1.0, bubbles);

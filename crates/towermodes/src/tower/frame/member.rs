@@ -146,6 +146,15 @@ pub struct GivenSection {
 }
 
 impl SectionEnds {
+    /// Whether the section is the same along the whole member.
+    pub(crate) fn are_equal(&self) -> bool {
+        match self {
+            Self::Tube([from, to]) => from == to,
+            Self::Rectangle([from, to]) => from == to,
+            Self::Given(_) => true,
+        }
+    }
+
     /// The section at a fraction of the length from the first joint.
     pub(crate) fn at(&self, fraction: f64, material: &Material) -> Section {
         match self {
