@@ -62,6 +62,18 @@ pub(super) enum Carrier {
     Chord(usize),
 }
 
+/// What equations are made for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Purpose {
+    /// Modes and their shapes.
+    Shapes,
+    /// Frequencies alone: without samples of the shapes.
+    Frequencies,
+    /// The motions of the nodes at rest: without samples, and in uniform members with no more
+    /// polynomials than move the nodes. The others are only coupled with these by inertia.
+    Rest,
+}
+
 /// Makes the equations of a frame, with the tension in its elements by edge.
 ///
 /// # Errors
@@ -70,8 +82,9 @@ pub(super) fn assemble(
     frame: &Frame,
     recipe: FrameRecipe,
     tensions: &[(usize, Tension)],
+    purpose: Purpose,
 ) -> Result<Assembled, FrameSolveError> {
-    made(Assembly::new(frame, recipe), tensions)
+    made(Assembly::new(frame, recipe, purpose), tensions)
 }
 
 /// The same with the transition piece carried by six free motions of its own, the first unknowns:
@@ -84,8 +97,9 @@ pub(super) fn assemble_below_transition(
     frame: &Frame,
     recipe: FrameRecipe,
     tensions: &[(usize, Tension)],
+    purpose: Purpose,
 ) -> Result<Assembled, FrameSolveError> {
-    let mut assembly = Assembly::new(frame, recipe);
+    let mut assembly = Assembly::new(frame, recipe, purpose);
     assembly.has_loose_transition = true;
     made(assembly, tensions)
 }
@@ -118,6 +132,7 @@ fn made(
 struct Assembly<'a> {
     frame: &'a Frame,
     recipe: FrameRecipe,
+    purpose: Purpose,
     graph: Graph,
     joints: Vec<Node>,
     transition: Node,
@@ -135,10 +150,11 @@ struct Assembly<'a> {
 }
 
 impl<'a> Assembly<'a> {
-    fn new(frame: &'a Frame, recipe: FrameRecipe) -> Self {
+    fn new(frame: &'a Frame, recipe: FrameRecipe, purpose: Purpose) -> Self {
         Self {
             frame,
             recipe,
+            purpose,
             graph: Graph::default(),
             joints: Vec::new(),
             transition: None,
@@ -519,7 +535,11 @@ impl<'a> Assembly<'a> {
             riders: riders
                 .map(|r| (r.fraction, rigid::matrix_out_of_axes(&into, &r.inertia)))
                 .collect(),
-            sampled: sampled(low, high).map(|(_, at)| at).collect(),
+            sampled: match self.purpose {
+                Purpose::Shapes => sampled(low, high).map(|(_, at)| at).collect(),
+                Purpose::Frequencies | Purpose::Rest => Vec::new(),
+            },
+            is_at_rest: self.purpose == Purpose::Rest,
         };
         let element = self.recipe.element(&stretch, &mut self.memory)?;
         Some((element, axes))
@@ -576,8 +596,10 @@ impl<'a> Assembly<'a> {
                     .map(|column| rigid::out_of_axes(&axes, &column))
                     .collect();
                 let at = (member, from, to);
-                let samples = Sample::of_link(at, (&element, &axes), parent, first);
-                self.samples.extend(samples);
+                if self.purpose == Purpose::Shapes {
+                    let samples = Sample::of_link(at, (&element, &axes), parent, first);
+                    self.samples.extend(samples);
+                }
                 Link {
                     coordinates: element.coordinates(),
                     parts: Parts::of_link(&element, Some(axes)),
@@ -595,8 +617,10 @@ impl<'a> Assembly<'a> {
             return None;
         };
         let (element, axes) = self.element(edge, member, from, to)?;
-        let samples = Sample::of_chord((member, from, to), (&element, &axes), ends, first);
-        self.samples.extend(samples);
+        if self.purpose == Purpose::Shapes {
+            let samples = Sample::of_chord((member, from, to), (&element, &axes), ends, first);
+            self.samples.extend(samples);
+        }
         Some(Chord {
             ends,
             first,

@@ -79,7 +79,7 @@ impl FrameBelow {
         } = with_tensions(
             &foundation.frame,
             members_n,
-            |frame, tensions| assemble_below_transition(frame, recipe, tensions),
+            |frame, tensions, purpose| assemble_below_transition(frame, recipe, tensions, purpose),
             |assembled| {
                 if let Some(node) = assembled.transition {
                     add_platform(assembled, node, foundation, gravity_m_per_s2);

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::assembly::{Assembled, assemble};
+use super::assembly::{Assembled, Purpose, assemble};
 use super::element::{ALL, Element, Part};
 use super::elimination::Factors;
 use super::equations::{ELASTIC, Equations, GEOMETRIC, GROUND, INERTIA, KINDS, Link};
@@ -51,6 +51,17 @@ pub(crate) struct BareFrame {
     shapes: ShapeReader,
     /// What its members do by themselves; none yet, or none if they cannot.
     local: Option<Option<Local>>,
+    memory: Memory,
+}
+
+/// Working memory, kept from mesh to mesh.
+#[derive(Debug, Default)]
+struct Memory {
+    factors: Factors,
+    counted: Factors,
+    sweep: Sweep,
+    product: Vec<f64>,
+    finer: Finer,
 }
 
 /// A tower of any kind of elements, in which all motions are coupled, on a frame.
@@ -66,10 +77,6 @@ pub(crate) struct OnFrame {
     /// The motion of the tower's base for each of its coordinates.
     units: Motion,
     foot: usize,
-    factors: Factors,
-    counted: Factors,
-    sweep: Sweep,
-    product: Vec<f64>,
 }
 
 impl BareFrame {
@@ -99,7 +106,10 @@ impl BareFrame {
         } = with_tensions(
             &foundation.frame,
             members_n,
-            |frame, tensions| assemble(frame, FrameRecipe::Spectral { degree }, tensions),
+            |frame, tensions, purpose| {
+                let recipe = FrameRecipe::Spectral { degree };
+                assemble(frame, recipe, tensions, purpose)
+            },
             |assembled| {
                 if let Some(node) = assembled.transition {
                     let equations = &assembled.equations;
@@ -121,6 +131,7 @@ impl BareFrame {
             shapes: ShapeReader { joints, samples },
             finer: None,
             local: None,
+            memory: Memory::default(),
         })
     }
 
@@ -159,10 +170,6 @@ impl OnFrame {
             elements,
             units: branch.units,
             foot,
-            factors: Factors::default(),
-            counted: Factors::default(),
-            sweep: Sweep::default(),
-            product: Vec::new(),
         })
     }
 
@@ -217,6 +224,7 @@ impl OnFrame {
             equations,
             tensions,
             finer,
+            memory,
             ..
         } = &mut self.frame;
         let Some(foundation) = tower.frame() else {
@@ -228,10 +236,12 @@ impl OnFrame {
                 let recipe = FrameRecipe::Spectral {
                     degree: *degree + 2,
                 };
-                finer.insert(assemble(&foundation.frame, recipe, tensions)?.equations)
+                let purpose = Purpose::Frequencies;
+                let assembled = assemble(&foundation.frame, recipe, tensions, purpose)?;
+                finer.insert(assembled.equations)
             }
         };
-        let change = Finer::default().change((equations, finer), lambda, x);
+        let change = memory.finer.change((equations, finer), lambda, x);
         Ok(change / self.energy(&Coefficients::MASS, x))
     }
 
@@ -337,7 +347,7 @@ impl OnFrame {
     /// xᵀ A x of the frame alone, given to components by the motions of its nodes: translations
     /// along the axes, but for a common rotation about the axis of the tower.
     fn energy_of_frame(&mut self, of_all: f64, of_tower: f64, x: &[f64]) -> [f64; 6] {
-        let mut motions = std::mem::take(&mut self.sweep.motions);
+        let mut motions = std::mem::take(&mut self.frame.memory.sweep.motions);
         self.frame.equations.set_motions(x, &mut motions);
         let (mut turned, mut squares) = (0.0, 0.0);
         for ([x_m, y_m], motion) in self.frame.levers_m.iter().zip(&motions) {
@@ -351,7 +361,7 @@ impl OnFrame {
             let rest = [motion[0] + angle * y_m, motion[1] - angle * x_m, motion[2]];
             (0..3).for_each(|i| shares[i] += rest[i] * rest[i]);
         }
-        self.sweep.motions = motions;
+        self.frame.memory.sweep.motions = motions;
         let sum: f64 = shares.iter().sum();
         let scale = if sum > 0.0 {
             (of_all - of_tower) / sum
@@ -514,42 +524,51 @@ impl Subsystem for OnFrame {
     fn product(&mut self, a: &Coefficients, x: &[f64], out: &mut [f64]) {
         let (factors, own) = factors_of(a);
         let a = (&factors, own);
-        self.frame.equations.product(a, &mut self.sweep, x, out);
+        let BareFrame {
+            equations, memory, ..
+        } = &mut self.frame;
+        equations.product(a, &mut memory.sweep, x, out);
     }
 
     fn count_negative(&mut self, a: &Coefficients) -> usize {
         let (factors, own) = factors_of(a);
         let a = (&factors, own);
-        self.frame
-            .equations
-            .factorize(&self.order, a, &mut self.counted)
+        let BareFrame {
+            equations, memory, ..
+        } = &mut self.frame;
+        equations.factorize(&self.order, a, &mut memory.counted)
     }
 
     fn factorize(&mut self, a: &Coefficients) -> usize {
         let (factors, own) = factors_of(a);
         let a = (&factors, own);
-        self.frame
-            .equations
-            .factorize(&self.order, a, &mut self.factors)
+        let BareFrame {
+            equations, memory, ..
+        } = &mut self.frame;
+        equations.factorize(&self.order, a, &mut memory.factors)
     }
 
     fn solve(&mut self, x: &mut [f64]) {
-        self.frame
-            .equations
-            .solve(&self.order, &mut self.factors, x);
+        let BareFrame {
+            equations, memory, ..
+        } = &mut self.frame;
+        equations.solve(&self.order, &mut memory.factors, x);
     }
 
     fn energy(&mut self, a: &Coefficients, x: &[f64]) -> f64 {
-        let mut product = std::mem::take(&mut self.product);
+        let mut product = std::mem::take(&mut self.frame.memory.product);
         product.resize(x.len(), 0.0);
         self.product(a, x, &mut product);
         let energy = product.iter().zip(x).map(|(a, b)| a * b).sum();
-        self.product = product;
+        self.frame.memory.product = product;
         energy
     }
 
     fn energies(&mut self, x: &[f64]) -> Energies {
-        let energies = self.frame.equations.energies(&mut self.sweep, x);
+        let BareFrame {
+            equations, memory, ..
+        } = &mut self.frame;
+        let energies = equations.energies(&mut memory.sweep, x);
         Energies {
             elastic: energies[ELASTIC],
             foundation: energies[GROUND],
@@ -598,12 +617,12 @@ impl Subsystem for OnFrame {
             let mut product = vec![0.0; x.len()];
             self.product(a, x, &mut product);
             let force = self.at_base(first, &product);
-            let mut motions = std::mem::take(&mut self.sweep.motions);
+            let mut motions = std::mem::take(&mut self.frame.memory.sweep.motions);
             self.frame.equations.set_motions(x, &mut motions);
             // Afloat the frame follows the base but for its deformation.
             of_rigid =
                 std::array::from_fn(|i| motions[self.foot][i] * (force[i] - resultant.force[i]));
-            self.sweep.motions = motions;
+            self.frame.memory.sweep.motions = motions;
             resultant.force = force;
         }
         let known = of_tower + of_rigid.iter().sum::<f64>();

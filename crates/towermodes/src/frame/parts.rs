@@ -288,8 +288,16 @@ impl Parts {
         let planes = planes.flat_map(|block| block.planes.iter().map(move |plane| (block, plane)));
         for (block, plane) in planes {
             block.gather(plane, ends, bubbles, at);
+            let rows = block.rows();
             for (energy, matrix) in energies.iter_mut().zip(&block.matrices) {
-                for_each_product(matrix, at, |row, product| *energy += at[row] * product);
+                if matrix.is_empty() {
+                    continue;
+                }
+                at.truncate(rows);
+                at.resize(2 * rows, 0.0);
+                let (x, y) = at.split_at_mut(rows);
+                add_product(1.0, matrix, x, y);
+                *energy += dot(x, y);
             }
         }
     }
@@ -308,15 +316,20 @@ impl Parts {
         let planes = planes.flat_map(|block| block.planes.iter().map(move |plane| (block, plane)));
         for (block, plane) in planes {
             block.gather(plane, ends, bubbles, at);
-            let out = &mut out[plane.first..];
+            let rows = block.rows();
+            at.resize(2 * rows, 0.0);
+            let (x, y) = at.split_at_mut(rows);
             for (factor, matrix) in factors.iter().zip(&block.matrices) {
-                if *factor == 0.0 {
-                    continue;
+                if *factor != 0.0 {
+                    add_product(*factor, matrix, x, y);
                 }
-                for_each_product(matrix, at, |row, product| match plane.ends.get(row) {
-                    Some((end, sign)) => forces[*end] += sign * factor * product,
-                    None => out[row - plane.ends.len()] += factor * product,
-                });
+            }
+            let (of_ends, of_bubbles) = y.split_at(plane.ends.len());
+            for ((end, sign), force) in plane.ends.iter().zip(of_ends) {
+                forces[*end] += sign * force;
+            }
+            for (out, force) in out[plane.first..].iter_mut().zip(of_bubbles) {
+                *out += force;
             }
         }
         forces
@@ -434,28 +447,24 @@ fn congruence(matrix: &[f64], change: &[f64], old: usize, rows: usize) -> Vec<f6
     sum
 }
 
-/// Passes each row of a matrix (all of them or none) times a vector; four rows at a time, whose
-/// sums do not wait for each other.
-fn for_each_product(matrix: &[f64], x: &[f64], mut each: impl FnMut(usize, f64)) {
+/// y += factor M x for a symmetric matrix, or none; four columns at a time.
+fn add_product(factor: f64, matrix: &[f64], x: &[f64], y: &mut [f64]) {
     let n = x.len();
-    let fours = matrix.chunks_exact(4 * n);
-    let (done, rest) = ((matrix.len() - fours.remainder().len()) / n.max(1), fours.remainder());
-    for (k, four) in fours.enumerate() {
-        let rows: [&[f64]; 4] = std::array::from_fn(|i| &four[i * n..][..n]);
-        let mut sums = [[0.0; 2]; 4];
-        for j in 0..n / 2 {
-            for (sums, row) in sums.iter_mut().zip(&rows) {
-                sums[0] += row[2 * j] * x[2 * j];
-                sums[1] += row[2 * j + 1] * x[2 * j + 1];
-            }
+    let mut fours = matrix.chunks_exact(4 * n);
+    let mut done = 0;
+    for four in &mut fours {
+        let [a, b, c, d] = std::array::from_fn(|k| factor * x[done + k]);
+        let (first, second) = four.split_at(2 * n);
+        let rows = first[..n].iter().zip(&first[n..]);
+        let others = second[..n].iter().zip(&second[n..]);
+        for ((y, (p, q)), (r, s)) in y.iter_mut().zip(rows).zip(others) {
+            *y += (a * p + b * q) + (c * r + d * s);
         }
-        for (i, (sums, row)) in sums.iter().zip(&rows).enumerate() {
-            let last = if n % 2 == 1 { row[n - 1] * x[n - 1] } else { 0.0 };
-            each(4 * k + i, sums[0] + sums[1] + last);
-        }
+        done += 4;
     }
-    for (k, row) in rest.chunks_exact(n).enumerate() {
-        each(done + k, dot(row, x));
+    for (row, x) in fours.remainder().chunks_exact(n).zip(&x[done.min(n)..]) {
+        let factor = factor * x;
+        y.iter_mut().zip(row).for_each(|(y, m)| *y += factor * m);
     }
 }
 

@@ -10,6 +10,8 @@ use crate::tower::{Section, SectionMasses, SoilStiffness};
 
 /// Fractions of a member that are closer than this are one.
 const CLOSE: f64 = 1e-9;
+/// The degree whose polynomials are those that move the far end of a uniform element.
+const LEAST_DEGREE: usize = 2;
 /// By how much a fraction is inside an element at least.
 const TINY: f64 = 1e-12;
 
@@ -40,7 +42,7 @@ impl FrameRecipe {
     /// [`FrameSolveError::Degree`], [`FrameSolveError::Divisions`].
     pub(super) fn check(self) -> Result<(), FrameSolveError> {
         match self {
-            Self::Spectral { degree } if !(2..=40).contains(&degree) => {
+            Self::Spectral { degree } if !(LEAST_DEGREE..=40).contains(&degree) => {
                 Err(FrameSolveError::Degree { degree })
             }
             Self::Subdyn { divisions } if !(1..=1000).contains(&divisions) => {
@@ -105,6 +107,10 @@ impl FrameRecipe {
         match self {
             Self::Spectral { degree } => {
                 let is_uniform = ends.are_equal() && member.soil.is_empty();
+                let degree = match stretch.is_at_rest && is_uniform {
+                    true => LEAST_DEGREE,
+                    false => degree,
+                };
                 let strains = MemberStrains::of_degree(degree, member.shears, is_uniform);
                 Some(make(strains, &|z| coated(stretch.fraction(z))))
             }
@@ -151,6 +157,8 @@ pub(super) struct Stretch<'a> {
     pub(super) riders: Vec<(f64, SpatialMatrix)>,
     /// Fractions of the member at which the shapes are wanted.
     pub(super) sampled: Vec<f64>,
+    /// Whether only the motions of its ends at rest are wanted.
+    pub(super) is_at_rest: bool,
 }
 
 impl Stretch<'_> {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::assembly::{Assembled, assemble};
+use super::assembly::{Assembled, Purpose, assemble};
 use super::error::FrameSolveError;
 use super::mechanism::{least_lambda, mechanism};
 use super::pencil::FramePencil;
@@ -109,7 +109,7 @@ pub fn count_frame_modes(
     recipe: FrameRecipe,
     below_hz: f64,
 ) -> Result<usize, FrameSolveError> {
-    let assembled = assemble(frame, recipe, &[])?;
+    let assembled = assemble(frame, recipe, &[], Purpose::Frequencies)?;
     let omega = TAU * below_hz;
     Ok(FramePencil::new(assembled.equations).count_below_lambda(omega * omega))
 }
@@ -130,7 +130,7 @@ fn solve_once(
     } = with_tensions(
         frame,
         gravity_m_per_s2,
-        |frame, tensions| assemble(frame, recipe, tensions),
+        |frame, tensions, purpose| assemble(frame, recipe, tensions, purpose),
         |_| {},
     )?;
     let available = equations.unknowns;

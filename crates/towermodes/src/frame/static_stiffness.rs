@@ -1,6 +1,6 @@
 //! The static stiffness of a frame at one of its joints.
 
-use super::assembly::assemble;
+use super::assembly::{Purpose, assemble};
 use super::error::FrameSolveError;
 use super::mechanism::least_lambda;
 use super::parts::inverse_of_columns;
@@ -22,7 +22,7 @@ const DEGREE: usize = 12;
 /// [`solve_frame`](super::solve_frame).
 pub fn static_stiffness(frame: &Frame, joint: usize) -> Result<[[f64; 6]; 6], FrameSolveError> {
     let recipe = FrameRecipe::Spectral { degree: DEGREE };
-    let assembled = assemble(frame, recipe, &[])?;
+    let assembled = assemble(frame, recipe, &[], Purpose::Frequencies)?;
     let Some(node) = assembled.joints.get(joint).copied().flatten() else {
         let known = frame.description().joints.get(joint);
         let joint = known.map_or_else(|| joint.to_string(), |joint| joint.name.clone());

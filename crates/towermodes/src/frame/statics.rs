@@ -4,7 +4,7 @@
 //! distributed weight and the friction of soil along it elongate. Water around members has no
 //! weight here, and buoyancy is left out.
 
-use super::assembly::{Assembled, Carrier, PlacedElement};
+use super::assembly::{Assembled, Carrier, PlacedElement, Purpose};
 use super::elimination::Factors;
 use super::equations::{ELASTIC, Equations, GROUND, INERTIA, KINDS, motion_of};
 use super::order::Order;
@@ -226,13 +226,13 @@ fn integral([from, to]: [f64; 2], value: impl Fn(f64) -> f64) -> f64 {
 pub(super) fn with_tensions<E>(
     frame: &Frame,
     gravity_m_per_s2: f64,
-    assemble: impl Fn(&Frame, &[(usize, Tension)]) -> Result<Assembled, E>,
+    assemble: impl Fn(&Frame, &[(usize, Tension)], Purpose) -> Result<Assembled, E>,
     mut carry: impl FnMut(&mut Assembled),
 ) -> Result<Assembled, E> {
     let mut forces = Vec::new();
     if gravity_m_per_s2 != 0.0 {
         let heavy = Frame::unchecked(weighed(frame));
-        let mut at_rest = assemble(&heavy, &[])?;
+        let mut at_rest = assemble(&heavy, &[], Purpose::Rest)?;
         carry(&mut at_rest);
         forces = tensions(
             &heavy,
@@ -241,7 +241,7 @@ pub(super) fn with_tensions<E>(
             gravity_m_per_s2,
         );
     }
-    let mut assembled = assemble(frame, &forces)?;
+    let mut assembled = assemble(frame, &forces, Purpose::Shapes)?;
     carry(&mut assembled);
     Ok(assembled)
 }
