@@ -13,6 +13,8 @@ use crate::tower::{Component, Motion, Motions, Section, SoilStiffness};
 const ALL: [Component; 6] = [(0, 1.0), (1, 1.0), (2, 1.0), (3, 1.0), (4, 1.0), (5, 1.0)];
 /// More points than a polynomial needs: shear flexibility is rational.
 const EXTRA_POINTS: usize = 7;
+/// The same where only masses and the compression vary.
+const EXTRA_POINTS_OF_UNIFORM: usize = 4;
 /// Points on a part of an element besides those that its share of the polynomials needs.
 const POINTS_OF_A_PART: usize = 4;
 
@@ -23,6 +25,8 @@ pub(crate) struct MemberElement {
     in_line: Beam<1>,
     in_space: Beam<6>,
     stencil: Stencil,
+    /// For uniform elements.
+    of_uniform: Stencil,
     sections: Vec<Section>,
     compressions_n: Vec<f64>,
     /// ξ and weight of each number of points that was needed.
@@ -50,6 +54,8 @@ pub(crate) struct MemberPart {
 pub(crate) struct MemberSlice<'a> {
     /// Length, m.
     pub(crate) length_m: f64,
+    /// Whether its own section, without what moves with it, is the same along it.
+    pub(crate) is_uniform: bool,
     /// The section at a distance (m) from the near end.
     pub(crate) section_at: &'a dyn Fn(f64) -> Section,
     /// The compression (N) there, if it is known.
@@ -114,9 +120,13 @@ impl MemberElement {
         element: &MemberSlice<'_>,
     ) -> Vec<MemberPart> {
         let most = strains.most();
-        self.stencil.prepare(most + EXTRA_POINTS, most.max(2));
+        let (stencil, extra) = match element.is_uniform {
+            true => (&mut self.of_uniform, EXTRA_POINTS_OF_UNIFORM),
+            false => (&mut self.stencil, EXTRA_POINTS),
+        };
+        stencil.prepare(most + extra, most.max(2));
         let length_m = element.length_m;
-        let heights_m = || self.stencil.heights_m(0.0, length_m);
+        let heights_m = || stencil.heights_m(0.0, length_m);
         self.sections.clear();
         self.sections.extend(heights_m().map(element.section_at));
         self.compressions_n.clear();
@@ -130,7 +140,7 @@ impl MemberElement {
             compressions_n: &self.compressions_n,
             rotary_inertia: true,
         };
-        let (stencil, points) = (&mut self.stencil, &mut self.points);
+        let points = &mut self.points;
         if !element.bodies.is_empty() {
             let motions = Motion::ALL.into_iter().map(Motions::only);
             let motions = motions.fold(Motions::default(), Motions::and);

@@ -162,9 +162,7 @@ impl Part {
         translation
             .iter_mut()
             .for_each(|row| row.resize(6 + self.coordinates, 0.0));
-        for ((component, sign), row) in components
-            .iter()
-            .zip(self.shapes[place].chunks_exact(rows))
+        for ((component, sign), row) in components.iter().zip(self.shapes[place].chunks_exact(rows))
         {
             let Some(out) = translation.get_mut(*component) else {
                 continue;

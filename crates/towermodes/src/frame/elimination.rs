@@ -291,9 +291,11 @@ fn eliminate_node(link: &Link, step: &Step, factors: &mut Factors, front: &mut V
     let left = |k: usize, l: usize| {
         let mut block = NONE;
         for (t, row) in front.chunks_exact(size).enumerate() {
-            let [of_k, of_l] = [k, l].map(|k| &row[6 * k..6 * k + 6]);
+            let (row, of_link) = row.split_at(n);
+            let (row, _) = row.as_chunks::<6>();
+            let (of_k, of_l) = (row[k], row[l]);
             for (sums, entry) in block.iter_mut().zip(of_k) {
-                let factor = entry / row[n + t];
+                let factor = entry / of_link[t];
                 for (sum, entry) in sums.iter_mut().zip(of_l) {
                     *sum -= factor * entry;
                 }

@@ -345,9 +345,8 @@ fn chord_block(part: &Part, element: &Element, first: usize) -> Block {
     let inverse = inverse_tip(part);
     // X in the components of the part.
     let components = part.planes[0];
-    let transfer = |(d, of_row): &Component, (c, sign): &Component| {
-        of_row * sign * element.transfer[*d][*c]
-    };
+    let transfer =
+        |(d, of_row): &Component, (c, sign): &Component| of_row * sign * element.transfer[*d][*c];
     // v and y for (q_near, q_far, bubbles).
     let old = n + part.coordinates;
     let mut change = vec![0.0; old * rows];
@@ -447,24 +446,48 @@ fn congruence(matrix: &[f64], change: &[f64], old: usize, rows: usize) -> Vec<f6
     sum
 }
 
-/// y += factor M x for a symmetric matrix, or none; four columns at a time.
+/// y += factor M x for a symmetric matrix, or none: four columns at a time, and two entries of each,
+/// which the processor multiplies as one.
 fn add_product(factor: f64, matrix: &[f64], x: &[f64], y: &mut [f64]) {
     let n = x.len();
-    let mut fours = matrix.chunks_exact(4 * n);
-    let mut done = 0;
-    for four in &mut fours {
-        let [a, b, c, d] = std::array::from_fn(|k| factor * x[done + k]);
-        let (first, second) = four.split_at(2 * n);
-        let rows = first[..n].iter().zip(&first[n..]);
-        let others = second[..n].iter().zip(&second[n..]);
-        for ((y, (p, q)), (r, s)) in y.iter_mut().zip(rows).zip(others) {
+    let (fours, rest) = x.as_chunks::<4>();
+    for (x, rows) in fours.iter().zip(matrix.chunks_exact(4 * n)) {
+        let [a, b, c, d] = x.map(|x| factor * x);
+        let row = |k: usize| rows[k * n..][..n].as_chunks::<2>();
+        let [(p, p_last), (q, q_last), (r, r_last), (s, s_last)] = std::array::from_fn(row);
+        let (pairs, last) = y.as_chunks_mut::<2>();
+        for ((((y, p), q), r), s) in pairs.iter_mut().zip(p).zip(q).zip(r).zip(s) {
+            y[0] += (a * p[0] + b * q[0]) + (c * r[0] + d * s[0]);
+            y[1] += (a * p[1] + b * q[1]) + (c * r[1] + d * s[1]);
+        }
+        for ((((y, p), q), r), s) in last
+            .iter_mut()
+            .zip(p_last)
+            .zip(q_last)
+            .zip(r_last)
+            .zip(s_last)
+        {
             *y += (a * p + b * q) + (c * r + d * s);
         }
-        done += 4;
     }
-    for (row, x) in fours.remainder().chunks_exact(n).zip(&x[done.min(n)..]) {
-        let factor = factor * x;
-        y.iter_mut().zip(row).for_each(|(y, m)| *y += factor * m);
+    let done = 4 * fours.len() * n;
+    for (x, row) in rest
+        .iter()
+        .zip(matrix.get(done..).unwrap_or_default().chunks_exact(n))
+    {
+        add(factor * x, row, y);
+    }
+}
+
+/// y += factor x, two entries at a time.
+fn add(factor: f64, x: &[f64], y: &mut [f64]) {
+    let ((x, x_last), (y, y_last)) = (x.as_chunks::<2>(), y.as_chunks_mut::<2>());
+    for (y, x) in y.iter_mut().zip(x) {
+        y[0] += factor * x[0];
+        y[1] += factor * x[1];
+    }
+    for (y, x) in y_last.iter_mut().zip(x_last) {
+        *y += factor * x;
     }
 }
 
@@ -485,9 +508,7 @@ fn forward(matrix: &[f64], rows: usize, first: usize, x: &mut [f64]) {
     for last in (first..rows).rev() {
         let row = &matrix[last * rows..last * rows + last + 1];
         let factor = x[last] / row[last];
-        for (x, entry) in x[..last].iter_mut().zip(row) {
-            *x -= entry * factor;
-        }
+        add(-factor, &row[..last], &mut x[..last]);
     }
 }
 

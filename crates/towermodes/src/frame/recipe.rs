@@ -93,9 +93,11 @@ impl FrameRecipe {
         let (bodies, soil) = (stretch.bodies(), stretch.soil());
         let sampled = stretch.sampled.iter();
         let sampled_m: Vec<f64> = sampled.map(|at| stretch.distance_m(*at)).collect();
+        let is_uniform = ends.are_equal() && member.soil.is_empty();
         let mut make = |strains, section_at: &dyn Fn(f64) -> Section| {
             let slice = MemberSlice {
                 length_m,
+                is_uniform,
                 section_at,
                 compression_n: compression.as_deref(),
                 bodies: &bodies,
@@ -106,7 +108,6 @@ impl FrameRecipe {
         };
         match self {
             Self::Spectral { degree } => {
-                let is_uniform = ends.are_equal() && member.soil.is_empty();
                 let degree = match stretch.is_at_rest && is_uniform {
                     true => LEAST_DEGREE,
                     false => degree,
