@@ -446,8 +446,8 @@ fn congruence(matrix: &[f64], change: &[f64], old: usize, rows: usize) -> Vec<f6
     sum
 }
 
-/// y += factor M x for a symmetric matrix, or none: four columns at a time, and two entries of each,
-/// which the processor multiplies as one.
+/// y += factor M x for a symmetric matrix, or none: four columns at a time, and two entries of
+/// each, which the processor multiplies as one.
 fn add_product(factor: f64, matrix: &[f64], x: &[f64], y: &mut [f64]) {
     let n = x.len();
     let (fours, rest) = x.as_chunks::<4>();
