@@ -5,7 +5,7 @@ use super::table::Table;
 use crate::inputs::{Inputs, Nature, every_input};
 use crate::space::SpatialMatrix;
 use crate::tower::{
-    FloatingPlatform, FormKind, Foundation, FoundationSprings, Place, StiffnessFoundation,
+    Buoyancy, FloatingPlatform, FormKind, Foundation, FoundationSprings, Place, StiffnessFoundation,
     TowerDescription,
 };
 
@@ -99,6 +99,31 @@ pub(super) static FLOATING: Part = Part {
         "added_mass_height" Signed "m" "height of the reference point of added_mass", "added_mass" added_mass.height_m;
         "hydrostatic_height" Signed "m" "height of the reference point of hydrostatic", "hydrostatic" hydrostatic.height_m;
         "mooring_height" Signed "m" "height of the reference point of mooring", "mooring" mooring.height_m;
+    },
+};
+
+fn buoyancy(description: &TowerDescription) -> Option<&Buoyancy> {
+    floating(description)?.buoyancy.as_ref()
+}
+
+fn buoyancy_mut(description: &mut TowerDescription) -> Option<&mut Buoyancy> {
+    floating_mut(description)?.buoyancy.as_mut()
+}
+
+/// The buoyancy of a floating platform, if it is given.
+pub(super) static BUOYANCY: Part = Part {
+    name: "foundation",
+    noun: "buoyancy of a floating platform",
+    count: |d| usize::from(buoyancy(d).is_some()),
+    rows: |_, _| 1,
+    is_symmetric: false,
+    keys: fields! {
+        get |d, _i| buoyancy(d)?;
+        set |d, _i| buoyancy_mut(d)?;
+        place |_i, key| Place::Foundation { key };
+        "buoyancy" Amount "N" "buoyancy at the reference position", "buoyancy" force_n;
+        "buoyancy_center[0]" Signed "m" "centre of buoyancy from the tower axis, downwind", "buoyancy_center" center_m[0];
+        "buoyancy_center[1]" Signed "m" "centre of buoyancy from the tower axis, side-side", "buoyancy_center" center_m[1];
     },
 };
 

@@ -59,6 +59,7 @@ static PARTS: LazyLock<Vec<Holder>> = LazyLock::new(|| {
     let forms: &'static [Table] = foundation::closed_forms().leak();
     let last = [
         Holder::Part(&foundation::FLOATING),
+        Holder::Part(&foundation::BUOYANCY),
         Holder::Part(&foundation::FLOATING_ADDED_MASS),
         Holder::Part(&foundation::FLOATING_HYDROSTATIC),
         Holder::Part(&foundation::FLOATING_MOORING),

@@ -235,10 +235,27 @@ pub struct FloatingPlatform {
     /// Hydrostatic stiffness of water plane and buoyancy: N/m, N, N m. The gravity part
     /// is that of gravity.
     pub hydrostatic: ReferredMatrix,
+    /// The buoyancy at the reference position, for the
+    /// [static balance](crate::tower::Tower::static_balance); no frequency at the reference
+    /// position depends on it.
+    pub buoyancy: Option<Buoyancy>,
     /// Stiffness of the moorings that is given as a matrix: N/m, N, N m.
     pub mooring: ReferredMatrix,
     /// Mooring lines, whose stiffness is added to the matrix.
     pub mooring_lines: Option<Box<MooringLines>>,
+    /// Whether the lines have their stiffness at the position in which weights, buoyancy and lines
+    /// are in balance, instead of the reference position. It needs the buoyancy.
+    pub at_equilibrium: bool,
+}
+
+/// The upward force of the water on a floating platform at its reference position.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Buoyancy {
+    /// Force ρ g V, N. The vertical force of moorings that are given as a matrix belongs to it too.
+    pub force_n: f64,
+    /// Where it acts, m: x and y from the tower's axis. Its height is part of the
+    /// [hydrostatic stiffness](FloatingPlatform::hydrostatic).
+    pub center_m: [f64; 2],
 }
 
 impl FloatingPlatform {

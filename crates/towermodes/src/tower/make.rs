@@ -2,7 +2,8 @@
 
 use super::attachment::Attachment;
 use super::description::TowerDescription;
-use super::error::TowerError;
+use super::error::{Place, Problem, TowerError};
+use super::floating::afloat::Afloat;
 use super::foundation::Foundation;
 use super::ground::{GroundPlan, with_rows};
 use super::model::{InGround, Tower};
@@ -22,6 +23,7 @@ use super::support::rigid_body_modes;
 use super::validate;
 use crate::tower::Warning;
 use std::mem::take;
+use std::sync::Arc;
 
 impl Tower {
     /// Checks a description and makes the tower of it.
@@ -59,8 +61,21 @@ impl Tower {
         let pieces = pieces_of(description, Rows::Fewest);
         let mut tower = Self::made_of(description, pieces);
         rigid_body_modes::check(&tower)?;
+        tower.check_equilibrium()?;
         tower.base.units = tower.base_units();
         Ok(tower)
+    }
+
+    /// Refuses lines at an equilibrium that there is not.
+    fn check_equilibrium(&self) -> Result<(), TowerError> {
+        let mistake = self.afloat.as_ref().and_then(|afloat| afloat.mistake());
+        mistake.map_or(Ok(()), |mistake| {
+            let place = Place::Foundation {
+                key: "at_equilibrium",
+            };
+            let problem = Problem::Equilibrium(mistake);
+            Err(TowerError { place, problem })
+        })
     }
 
     /// The tower of a description that was checked, or of one near it, with these linear pieces.
@@ -79,8 +94,14 @@ impl Tower {
         let masses = description.point_masses.iter();
         let mass_kg = above.tower_kg + masses.map(|m| m.mass_kg).sum::<f64>();
         let carried_kg = mass_kg + description.rna.mass_kg;
-        let base = Base::new(&description.foundation, base_m, carried_kg);
-        let platform = description.foundation.platform();
+        let afloat = Afloat::of(description, &pieces);
+        // The lines were checked; a neighbour beyond the last that they can reach has none.
+        let linear = afloat.as_ref().and_then(|afloat| afloat.linear().ok());
+        let base = match &linear {
+            Some(platform) => Base::afloat(platform, base_m, carried_kg),
+            None => Base::new(&description.foundation, base_m, carried_kg),
+        };
+        let platform = linear.as_ref().or(description.foundation.platform());
         let inertia_by_frequency = platform
             .and_then(|platform| InertiaByFrequency::of(platform, base_m))
             .map(Box::new);
@@ -108,6 +129,7 @@ impl Tower {
             planes_are_apart: false,
             independent,
             frame,
+            afloat: afloat.map(Arc::new),
             name: printable(&description.name),
             stations: take(&mut description.stations),
             properties: take(&mut description.properties),

@@ -5,6 +5,7 @@ mod attachment;
 mod closed_form;
 mod description;
 mod error;
+mod floating;
 mod foundation;
 pub(crate) mod frame;
 mod ground;
@@ -24,7 +25,9 @@ pub(crate) use attachment::spatial_inertia;
 pub use closed_form::*;
 pub use description::{PointMass, PropertyStation, Rna, Station, TowerDescription};
 pub use error::{FreeMotions, Place, Problem, TowerError};
-pub use foundation::{FloatingPlatform, Foundation, ReferredMatrix, StiffnessFoundation, Support};
+pub use floating::balance::{EquilibriumPose, StaticBalance};
+pub use floating::equilibrium::EquilibriumError;
+pub use foundation::{Buoyancy, FloatingPlatform, Foundation, ReferredMatrix, StiffnessFoundation, Support};
 pub use ground::{
     ApiEdition, AxialModel, Clay, Ground, GroundLayer, LayerSoil, PyRow, Rock, Sand, Scour,
     ShearModulus, SoilModel,

@@ -1,7 +1,10 @@
 //! The tower itself: constant once it is made.
 
+use std::sync::Arc;
+
 use super::attachment::Attachment;
 use super::description::{PointMass, PropertyStation, Rna, Station};
+use super::floating::afloat::Afloat;
 use super::frame::FrameFoundation;
 use super::parts::missing::MissingParts;
 use super::parts::rotor::Rotor;
@@ -41,6 +44,7 @@ pub struct Tower {
     pub(super) mass_kg: f64,
     pub(super) ground: Option<InGround>,
     pub(super) frame: Option<Box<FrameFoundation>>,
+    pub(super) afloat: Option<Arc<Afloat>>,
     pub(super) missing: Option<MissingParts>,
     pub(super) warnings: Vec<Warning>,
 }

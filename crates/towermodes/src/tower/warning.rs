@@ -392,6 +392,20 @@ pub enum Warning {
         /// The largest difference of two entries that should be equal, as a fraction of the larger.
         difference: f64,
     },
+    /// Weights, buoyancy and mooring lines of a floating tower that are not in balance.
+    #[error(
+        "weight, buoyancy and the vertical force of the mooring lines leave {} N, {:.1} % of the weight: the platform does not float at its reference position; check masses, \
+         ballast, displaced volume and lengths of lines (the force of moorings that are given as a matrix belongs to the buoyancy)",
+        Rounded(*.residual_n), 100.0 * .share
+    )]
+    OutOfBalance {
+        /// The key of the buoyancy.
+        site: Site,
+        /// The upward force that is left, N.
+        residual_n: f64,
+        /// The same as a fraction of the weight.
+        share: f64,
+    },
     /// Principal moments of inertia that no mass distribution has.
     #[error(
         "{}a principal moment of inertia ({} kg m2) exceeds the sum of the other two ({} kg m2), which no mass distribution has",
@@ -591,6 +605,7 @@ impl Warning {
             | Self::UnderWater { site, .. }
             | Self::BedOffSurface { site, .. }
             | Self::DryUnderWater { site, .. }
+            | Self::OutOfBalance { site, .. }
             | Self::TriangleInequality { site, .. } => Some(site),
             Self::SoilUnresolved { .. }
             | Self::SoilAndClamp

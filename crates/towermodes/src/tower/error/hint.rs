@@ -156,6 +156,7 @@ impl Problem {
             // Its message says what would be right.
             Self::Frame { .. }
             | Self::Mooring(_)
+            | Self::Equilibrium(_)
             | Self::NotPositive { .. }
             | Self::Negative { .. }
             | Self::UnknownMaterial { .. } => {

@@ -9,6 +9,7 @@ use std::fmt;
 
 use thiserror::Error;
 
+use super::floating::equilibrium::EquilibriumError;
 use crate::mooring::MooringError;
 use crate::number::{Apart, Plain, Rounded};
 
@@ -38,6 +39,9 @@ pub enum Problem {
     /// Mooring lines that cannot be.
     #[error(transparent)]
     Mooring(#[from] MooringError),
+    /// A floating tower without the equilibrium at which its lines should be.
+    #[error(transparent)]
+    Equilibrium(#[from] EquilibriumError),
     /// A frame that cannot be.
     #[error("{message}")]
     Frame {

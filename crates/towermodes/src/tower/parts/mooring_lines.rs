@@ -18,8 +18,16 @@ impl MooringLines {
     /// # Errors
     /// [`MooringError`]: the first thing that no mooring system can have.
     pub fn mooring(&self) -> Result<Mooring, MooringError> {
+        self.about(self.description.reference_m[2])
+    }
+
+    /// The same about the point of the tower's axis at a height in the datum of the stations, m.
+    pub(in crate::tower) fn mooring_about(&self, height_m: f64) -> Result<Mooring, MooringError> {
+        self.about(height_m - self.still_water_m)
+    }
+
+    fn about(&self, z_m: f64) -> Result<Mooring, MooringError> {
         let mut description = self.description.clone();
-        let [_, _, z_m] = description.reference_m;
         description.reference_m = [0.0, 0.0, z_m];
         Mooring::new(description)
     }

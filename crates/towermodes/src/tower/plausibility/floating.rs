@@ -23,10 +23,13 @@ const DEPTH: f64 = 4.0;
 /// The centre of added mass, hydrostatic or mooring stiffness may be above the tower's base by this
 /// fraction of its height: entries are rounded.
 const ABOVE: f64 = 0.05;
+/// The vertical force that is left at the reference position is at most this fraction of the
+/// weight: published models have up to 0.8 %.
+const OUT_OF_BALANCE: f64 = 0.01;
 
-pub(super) fn check(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>) {
+pub(super) fn check(tower: &Tower, warnings: &mut Vec<Warning>) {
     // The lines were checked.
-    let Ok(platform) = &platform.with_linear_moorings() else {
+    let Some(platform) = &tower.linear_platform() else {
         return;
     };
     let matrices = [
@@ -59,6 +62,20 @@ pub(super) fn check(tower: &Tower, platform: &FloatingPlatform, warnings: &mut V
     }
     body(tower, platform, warnings);
     frequencies(tower, platform, warnings);
+    balance(tower, warnings);
+}
+
+/// Weights, buoyancy and lines that are out of balance.
+fn balance(tower: &Tower, warnings: &mut Vec<Warning>) {
+    let balance = tower.balance_at_reference();
+    let far = balance.filter(|balance| balance.residual_share().abs() > OUT_OF_BALANCE);
+    if let Some(balance) = far {
+        warnings.push(Warning::OutOfBalance {
+            site: at("buoyancy"),
+            residual_n: balance.residual_force_n[2],
+            share: balance.residual_share(),
+        });
+    }
 }
 
 fn at(key: &'static str) -> Site {

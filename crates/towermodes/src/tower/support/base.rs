@@ -73,7 +73,7 @@ impl Base {
 
     /// The weights turn over about the point that the hydrostatic stiffness is about: only about
     /// that point, where buoyancy and weights are in balance, do its entries and theirs add up.
-    pub(super) fn afloat(platform: &FloatingPlatform, base_m: f64, mass_kg: f64) -> Self {
+    pub(in crate::tower) fn afloat(platform: &FloatingPlatform, base_m: f64, mass_kg: f64) -> Self {
         // The lines were checked; a neighbour beyond the last that they can reach has none.
         let platform = &platform
             .with_linear_moorings()
@@ -119,6 +119,6 @@ fn on_springs(mut stiffness: SpatialMatrix) -> StiffnessFoundation {
 }
 
 /// (A + Aᵀ)/2.
-pub(super) fn symmetrized(matrix: &SpatialMatrix) -> SpatialMatrix {
+pub(in crate::tower) fn symmetrized(matrix: &SpatialMatrix) -> SpatialMatrix {
     std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (matrix[i][j] + matrix[j][i])))
 }

@@ -5,19 +5,29 @@ use crate::mooring::{MooringError, Pose};
 use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
 
 impl FloatingPlatform {
-    /// The platform whose lines are replaced by their stiffness and by the mass of what they have
-    /// on the platform.
+    /// The platform whose lines are replaced by their stiffness at its reference position and by
+    /// the mass of what they have on the platform.
     ///
     /// # Errors
     /// [`MooringError`] of the lines.
     pub fn with_linear_moorings(&self) -> Result<Self, MooringError> {
+        let lines = self.mooring_lines.as_ref();
+        let height_m = lines.map_or(0.0, |lines| lines.reference_height_m());
+        self.with_moorings_at(&Pose::default(), height_m)
+    }
+
+    /// The same at any pose of the point at a height on the tower's axis, m.
+    pub(in crate::tower) fn with_moorings_at(
+        &self,
+        pose: &Pose,
+        height_m: f64,
+    ) -> Result<Self, MooringError> {
         let mut platform = self.clone();
         let Some(lines) = platform.mooring_lines.take() else {
             return Ok(platform);
         };
-        let height_m = lines.reference_height_m();
-        let mooring = lines.mooring()?;
-        let state = mooring.at(&Pose::default())?;
+        let mooring = lines.mooring_about(height_m)?;
+        let state = mooring.at(pose)?;
         platform.mooring.add(&state.load.stiffness, height_m);
         let carried = mooring.platform_mass();
         match &platform.added_mass_by_frequency {

@@ -1,0 +1,157 @@
+//! The static balance of a floating tower.
+
+use super::super::foundation::FloatingPlatform;
+use super::super::model::Tower;
+use super::afloat::Afloat;
+use super::equilibrium::{EquilibriumError, equilibrium};
+use crate::mooring::Pose;
+
+/// Weights, buoyancy and mooring lines of a floating tower at its reference position, what is left
+/// of them, and where they are in balance.
+///
+/// Tower and rotor-nacelle assembly are rigid, without wind and current.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct StaticBalance {
+    /// Height of the reference point on the tower's axis in the datum of the stations, m: the
+    /// moments and the equilibrium refer to it.
+    pub reference_height_m: f64,
+    /// Weight of the platform, N.
+    pub platform_weight_n: f64,
+    /// Weight of the tower with its point masses, N.
+    pub tower_weight_n: f64,
+    /// Weight of the rotor-nacelle assembly, N.
+    pub rna_weight_n: f64,
+    /// Buoyancy of the platform, N.
+    pub buoyancy_n: f64,
+    /// Vertical force of the mooring lines on the platform, with weight and buoyancy of what they
+    /// have on it, N; negative downwards.
+    pub lines_n: f64,
+    /// The force that is left in x, y and z (up), N.
+    pub residual_force_n: [f64; 3],
+    /// The moment that is left about x, y and z, N m.
+    pub residual_moment_n_m: [f64; 3],
+    /// Where the forces are in balance; none (null in JSON) if no such position is found.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "found"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<EquilibriumPose>"))]
+    pub equilibrium: Result<EquilibriumPose, EquilibriumError>,
+    /// Whether the lines have the stiffness of the equilibrium in the modes; otherwise that of the
+    /// reference position.
+    pub linearized_at_equilibrium: bool,
+}
+
+/// The displacement of the reference point of a floating tower from the reference position to the
+/// equilibrium, and its rotation vector.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct EquilibriumPose {
+    /// Along x, downwind, m.
+    pub surge_m: f64,
+    /// Along y, m.
+    pub sway_m: f64,
+    /// Upwards, m.
+    pub heave_m: f64,
+    /// About x, degrees.
+    pub roll_deg: f64,
+    /// About y, degrees.
+    pub pitch_deg: f64,
+    /// About z, degrees.
+    pub yaw_deg: f64,
+}
+
+#[cfg(feature = "serde")]
+fn found<S: serde::Serializer>(
+    equilibrium: &Result<EquilibriumPose, EquilibriumError>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serde::Serialize::serialize(&equilibrium.as_ref().ok(), serializer)
+}
+
+impl From<Pose> for EquilibriumPose {
+    fn from(pose: Pose) -> Self {
+        let [surge_m, sway_m, heave_m] = pose.displacement_m;
+        let [roll_deg, pitch_deg, yaw_deg] = pose.rotation_rad().map(f64::to_degrees);
+        Self {
+            surge_m,
+            sway_m,
+            heave_m,
+            roll_deg,
+            pitch_deg,
+            yaw_deg,
+        }
+    }
+}
+
+impl StaticBalance {
+    /// The weight of platform, tower and rotor-nacelle assembly, N.
+    pub fn weight_n(&self) -> f64 {
+        self.platform_weight_n + self.tower_weight_n + self.rna_weight_n
+    }
+
+    /// The vertical force that is left as a fraction of the weight.
+    pub fn residual_share(&self) -> f64 {
+        self.residual_force_n[2] / self.weight_n()
+    }
+}
+
+impl Tower {
+    /// The static balance of a floating tower; none if it does not float, without gravity, or if
+    /// the [buoyancy](crate::FloatingPlatform::buoyancy) is not known.
+    pub fn static_balance(&self) -> Option<StaticBalance> {
+        let afloat = self.afloat.as_deref()?;
+        let mut balance = afloat.at_reference()?;
+        let found = match &afloat.at {
+            Some(found) => *found,
+            None => equilibrium(afloat),
+        };
+        balance.equilibrium = found.map(EquilibriumPose::from);
+        Some(balance)
+    }
+
+    /// The same without the search for the equilibrium.
+    pub(in crate::tower) fn balance_at_reference(&self) -> Option<StaticBalance> {
+        self.afloat.as_deref()?.at_reference()
+    }
+
+    /// Its floating platform with the lines replaced by their stiffness, at the equilibrium or the
+    /// reference position as the description says, and by the mass of what they have on the
+    /// platform; none if it does not float.
+    pub fn linear_platform(&self) -> Option<FloatingPlatform> {
+        // The lines were checked.
+        self.afloat.as_deref()?.linear().ok()
+    }
+}
+
+impl Afloat {
+    /// The balance at the reference position, without the search for the equilibrium.
+    fn at_reference(&self) -> Option<StaticBalance> {
+        if self.gravity_m_per_s2 == 0.0 {
+            return None;
+        }
+        let loads = self.loads()?;
+        let pull = match &self.platform.mooring_lines {
+            // The lines were checked.
+            Some(lines) => {
+                let mooring = lines.mooring_about(self.reference_m()).ok()?;
+                mooring.at(&Pose::default()).ok()?.load.force
+            }
+            None => [0.0; 6],
+        };
+        let left: [f64; 6] = std::array::from_fn(|i| loads.force[i] + pull[i]);
+        let [fx, fy, fz, mx, my, mz] = left;
+        Some(StaticBalance {
+            reference_height_m: self.reference_m(),
+            platform_weight_n: self.weight_n(self.platform_mass()),
+            tower_weight_n: self.weight_n(self.tower),
+            rna_weight_n: self.weight_n(self.rna),
+            buoyancy_n: self.platform.buoyancy?.force_n,
+            lines_n: pull[2],
+            residual_force_n: [fx, fy, fz],
+            residual_moment_n_m: [mx, my, mz],
+            equilibrium: Ok(EquilibriumPose::default()),
+            linearized_at_equilibrium: matches!(self.at, Some(Ok(_))),
+        })
+    }
+}

@@ -1,0 +1,212 @@
+//! The equilibrium of a floating tower, by Newton's method on its six rigid motions.
+
+use thiserror::Error;
+
+use super::afloat::{Afloat, Loads};
+use crate::mooring::{Mooring, MooringError, MooringWorkspace, Pose};
+use crate::number::Rounded;
+use crate::space::{SpatialMatrix, add_scaled, eigenpairs, times};
+
+/// Steps after which the search has failed.
+const MAX_STEPS: usize = 100;
+/// The longest displacement of one step, m.
+const LONGEST_M: f64 = 10.0;
+/// The largest rotation of one step, rad.
+const LARGEST_RAD: f64 = 0.2;
+/// A smaller step (m, rad) ends the search; it leaves its square.
+const CLOSE: f64 = 1e-9;
+/// Halvings of a step that goes too far.
+const HALVINGS: usize = 12;
+/// A force that is left below this fraction of the weight is a rounding error.
+const ROUNDING: f64 = 1e-7;
+/// A scaled stiffness below this counts as zero.
+const FREE: f64 = 1e-12;
+/// Stiffness against rotation is that of small angles: beyond this tilt, degrees, it misses more
+/// than some percent.
+const MOST_TILT_DEG: f64 = 15.0;
+
+/// Why a floating tower has no known equilibrium.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum EquilibriumError {
+    /// Without gravity nothing has weight.
+    #[error("gravity is left out, so the floating tower has no weight that could be in balance; give gravity, or leave the lines at the reference position")]
+    NoGravity,
+    /// The buoyancy is not given.
+    #[error("the buoyancy of the platform is not known, so its equilibrium cannot be computed; give buoyancy and buoyancy_center in [foundation]")]
+    NoBuoyancy,
+    /// The lines do not reach on the way, or their free parts have no equilibrium.
+    #[error("the floating tower drifts to where its mooring lines cannot hold it: {0}; compare weight, buoyancy and the vertical force of the lines")]
+    Lines(MooringError),
+    /// A stiffness is negative.
+    #[error("the floating tower has no stable equilibrium: its stiffness against {motion} is negative; check the heights of masses, hydrostatic stiffness and fairleads")]
+    Unstable {
+        /// The motion that is turned over most.
+        motion: &'static str,
+    },
+    /// The tilt is beyond linear hydrostatics.
+    #[error("the floating tower tilts by {} degrees until its forces are in balance, more than the {MOST_TILT_DEG} degrees for which the hydrostatic stiffness holds; check the horizontal positions of masses, buoyancy and fairleads", Rounded(*.tilt_deg))]
+    Tilts {
+        /// The angle, degrees.
+        tilt_deg: f64,
+    },
+    /// Forces are left.
+    #[error("no equilibrium of the floating tower was found: {} N or N m are left in {motion}; if nothing holds the platform against this motion, give mooring lines or their matrix", Rounded(*.left))]
+    NotHeld {
+        /// The motion.
+        motion: &'static str,
+        /// The largest force (N) or moment (N m) that is left.
+        left: f64,
+    },
+}
+
+const MOTIONS: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
+
+/// The pose of the reference point in which weights, buoyancy and lines are in balance.
+///
+/// Weights and buoyancy change by their stiffness at the reference position, lines follow exactly.
+pub(super) fn equilibrium(afloat: &Afloat) -> Result<Pose, EquilibriumError> {
+    if afloat.gravity_m_per_s2 == 0.0 {
+        return Err(EquilibriumError::NoGravity);
+    }
+    let loads = afloat.loads().ok_or(EquilibriumError::NoBuoyancy)?;
+    let lines = afloat.platform.mooring_lines.as_ref();
+    let lines = lines.map(|lines| lines.mooring_about(afloat.reference_m()));
+    let mut search = Search {
+        loads,
+        lines: lines.transpose().map_err(EquilibriumError::Lines)?,
+        workspace: MooringWorkspace::default(),
+    };
+    let masses = [afloat.platform_mass(), afloat.tower, afloat.rna];
+    let weight_n = masses.iter().map(|mass| afloat.weight_n(*mass)).sum();
+    search.run(weight_n)
+}
+
+struct Search {
+    loads: Loads,
+    lines: Option<Mooring>,
+    workspace: MooringWorkspace,
+}
+
+impl Search {
+    fn run(&mut self, weight_n: f64) -> Result<Pose, EquilibriumError> {
+        let mut pose = Pose::default();
+        for _ in 0..MAX_STEPS {
+            let here = self.at(&pose).map_err(EquilibriumError::Lines)?;
+            let step = newton_step(&here)?;
+            if step.iter().all(|part| part.abs() < CLOSE) {
+                let pose = pose.moved(step);
+                self.check(&pose, weight_n)?;
+                return Ok(pose);
+            }
+            pose = self.advance(&pose, &here, step);
+        }
+        self.check(&pose, weight_n)?;
+        Ok(pose)
+    }
+
+    /// Forces of everything at a pose, and their stiffness.
+    fn at(&mut self, pose: &Pose) -> Result<Loads, MooringError> {
+        let mut sum = self.loads;
+        let [dx, dy, dz] = pose.displacement_m;
+        let turned @ [rx, ry, rz] = pose.rotation_rad();
+        let restoring = times(&self.loads.stiffness, &[dx, dy, dz, rx, ry, rz]);
+        for (force, restoring) in sum.force.iter_mut().zip(restoring) {
+            *force -= restoring;
+        }
+        // The moment in fixed axes changes by half of M × θ more than the symmetric stiffness says.
+        let [_, _, _, moment @ ..] = self.loads.force;
+        for (force, half) in sum.force[3..].iter_mut().zip(cross(moment, turned)) {
+            *force -= 0.5 * half;
+        }
+        if let Some(lines) = &self.lines {
+            let load = lines.load(pose, &mut self.workspace)?;
+            for (sum, force) in sum.force.iter_mut().zip(load.force) {
+                *sum += force;
+            }
+            add_scaled(&mut sum.stiffness, 1.0, &load.stiffness);
+        }
+        Ok(sum)
+    }
+
+    /// The pose after a step, or after a part of it where the whole goes too far.
+    fn advance(&mut self, pose: &Pose, here: &Loads, step: [f64; 6]) -> Pose {
+        let largest = |part: &[f64]| part.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let limits = [
+            LONGEST_M / largest(&step[..3]),
+            LARGEST_RAD / largest(&step[3..]),
+        ];
+        let mut factor = limits.into_iter().fold(1.0, f64::min);
+        let mut next = pose.moved(step.map(|part| factor * part));
+        for _ in 0..HALVINGS {
+            // The work along the step falls to zero at the best place and is negative beyond it.
+            let is_good = match self.at(&next) {
+                Ok(there) => work(&step, &there.force) >= -0.5 * work(&step, &here.force),
+                Err(_) => false,
+            };
+            if is_good {
+                break;
+            }
+            factor *= 0.5;
+            next = pose.moved(step.map(|part| factor * part));
+        }
+        next
+    }
+
+    fn check(&mut self, pose: &Pose, weight_n: f64) -> Result<(), EquilibriumError> {
+        let left = self.at(pose).map_err(EquilibriumError::Lines)?.force;
+        let sizes = left.iter().zip(MOTIONS);
+        let (left, motion) = sizes.fold((0.0_f64, ""), |most, (force, motion)| {
+            match force.abs() > most.0 {
+                true => (force.abs(), motion),
+                false => most,
+            }
+        });
+        if left > ROUNDING * weight_n {
+            return Err(EquilibriumError::NotHeld { motion, left });
+        }
+        let tilt_deg = pose.rotation[2][2].clamp(-1.0, 1.0).acos().to_degrees();
+        match tilt_deg > MOST_TILT_DEG {
+            true => Err(EquilibriumError::Tilts { tilt_deg }),
+            false => Ok(()),
+        }
+    }
+}
+
+/// The work of forces along a step, N m.
+fn work(step: &[f64; 6], force: &[f64; 6]) -> f64 {
+    step.iter().zip(force).map(|(step, force)| step * force).sum()
+}
+
+/// K⁻¹ F in units in which the diagonal of K is 1; none in a motion without stiffness.
+fn newton_step(loads: &Loads) -> Result<[f64; 6], EquilibriumError> {
+    let unit: [f64; 6] = std::array::from_fn(|i| match loads.stiffness[i][i] {
+        own if own > 0.0 => 1.0 / own.sqrt(),
+        _ => 1.0,
+    });
+    let scaled: SpatialMatrix = std::array::from_fn(|i| {
+        std::array::from_fn(|j| loads.stiffness[i][j] * unit[i] * unit[j])
+    });
+    let (values, vectors) = eigenpairs(scaled);
+    let mut step = [0.0; 6];
+    for (value, vector) in values.iter().zip(&vectors) {
+        if *value < -FREE {
+            let largest = (0..6).fold(0, |most, i| {
+                if vector[i].abs() > vector[most].abs() { i } else { most }
+            });
+            let motion = MOTIONS[largest];
+            return Err(EquilibriumError::Unstable { motion });
+        }
+        if *value > FREE {
+            let scaled: f64 = (0..6).map(|i| vector[i] * unit[i] * loads.force[i]).sum();
+            for i in 0..6 {
+                step[i] += unit[i] * vector[i] * scaled / value;
+            }
+        }
+    }
+    Ok(step)
+}
+
+fn cross([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
+    [b * z - c * y, c * x - a * z, a * y - b * x]
+}
