@@ -256,6 +256,9 @@ pub struct ReadOptions {
     /// Whether a tower of OpenFAST is clamped at its base, even if the files of the structure below
     /// it are there.
     pub clamped: bool,
+    /// Whether the mooring lines of a floating platform have their stiffness at the equilibrium
+    /// instead of the reference position, even if the file does not say so.
+    pub at_equilibrium: bool,
     /// Members of the floating platform of a windIO file reach to the axes of the members on which
     /// they begin; false: they are cut at the surface, unless the platform is nearer to balance
     /// with whole members.
@@ -285,6 +288,7 @@ impl Default for ReadOptions {
             rotor: RotorLock::Locked,
             without_gravity: false,
             clamped: false,
+            at_equilibrium: false,
             whole_members: false,
         }
     }

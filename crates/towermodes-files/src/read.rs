@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use towermodes::number::Plain;
-use towermodes::{Tower, TowerDescription};
+use towermodes::{Foundation, Tower, TowerDescription};
 
 use crate::bmodes::{BmodesInput, read_bmodes};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
@@ -131,7 +131,27 @@ pub fn read_source(
     if options.without_gravity {
         tower.description.gravity_m_per_s2 = 0.0;
     }
+    if options.at_equilibrium {
+        put_at_equilibrium(&mut tower)?;
+    }
     Ok(Input::Tower(Box::new(tower)))
+}
+
+/// Gives mooring lines their stiffness at the equilibrium.
+fn put_at_equilibrium(tower: &mut TowerInput) -> Result<(), ReadError> {
+    match &mut tower.description.foundation {
+        Foundation::Floating(platform) if platform.mooring_lines.is_some() => {
+            platform.at_equilibrium = true;
+            Ok(())
+        }
+        _ => {
+            let message = "there is no rigid floating platform with mooring lines, which could have their stiffness at the equilibrium";
+            let kind = DiagnosticKind::Unsupported(message.to_owned());
+            let hint = "leave out --equilibrium (in Python: equilibrium)";
+            let mistake = Diagnostic::new(0..0, kind).with_hint(hint);
+            Err(ReadError::mistakes(&tower.sources[0], vec![mistake]))
+        }
+    }
 }
 
 /// The tower of a tower file with its rotor free, if the options say so.

@@ -139,7 +139,7 @@ fn platform() -> FloatingPlatform {
             matrix: diagonal([4e4, 5e4, 1.2e4, 3e8, 3e8, 1e8]),
             height_m: -70.0,
         },
-        mooring_lines: None,
+        ..FloatingPlatform::default()
     }
 }
 

@@ -4,11 +4,11 @@ use proptest::prelude::*;
 use std::sync::Arc;
 
 use towermodes::{
-    AddedMassRow, AddedMassTable, BeamFormula, CircularFooting, FloatingPlatform, FootingFormula,
-    Foundation, FoundationSprings, HalfSpace, Inertia, Material, Monopile, PartNames, PileFormula,
-    PileTube, Planes, Properties, PropertyStation, RectangularFooting, ReferredMatrix, Rna, Shear,
-    SoilProfile, SoilRow, SoilSpring, SoilStiffness, Station, StiffnessFoundation, SuctionCaisson,
-    TowerDescription, Water, WinklerPile, Wires,
+    AddedMassRow, AddedMassTable, BeamFormula, Buoyancy, CircularFooting, FloatingPlatform,
+    FootingFormula, Foundation, FoundationSprings, HalfSpace, Inertia, Material, Monopile,
+    PartNames, PileFormula, PileTube, Planes, Properties, PropertyStation, RectangularFooting,
+    ReferredMatrix, Rna, Shear, SoilProfile, SoilRow, SoilSpring, SoilStiffness, Station,
+    StiffnessFoundation, SuctionCaisson, TowerDescription, Water, WinklerPile, Wires,
 };
 use towermodes_files::{description_from_toml, tower_from_toml, write_toml};
 use towermodes_testing::{Says, changed, line_and_column, parts, rotor, rows, tube, with};
@@ -248,8 +248,13 @@ fn every_foundation() {
         added_mass: referred(8e6, -10.0),
         added_mass_by_frequency: None,
         hydrostatic: with!(ReferredMatrix, height_m = 3.0),
+        buoyancy: Some(Buoyancy {
+            force_n: 8.07e7,
+            center_m: [0.0, -0.25],
+        }),
         mooring: referred(4e4, -70.0),
         mooring_lines: None,
+        at_equilibrium: false,
     };
     let of_stiffness = |inertia| {
         Foundation::Stiffness(Box::new(StiffnessFoundation {
@@ -320,6 +325,8 @@ fn every_foundation() {
                 ],
                 infinite: symmetric_matrix(6e6),
             })),
+            buoyancy: None,
+            at_equilibrium: true,
             ..platform
         })),
     ];
@@ -708,8 +715,13 @@ impl Draw {
                 added_mass: self.referred(),
                 added_mass_by_frequency: None,
                 hydrostatic: self.referred(),
+                buoyancy: self.is().then(|| Buoyancy {
+                    force_n: self.value(),
+                    center_m: [self.value(), self.value()],
+                }),
                 mooring: self.referred(),
                 mooring_lines: None,
+                at_equilibrium: self.is(),
             })),
         }
     }

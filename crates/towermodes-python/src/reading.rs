@@ -22,6 +22,7 @@ pub struct Reading {
     no_rna: bool,
     no_gravity: bool,
     clamped: bool,
+    equilibrium: bool,
     bmodes_quirks: bool,
     tower_height_m: Option<f64>,
     tower_base_m: Option<f64>,
@@ -77,6 +78,7 @@ impl Reading {
             rotor: self.rotor()?,
             without_gravity: self.no_gravity,
             clamped: self.clamped,
+            at_equilibrium: self.equilibrium,
             ..ReadOptions::default()
         })
     }
@@ -105,7 +107,12 @@ impl Reading {
     /// Refuses an option that has no effect on files of this format.
     fn check(&self, format: FileFormat) -> PyResult<()> {
         use FileFormat::{Bmodes, ElastoDyn, ElastoDynTower, Hawc2, Toml, WindIo};
-        let options: [(bool, &[FileFormat], &str); 7] = [
+        let options: [(bool, &[FileFormat], &str); 8] = [
+            (
+                self.equilibrium,
+                &[Toml, ElastoDyn, WindIo],
+                "equilibrium applies only to floating towers in tower files, OpenFAST models and windIO turbines",
+            ),
             (
                 self.clamped,
                 &[ElastoDyn, WindIo],

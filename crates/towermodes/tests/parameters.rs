@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashSet};
 
 use towermodes::{
-    AddedMassRow, BeamFormula, Change, CircularFooting, FloatingPlatform, FootingFormula,
+    AddedMassRow, BeamFormula, Buoyancy, Change, CircularFooting, FloatingPlatform, FootingFormula,
     Foundation, FoundationSprings, Inertia, Material, Monopile, Operation, Parameter,
     ParameterError, PartNames, PileFormula, PileTube, Place, Planes, PointMass, Properties,
     PropertyStation, RectangularFooting, ReferredMatrix, Rna, Shear, SoilProfile, SoilRow,
@@ -87,8 +87,13 @@ fn towers() -> Vec<TowerDescription> {
             added_mass_by_frequency: None,
             added_mass: referred,
             hydrostatic: referred,
+            buoyancy: Some(Buoyancy {
+                force_n: 1e8,
+                center_m: [0.1, 0.2],
+            }),
             mooring: referred,
             mooring_lines: None,
+            at_equilibrium: false,
         }))),
         table(Foundation::Monopile(Box::new(Monopile {
             tube: PILE,

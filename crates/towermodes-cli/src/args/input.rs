@@ -43,6 +43,11 @@ pub(crate) struct ReadingArguments {
     #[arg(help_heading = OTHERS, long)]
     pub(crate) clamped: bool,
 
+    /// Give the mooring lines of a floating platform their stiffness at the equilibrium of weights,
+    /// buoyancy and lines, instead of the reference position of the file
+    #[arg(help_heading = MODEL, long)]
+    equilibrium: bool,
+
     /// Change a number of the tower by name, as often as needed: 'rna.mass=360000' replaces the
     /// number, 'scale(stations[*].wall)=1.1' multiplies it, 'add(stations[*].height)=2' adds to it;
     /// values in the units of the tower file. Single quotes protect brackets and parentheses from
@@ -164,6 +169,11 @@ impl ReadingArguments {
                 "--clamped applies only to OpenFAST models, SubDyn files and windIO turbines; [foundation] type = \"clamped\" clamps a tower",
             ),
             (
+                given.at_equilibrium,
+                &[FileFormat::Toml, FileFormat::ElastoDyn, FileFormat::WindIo],
+                "--equilibrium applies only to floating towers in tower files, OpenFAST models and windIO turbines",
+            ),
+            (
                 given.bmodes_quirks,
                 &[FileFormat::Bmodes][..],
                 "--bmodes-quirks applies only to BModes decks",
@@ -217,6 +227,7 @@ impl ReadingArguments {
             flag("--no-rna", self.no_rna),
             flag("--no-gravity", self.no_gravity),
             flag("--clamped", self.clamped),
+            flag("--equilibrium", self.equilibrium),
             valued("--rotor", (self.rotor == Rotor::Free).then_some("free")),
             flag("--bmodes-quirks", self.bmodes_quirks),
             valued("--part", part.as_ref().map(PossibleValue::get_name)),
@@ -246,6 +257,7 @@ impl ReadingArguments {
             },
             without_gravity: self.no_gravity,
             clamped: self.clamped,
+            at_equilibrium: self.equilibrium,
             ..ReadOptions::default()
         }
     }

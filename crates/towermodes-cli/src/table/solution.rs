@@ -3,7 +3,9 @@
 use towermodes::number::{four_digits, with_error};
 use towermodes::tower::{Environment, Piece};
 use towermodes::{Mode, Solution, Tower};
-use towermodes_report::wording::{buckling_load_factor, completeness, mesh, mode_shape};
+use towermodes_report::wording::{
+    buckling_load_factor, completeness, mesh, mode_shape, static_balance,
+};
 
 use super::text::{aligned, rna, text_table, title, tonnes, wrapped};
 
@@ -31,6 +33,9 @@ pub fn below_modes(tower: &Tower, solution: &Solution) -> String {
         },
     );
     text.push('\n');
+    if let Some(balance) = tower.static_balance() {
+        text.push_str(&(wrapped(&static_balance(&balance)) + "\n"));
+    }
     if let Some(missing) = tower.missing_parts() {
         text.push_str(&(wrapped(&missing.to_string()) + "\n"));
     }

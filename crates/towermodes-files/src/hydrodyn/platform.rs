@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use towermodes::space::SpatialMatrix;
-use towermodes::{FloatingPlatform, ReferredMatrix, RigidBody};
+use towermodes::{Buoyancy, FloatingPlatform, ReferredMatrix, RigidBody};
 
 use super::input::HydrodynInput;
 use super::spatial::{add, load_of, of_force};
@@ -69,14 +69,26 @@ impl HydrodynInput {
                 .as_ref()
                 .map(|flow| Arc::new(flow.added_mass.clone())),
             hydrostatic: at_origin(hydrostatic),
+            buoyancy: buoyancy_of(&load),
             mooring: ReferredMatrix::default(),
             mooring_lines: None,
+            at_equilibrium: false,
         };
+        let mut notes = self.notes_on_stiffness(&weights);
+        notes.extend(self.note_on_load());
         HydrodynPlatform {
             platform,
             load,
-            notes: self.notes_on_stiffness(&weights),
+            notes,
         }
+    }
+
+    /// The note on parts of AddF0 that are no buoyancy.
+    fn note_on_load(&self) -> Option<Note> {
+        let [x, y, _, _, _, yaw] = self.additional_load;
+        let message = "AddF0 has forces in surge or sway or a moment in yaw, which the static balance leaves out: it has vertical forces only";
+        let is_left_out = [x, y, yaw].iter().any(|load| *load != 0.0);
+        is_left_out.then(|| Note::left_out(message).at(&self.sources[0], self.stiffness_at))
     }
 
     fn notes_on_stiffness(&self, weights: &SpatialMatrix) -> Vec<Note> {
@@ -110,6 +122,16 @@ fn at_origin(matrix: SpatialMatrix) -> ReferredMatrix {
         matrix,
         height_m: 0.0,
     }
+}
+
+/// The vertical force of a load where it has the moments of the load; none without displaced
+/// volume.
+fn buoyancy_of(load: &[f64; 6]) -> Option<Buoyancy> {
+    let [_, _, force_n, about_x, about_y, _] = *load;
+    (force_n > 0.0).then(|| Buoyancy {
+        force_n,
+        center_m: [0.0 - about_y / force_n, about_x / force_n],
+    })
 }
 
 fn add_load(sum: &mut [f64; 6], factor: f64, load: &[f64; 6]) {

@@ -7,7 +7,7 @@ use serde::Serialize;
 use towermodes::modes::serialized::directions;
 use towermodes::{
     AddedMassAt, Certificate, HeadStiffness, Method, MissingParts, Mode, Solution, SpringsAt,
-    SpringsOfMember, Statistics, Tower, TowerDescription,
+    SpringsOfMember, StaticBalance, Statistics, Tower, TowerDescription,
 };
 use towermodes_analysis::influence::{Influences, Tolerances};
 
@@ -38,6 +38,10 @@ pub(super) struct SolutionDocument<'a> {
     /// `infinite`, `zero`, or `hz` with the frequency; null if its added mass does not depend on
     /// frequency.
     added_mass: Option<AddedMassAt>,
+    /// Weights, buoyancy and mooring lines of a floating tower at its reference position, and where
+    /// they are in balance; null if it does not float, without gravity, or if its buoyancy is not
+    /// known.
+    static_balance: Option<StaticBalance>,
     /// The buckling load factor: the factor on gravity at which the tower buckles; null without
     /// gravity, or where the tower floats.
     buckling_load_factor: Option<f64>,
@@ -133,6 +137,7 @@ impl<'a> SolutionDocument<'a> {
             modes: &solution.modes,
             certificate: solution.certificate,
             added_mass: solution.added_mass,
+            static_balance: tower.static_balance(),
             buckling_load_factor: solution.buckling_load_factor,
             effective_mass_shares: solution.effective_mass_shares(),
             sensitivities: None,

@@ -549,6 +549,9 @@ tables! {
         optional "added_mass_by_frequency" Rows "" "angular frequency in rad/s from 0 to inf, upper triangle of the matrix row by row (21 numbers)";
         optional "hydrostatic_height" Number "m" "of the reference point of the matrix";
         optional "hydrostatic" Matrix "N/m, N, N m" "of water plane and buoyancy";
+        optional "buoyancy" Number "N" "at the reference position, for the static balance";
+        optional "buoyancy_center" Numbers "m" "x and y from the tower axis, 0 by default";
+        optional "at_equilibrium" Flag "" "whether mooring lines have their stiffness at the equilibrium; false by default";
         optional "mooring_height" Number "m" "of the reference point of the matrix";
         optional "mooring" Matrix "N/m, N, N m" "x, y, z, rotation about x, y, z";
 

@@ -2,6 +2,7 @@
 //!
 //! Each sentence is written once, so that all surfaces use the same words for the same result.
 
+mod balance;
 mod completeness;
 mod mode;
 mod model;
@@ -10,6 +11,7 @@ mod rotor;
 mod text;
 mod turbine;
 
+pub use balance::static_balance;
 pub use completeness::{completeness, proof_of_completeness};
 pub use mode::{blade_mode_shape, coupled_shape, mode_shape};
 pub use model::{buckling_load_factor, compared_segments, computed_by, levels, mesh};

@@ -165,11 +165,10 @@ pub fn floater() -> TowerDescription {
             zz: 1.6e8,
             ..Inertia::default()
         },
-        added_mass_by_frequency: None,
         added_mass: axisymmetric([8e6, -4.95e8, 2.4e5, 3.8e10, 0.0]),
         hydrostatic: axisymmetric([0.0, 0.0, 3.3e5, -5.0e9, 0.0]),
         mooring: axisymmetric([4.1e4, -2.8e6, 1.2e4, 3.1e8, 1.1e8]),
-        mooring_lines: None,
+        ..FloatingPlatform::default()
     };
     TowerDescription {
         name: "floater".into(),

@@ -5,8 +5,8 @@ use towermodes::frame::{Frame, FrameFoundation, JointKind};
 use towermodes::space::SpatialMatrix;
 
 use towermodes::{
-    AddedMassTable, FloatingPlatform, Foundation, FoundationSprings, Inertia, ReferredMatrix,
-    RigidBody, StiffnessFoundation, Support, TowerDescription,
+    AddedMassTable, Buoyancy, FloatingPlatform, Foundation, FoundationSprings, Inertia,
+    ReferredMatrix, RigidBody, StiffnessFoundation, Support, TowerDescription,
 };
 
 /// A 3×3 matrix.
@@ -138,8 +138,17 @@ impl Turn {
                 Arc::new(AddedMassTable::clone(table).map(|matrix| self.matrix(matrix)))
             }),
             hydrostatic: referred(&platform.hydrostatic),
+            buoyancy: platform.buoyancy.map(|buoyancy| {
+                let [x, y] = buoyancy.center_m;
+                let [x, y, _] = self.vector([x, y, 0.0]);
+                Buoyancy {
+                    center_m: [x, y],
+                    ..buoyancy
+                }
+            }),
             mooring: referred(&platform.mooring),
             mooring_lines: None,
+            at_equilibrium: false,
         }
     }
 }

@@ -5,8 +5,8 @@ use super::table::Table;
 use crate::inputs::{Inputs, Nature, every_input};
 use crate::space::SpatialMatrix;
 use crate::tower::{
-    Buoyancy, FloatingPlatform, FormKind, Foundation, FoundationSprings, Place, StiffnessFoundation,
-    TowerDescription,
+    Buoyancy, FloatingPlatform, FormKind, Foundation, FoundationSprings, Place,
+    StiffnessFoundation, TowerDescription,
 };
 
 /// The foundation of one type, for reading and for writing.

@@ -27,7 +27,9 @@ pub use description::{PointMass, PropertyStation, Rna, Station, TowerDescription
 pub use error::{FreeMotions, Place, Problem, TowerError};
 pub use floating::balance::{EquilibriumPose, StaticBalance};
 pub use floating::equilibrium::EquilibriumError;
-pub use foundation::{Buoyancy, FloatingPlatform, Foundation, ReferredMatrix, StiffnessFoundation, Support};
+pub use foundation::{
+    Buoyancy, FloatingPlatform, Foundation, ReferredMatrix, StiffnessFoundation, Support,
+};
 pub use ground::{
     ApiEdition, AxialModel, Clay, Ground, GroundLayer, LayerSoil, PyRow, Rock, Sand, Scour,
     ShearModulus, SoilModel,

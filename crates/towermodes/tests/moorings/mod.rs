@@ -1,6 +1,7 @@
 //! Mooring systems: lines by hand and of MAP++, published stiffness, differences of the force,
-//! invariances, refusals, random lines. The verification manual has more digits.
+//! invariances, refusals, random lines, static balance. The verification manual has more digits.
 
+mod balance;
 mod decks;
 mod differences;
 mod foundation;

@@ -90,6 +90,8 @@ impl Platform {
             hydrostatic: referred(self.hydrostatic),
             mooring: referred(self.mooring),
             mooring_lines: None,
+            buoyancy: None,
+            at_equilibrium: false,
         }
     }
 

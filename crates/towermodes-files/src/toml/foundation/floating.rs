@@ -1,12 +1,12 @@
 //! `[foundation] type = "floating"`: a rigid platform with water around it and moorings.
 
-use towermodes::{FloatingPlatform, Foundation, ReferredMatrix};
+use towermodes::{Buoyancy, FloatingPlatform, Foundation, ReferredMatrix};
 
 use super::super::tables::body::{center, inertia};
 use super::super::tables::matrix::matrix;
 use super::super::text::reading::Reading;
 use super::super::text::table::Table;
-use super::super::text::values::{number, number_or_infinity};
+use super::super::text::values::{every_row, number, number_or_infinity, row_of, truth};
 use super::added_mass;
 use super::{Kind, Read, at};
 use crate::toml::schema;
@@ -47,6 +47,14 @@ fn read(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {
     let mut referred = |key, height_key| referred(table, key, height_key, reading);
     let hydrostatic = referred("hydrostatic", "hydrostatic_height");
     let mooring = referred("mooring", "mooring_height");
+    let buoyancy = buoyancy(table, reading);
+    let at_equilibrium = match table.get(AT_EQUILIBRIUM) {
+        Some(value) => {
+            reading.remember(at(AT_EQUILIBRIUM), value.span());
+            truth(value, AT_EQUILIBRIUM, reading)
+        }
+        None => Some(false),
+    };
     Some(Foundation::Floating(Box::new(FloatingPlatform {
         mass_kg: mass?,
         center_m: center?,
@@ -54,9 +62,42 @@ fn read(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {
         added_mass: added_mass?,
         added_mass_by_frequency: by_frequency?,
         hydrostatic: hydrostatic?,
+        buoyancy: buoyancy?,
         mooring: mooring?,
         mooring_lines: None,
+        at_equilibrium: at_equilibrium?,
     })))
+}
+
+const AT_EQUILIBRIUM: &str = "at_equilibrium";
+
+/// Force and centre, if they are there.
+fn buoyancy(table: &Table<'_>, reading: &mut Reading) -> Option<Option<Buoyancy>> {
+    let Some(value) = table.get("buoyancy") else {
+        if !table.has_misspelled("buoyancy") {
+            let hint = "add buoyancy, the upward force of the water in N, or remove its centre";
+            table.refuse_unused("buoyancy_center", "without `buoyancy`", hint, reading)?;
+        }
+        return Some(None);
+    };
+    reading.remember(at("buoyancy"), value.span());
+    let force_n = number(value, "buoyancy", reading);
+    let center_m = match table.get("buoyancy_center") {
+        Some(value) => {
+            reading.remember(at("buoyancy_center"), value.span());
+            let hint = "buoyancy_center = [x, y] in m from the tower's axis; its height is part of hydrostatic";
+            let expected = |count| (count != 2).then(|| "2".to_owned());
+            row_of(value, "buoyancy_center", hint, expected, reading).and_then(|values| {
+                let read = every_row(values, |_, value| number(value, "buoyancy_center", reading));
+                read?.try_into().ok()
+            })
+        }
+        None => Some([0.0; 2]),
+    };
+    Some(Some(Buoyancy {
+        force_n: force_n?,
+        center_m: center_m?,
+    }))
 }
 
 /// A matrix that may be there and the height of the point that it is about, which then must be.

@@ -24,13 +24,25 @@ pub(super) fn options(sweep: &Table<'_>, reading: &mut Reading) -> Option<ReadOp
         return Some(default);
     };
     let table = Table::of(value, READING.name, &READING, reading)?;
-    let flags =
-        ["no_rna", "no_gravity", "bmodes_quirks", "clamped"].map(|key| flag(&table, key, reading));
+    let keys = [
+        "no_rna",
+        "no_gravity",
+        "bmodes_quirks",
+        "clamped",
+        "equilibrium",
+    ];
+    let flags = keys.map(|key| flag(&table, key, reading));
     let heights = ["tower_height", "tower_base"].map(|key| height(&table, key, reading));
     let part = named(&table, "part", &PARTS, reading);
     let rotor = named(&table, "rotor", &ROTORS, reading);
     let subset = table.get("subset").map(|value| subset(value, reading));
-    let [without_rna, without_gravity, bmodes_quirks, clamped] = flags;
+    let [
+        without_rna,
+        without_gravity,
+        bmodes_quirks,
+        clamped,
+        at_equilibrium,
+    ] = flags;
     let [tower_height_m, tower_base_m] = heights;
     Some(ReadOptions {
         bmodes_quirks: bmodes_quirks?,
@@ -42,6 +54,7 @@ pub(super) fn options(sweep: &Table<'_>, reading: &mut Reading) -> Option<ReadOp
         rotor: rotor?,
         without_gravity: without_gravity?,
         clamped: clamped?,
+        at_equilibrium: at_equilibrium?,
         whole_members: default.whole_members,
     })
 }

@@ -59,6 +59,7 @@ tables! {
         optional "no_rna" Flag "" "omit the rotor-nacelle assembly";
         optional "no_gravity" Flag "" "omit gravity";
         optional "clamped" Flag "" "clamp a tower of OpenFAST at its base, without the structure below it";
+        optional "equilibrium" Flag "" "give the mooring lines of a floating platform their stiffness at the equilibrium";
         optional "rotor" Text "" "locked or free, of an ElastoDyn model";
         optional "bmodes_quirks" Flag "" "interpret a BModes deck exactly as BModes 3.00 does";
         optional "part" Text "" "all, tower or monopile of a windIO turbine";

@@ -11,7 +11,7 @@ use super::inputs::values;
 use super::materials::MaterialNames;
 use super::mooring::mooring;
 use super::substructure::substructure;
-use super::text::triple;
+use super::text::{number, triple};
 use super::writing::Writing;
 use crate::toml::schema::{self, TableSchema};
 
@@ -83,6 +83,14 @@ fn floating(platform: &FloatingPlatform, writing: &mut Writing) {
             writing.number(&format!("{key}_height"), referred.height_m);
             matrix(key, &referred.matrix, writing);
         }
+    }
+    if let Some(buoyancy) = &platform.buoyancy {
+        writing.number("buoyancy", buoyancy.force_n);
+        let [x, y] = buoyancy.center_m.map(number);
+        writing.value("buoyancy_center", &format!("[{x}, {y}]"));
+    }
+    if platform.at_equilibrium {
+        writing.value("at_equilibrium", "true");
     }
 }
 

@@ -2,7 +2,7 @@
 //! file says so, ballast water that balances weight, buoyancy and mooring lines.
 
 use towermodes::mooring::{Mooring, Pose};
-use towermodes::{FloatingPlatform, Inertia, MooringLines, ReferredMatrix, RigidBody};
+use towermodes::{Buoyancy, FloatingPlatform, Inertia, MooringLines, ReferredMatrix, RigidBody};
 
 use super::super::support::materials::Materials;
 use super::super::text::outline::{Outline, Version};
@@ -89,6 +89,7 @@ pub(crate) fn float(
     let ballast = ballast_water(hull, needed_kg, node, reading);
     note_strips(node, reading);
     let whole = RigidBody::combined(&[hull.steel, hull.fixed, others, ballast]);
+    let lift_n = sea.density_kg_per_m3 * sea.gravity_m_per_s2 * hull.water.volume_m3;
     Ok(Some(FloatingPlatform {
         added_mass_by_frequency: None,
         mass_kg: whole.mass_kg,
@@ -100,7 +101,12 @@ pub(crate) fn float(
                 .hydrostatic
                 .map(|row| row.map(|entry| entry * sea.density_kg_per_m3 * sea.gravity_m_per_s2)),
         ),
+        buoyancy: (lift_n > 0.0).then(|| Buoyancy {
+            force_n: lift_n,
+            center_m: [hull.water.center_m[0], hull.water.center_m[1]],
+        }),
         mooring: ReferredMatrix::default(),
+        at_equilibrium: false,
         mooring_lines: moored.map(|input| {
             Box::new(MooringLines {
                 description: input.description,

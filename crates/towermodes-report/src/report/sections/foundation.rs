@@ -2,7 +2,7 @@
 
 use towermodes::{
     ClosedForm, FloatingPlatform, FoundationSprings, ReferredMatrix, StiffnessFoundation, Support,
-    TowerDescription,
+    Tower, TowerDescription,
 };
 
 use super::super::document::Block;
@@ -17,7 +17,7 @@ use crate::number::{digits, given, length};
 /// The degrees of freedom of the rows and columns of a matrix.
 const MOTIONS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
 
-pub(super) fn foundation(description: &TowerDescription) -> Vec<Block> {
+pub(super) fn foundation(description: &TowerDescription, tower: &Tower) -> Vec<Block> {
     match description.foundation.support() {
         Support::Clamped => vec![paragraph("The base is clamped.")],
         Support::Stiffness(foundation) => of_stiffness(foundation),
@@ -25,7 +25,7 @@ pub(super) fn foundation(description: &TowerDescription) -> Vec<Block> {
             let caption = "Foundation springs at the base";
             vec![table(of_springs(caption, springs, given))]
         }
-        Support::Floating(platform) => floating(platform, description.gravity_m_per_s2),
+        Support::Floating(platform) => floating(platform, tower),
         Support::Form(form) => of_form(form),
         Support::Frame(foundation) => substructure(foundation),
     }
@@ -72,10 +72,9 @@ fn of_springs(caption: &str, springs: &FoundationSprings, number: impl Fn(f64) -
     )
 }
 
-fn floating(given_platform: &FloatingPlatform, gravity_m_per_s2: f64) -> Vec<Block> {
-    // The lines of a tower were checked.
-    let linear = given_platform.with_linear_moorings();
-    let platform = &linear.unwrap_or_else(|_| given_platform.clone());
+fn floating(given_platform: &FloatingPlatform, tower: &Tower) -> Vec<Block> {
+    let linear = tower.linear_platform();
+    let platform = &linear.unwrap_or_else(|| given_platform.clone());
     let [x, y, z] = platform.center_m;
     let mut facts = vec![
         ("mass including ballast (kg)", given(platform.mass_kg)),
@@ -86,7 +85,7 @@ fn floating(given_platform: &FloatingPlatform, gravity_m_per_s2: f64) -> Vec<Blo
     facts.extend(inertia(&platform.inertia_kg_m2));
     let body = "Floating platform; moments of inertia about its centre of mass, Ixz = −∫ x z dm";
     let mut blocks = vec![table(Table::of_facts(body, facts))];
-    let hydrostatic = if gravity_m_per_s2 == 0.0 {
+    let hydrostatic = if tower.gravity_m_per_s2() == 0.0 {
         "Hydrostatic stiffness as given, without gravity terms (N/m, N, N m)"
     } else {
         "Hydrostatic stiffness as given; the gravity terms of all masses are added to it (N/m, N, N m)"
@@ -100,7 +99,58 @@ fn floating(given_platform: &FloatingPlatform, gravity_m_per_s2: f64) -> Vec<Blo
         blocks.extend(referred_matrix(name, referred));
     }
     blocks.extend(lines_at_rest(given_platform).iter().flat_map(mooring));
+    blocks.extend(static_balance(tower));
     blocks
+}
+
+/// Weights, buoyancy and lines, what is left of them, and where they are in balance.
+fn static_balance(tower: &Tower) -> Vec<Block> {
+    let Some(balance) = tower.static_balance() else {
+        return vec![paragraph(
+            "The static balance is not known: it needs gravity and the buoyancy of the platform.",
+        )];
+    };
+    let force = |value: f64| digits(value, 8);
+    let height = length(balance.reference_height_m);
+    let caption = format!("Static balance at the reference position; moments about z = {height} m");
+    let [x, y, z] = balance.residual_force_n.map(|value| digits(value, 5));
+    let [rx, ry, rz] = balance.residual_moment_n_m.map(|value| digits(value, 5));
+    let share = format!("{:.3} %", 100.0 * balance.residual_share());
+    let mut facts = vec![
+        (
+            "weight of the platform (N)",
+            force(balance.platform_weight_n),
+        ),
+        ("weight of the tower (N)", force(balance.tower_weight_n)),
+        ("weight of the RNA (N)", force(balance.rna_weight_n)),
+        ("buoyancy (N)", force(balance.buoyancy_n)),
+        (
+            "vertical force of the mooring lines (N)",
+            force(balance.lines_n),
+        ),
+        ("force left in x, y, z (N)", format!("{x}, {y}, {z}")),
+        ("vertical force left, of the weight", share),
+        (
+            "moment left about x, y, z (N m)",
+            format!("{rx}, {ry}, {rz}"),
+        ),
+    ];
+    match &balance.equilibrium {
+        Ok(pose) => {
+            let list = |values: [f64; 3]| values.map(|value| digits(value, 4)).join(", ");
+            let moved = list([pose.surge_m, pose.sway_m, pose.heave_m]);
+            let turned = list([pose.roll_deg, pose.pitch_deg, pose.yaw_deg]);
+            facts.push(("equilibrium: surge, sway, heave (m)", moved));
+            facts.push(("equilibrium: roll, pitch, yaw (degrees)", turned));
+        }
+        Err(error) => facts.push(("equilibrium", error.to_string())),
+    }
+    let at = match balance.linearized_at_equilibrium {
+        true => "equilibrium",
+        false => "reference position",
+    };
+    facts.push(("mooring lines have the stiffness of the", at.to_owned()));
+    vec![table(Table::of_facts(&caption, facts))]
 }
 
 /// The lines at rest, and their stiffness.

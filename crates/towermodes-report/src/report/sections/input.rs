@@ -39,7 +39,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         blocks.push(table(rna(&description.rna)));
     }
     blocks.push(Block::Heading("Foundation".to_owned()));
-    blocks.extend(foundation(description));
+    blocks.extend(foundation(description, &content.tower));
     blocks.extend(figures::mooring(description, &content.tower).map(own_picture));
     blocks.extend(surroundings(description, &content.tower));
     blocks

@@ -30,16 +30,24 @@ const MOST_TILT_DEG: f64 = 15.0;
 #[non_exhaustive]
 pub enum EquilibriumError {
     /// Without gravity nothing has weight.
-    #[error("gravity is left out, so the floating tower has no weight that could be in balance; give gravity, or leave the lines at the reference position")]
+    #[error(
+        "gravity is left out, so the floating tower has no weight that could be in balance; give gravity, or leave the lines at the reference position"
+    )]
     NoGravity,
     /// The buoyancy is not given.
-    #[error("the buoyancy of the platform is not known, so its equilibrium cannot be computed; give buoyancy and buoyancy_center in [foundation]")]
+    #[error(
+        "the buoyancy of the platform is not known, so its equilibrium cannot be computed; give buoyancy and buoyancy_center in [foundation]"
+    )]
     NoBuoyancy,
     /// The lines do not reach on the way, or their free parts have no equilibrium.
-    #[error("the floating tower drifts to where its mooring lines cannot hold it: {0}; compare weight, buoyancy and the vertical force of the lines")]
+    #[error(
+        "the floating tower drifts to where its mooring lines cannot hold it: {0}; compare weight, buoyancy and the vertical force of the lines"
+    )]
     Lines(MooringError),
     /// A stiffness is negative.
-    #[error("the floating tower has no stable equilibrium: its stiffness against {motion} is negative; check the heights of masses, hydrostatic stiffness and fairleads")]
+    #[error(
+        "the floating tower has no stable equilibrium: its stiffness against {motion} is negative; check the heights of masses, hydrostatic stiffness and fairleads"
+    )]
     Unstable {
         /// The motion that is turned over most.
         motion: &'static str,
@@ -175,7 +183,10 @@ impl Search {
 
 /// The work of forces along a step, N m.
 fn work(step: &[f64; 6], force: &[f64; 6]) -> f64 {
-    step.iter().zip(force).map(|(step, force)| step * force).sum()
+    step.iter()
+        .zip(force)
+        .map(|(step, force)| step * force)
+        .sum()
 }
 
 /// K⁻¹ F in units in which the diagonal of K is 1; none in a motion without stiffness.
@@ -184,15 +195,18 @@ fn newton_step(loads: &Loads) -> Result<[f64; 6], EquilibriumError> {
         own if own > 0.0 => 1.0 / own.sqrt(),
         _ => 1.0,
     });
-    let scaled: SpatialMatrix = std::array::from_fn(|i| {
-        std::array::from_fn(|j| loads.stiffness[i][j] * unit[i] * unit[j])
-    });
+    let scaled: SpatialMatrix =
+        std::array::from_fn(|i| std::array::from_fn(|j| loads.stiffness[i][j] * unit[i] * unit[j]));
     let (values, vectors) = eigenpairs(scaled);
     let mut step = [0.0; 6];
     for (value, vector) in values.iter().zip(&vectors) {
         if *value < -FREE {
             let largest = (0..6).fold(0, |most, i| {
-                if vector[i].abs() > vector[most].abs() { i } else { most }
+                if vector[i].abs() > vector[most].abs() {
+                    i
+                } else {
+                    most
+                }
             });
             let motion = MOTIONS[largest];
             return Err(EquilibriumError::Unstable { motion });

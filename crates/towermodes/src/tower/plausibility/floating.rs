@@ -4,9 +4,9 @@ use super::couplings::{self, Named};
 use super::usual::Usual;
 use super::{bodies, frequency_hz};
 use crate::space::SpatialMatrix;
-use crate::tower::Warning;
 use crate::tower::foundation::{FloatingPlatform, ReferredMatrix};
 use crate::tower::validate::largest_asymmetry;
+use crate::tower::{Ineffective, Warning};
 use crate::tower::{Place, Tower};
 use crate::tower::{Quantity, Site};
 
@@ -27,7 +27,7 @@ const ABOVE: f64 = 0.05;
 /// weight: published models have up to 0.8 %.
 const OUT_OF_BALANCE: f64 = 0.01;
 
-pub(super) fn check(tower: &Tower, warnings: &mut Vec<Warning>) {
+pub(super) fn check(tower: &Tower, given: &FloatingPlatform, warnings: &mut Vec<Warning>) {
     // The lines were checked.
     let Some(platform) = &tower.linear_platform() else {
         return;
@@ -63,6 +63,15 @@ pub(super) fn check(tower: &Tower, warnings: &mut Vec<Warning>) {
     body(tower, platform, warnings);
     frequencies(tower, platform, warnings);
     balance(tower, warnings);
+    if given.at_equilibrium && given.mooring_lines.is_none() {
+        let what = Ineffective::Without {
+            key: "at_equilibrium",
+            needed: "[mooring]",
+            remedy: "a matrix of moorings is the same at every position: remove at_equilibrium, or describe the lines",
+        };
+        let site = at("at_equilibrium");
+        warnings.push(Warning::NoEffect { site, what });
+    }
 }
 
 /// Weights, buoyancy and lines that are out of balance.

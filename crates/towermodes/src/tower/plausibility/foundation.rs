@@ -36,7 +36,7 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
             let base = tower.stations().first();
             form.doubt(base.map(|station| station.outer_diameter_m), warnings);
         }
-        Support::Floating(_) => floating::check(tower, warnings),
+        Support::Floating(platform) => floating::check(tower, platform, warnings),
         Support::Springs(own) => {
             check_inputs(own, |key| Place::Foundation { key }, warnings);
             let keys = ["lateral", "rocking", "vertical", "torsion"];

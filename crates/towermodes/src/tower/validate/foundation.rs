@@ -124,6 +124,13 @@ fn check_platform(platform: &FloatingPlatform) -> Result<(), TowerError> {
             return error(at(key), problem);
         }
     }
+    if let Some(buoyancy) = &platform.buoyancy {
+        positive(at("buoyancy"), "the buoyancy", buoyancy.force_n, " N")?;
+        let quantities = ["the centre of buoyancy's x", "the centre of buoyancy's y"];
+        for (quantity, value) in quantities.into_iter().zip(buoyancy.center_m) {
+            coordinate(at("buoyancy_center"), quantity, value)?;
+        }
+    }
     if let Some(lines) = &platform.mooring_lines {
         check_lines(lines)?;
     }

@@ -1,6 +1,6 @@
 //! The assumptions on the foundation.
 
-use towermodes::{FloatingPlatform, ReferredMatrix, StiffnessFoundation, Support};
+use towermodes::{FloatingPlatform, ReferredMatrix, StiffnessFoundation, Support, Tower};
 
 use super::super::super::content::ReportContent;
 use super::super::substructure;
@@ -24,7 +24,7 @@ pub(super) fn foundation(content: &ReportContent) -> String {
         Support::Stiffness(foundation) => {
             format!("{}{}", springs(content), inertia(foundation))
         }
-        Support::Floating(platform) => floating(platform),
+        Support::Floating(platform) => floating(platform, &content.tower),
         Support::Frame(foundation) => substructure::assumption(foundation),
         Support::Form(form) => format!("{}{}", form.assumption(), held(content)),
     }
@@ -62,14 +62,18 @@ fn inertia(foundation: &StiffnessFoundation) -> &'static str {
     " The inertia of the foundation moves with the base and does not depend on frequency."
 }
 
-fn floating(platform: &FloatingPlatform) -> String {
-    // The lines of a tower were checked.
-    let linear = platform.with_linear_moorings();
-    let platform = &linear.unwrap_or_else(|_| platform.clone());
+fn floating(given_platform: &FloatingPlatform, tower: &Tower) -> String {
+    let linear = tower.linear_platform();
+    let platform = &linear.unwrap_or_else(|| given_platform.clone());
     let given = |matrix: &ReferredMatrix| matrix.matrix != NONE;
-    let is_moored = given(&platform.mooring) || platform.mooring_lines.is_some();
+    let is_moored = given(&platform.mooring);
+    let by_frequency = platform.added_mass_by_frequency.is_some();
+    let added_mass = match by_frequency {
+        true => "added mass by frequency",
+        false => "constant added mass",
+    };
     let parts = [
-        (given(&platform.added_mass), "constant added mass"),
+        (by_frequency || given(&platform.added_mass), added_mass),
         (given(&platform.hydrostatic), "hydrostatic stiffness"),
         (is_moored, "linear moorings"),
     ];
@@ -85,16 +89,19 @@ fn floating(platform: &FloatingPlatform) -> String {
         [] => String::new(),
         ref absent => format!(" The input has no {}.", absent.join(", no ")),
     };
-    let frequency = if platform.added_mass.matrix == NONE {
+    let frequency = if by_frequency || platform.added_mass.matrix == NONE {
         " is neglected"
     } else {
         " and the frequency dependence of the added mass are neglected"
     };
-    let lines = match platform.mooring_lines {
-        Some(_) => {
+    let lines = match (&given_platform.mooring_lines, given_platform.at_equilibrium) {
+        (Some(_), false) => {
             " The mooring lines are quasi-static: their stiffness is that at the reference position, their mass is left out."
         }
-        None => "",
+        (Some(_), true) => {
+            " The mooring lines are quasi-static: their stiffness is that at the equilibrium of weights, buoyancy and lines without wind, their mass is left out."
+        }
+        (None, _) => "",
     };
     format!(
         "The base is a rigid floating platform{with}; radiation damping{frequency}.{without}{lines}"
