@@ -21,6 +21,7 @@ def read(
     no_rna: bool = False,
     no_gravity: bool = False,
     clamped: bool = False,
+    equilibrium: bool = False,
     rotor: Literal["locked", "free"] = "locked",
     bmodes_quirks: bool = False,
     tower_height_m: float | None = None,
@@ -38,6 +39,8 @@ def read(
         no_rna: Omit the rotor-nacelle assembly.
         no_gravity: Omit gravity (no geometric stiffness).
         clamped: Clamp a tower of OpenFAST at its base, without the structure below it.
+        equilibrium: Give the mooring lines of a floating platform their stiffness at the
+            equilibrium of weights, buoyancy and lines, instead of the reference position.
         rotor: Whether the rotor of an ElastoDyn model, or of a tower file with `[drivetrain]`, is
             locked or free to rotate.
         bmodes_quirks: Interpret a BModes deck exactly as BModes 3.00 does, with its known errors.
@@ -63,6 +66,7 @@ def read(
         "no_rna": bool(no_rna),
         "no_gravity": bool(no_gravity),
         "clamped": bool(clamped),
+        "equilibrium": bool(equilibrium),
         "rotor": word("rotor", rotor),
         "bmodes_quirks": bool(bmodes_quirks),
         "tower_height_m": number_or_none("tower_height_m", tower_height_m),

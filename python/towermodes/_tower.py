@@ -202,6 +202,22 @@ class Tower:
         return self._core.gravity_m_per_s2
 
     @property
+    def static_balance(self) -> dict[str, object] | None:
+        """Weights, buoyancy and mooring lines of a floating tower at its reference position.
+
+        The keys are those of `static_balance` in the JSON of the program: forces in N, what is left
+        in x, y, z (`residual_force_n`, `residual_moment_n_m`), the `equilibrium` in m and degrees
+        (None if there is none), and whether the lines have their stiffness there. None if the tower
+        does not float, without gravity, or if the buoyancy of its platform is not known.
+
+        >>> import towermodes as tm
+        >>> balance = tm.read("examples/floating-lines.toml").static_balance
+        >>> balance["buoyancy_n"], round(balance["residual_force_n"][2])
+        (81000000.0, -28868)
+        """
+        return self._core.static_balance
+
+    @property
     def stations(self) -> NDArray[np.float64]:
         """Height, outer diameter and wall thickness of the stations, m: (stations, 3)."""
         stations: NDArray[np.float64] = self._core.stations

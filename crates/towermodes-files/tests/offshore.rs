@@ -9,6 +9,7 @@ use towermodes_files::{
     ConvertOptions, FileError, FileResolver, Input, OutputFormat, ReadOptions, SiblingFiles,
     Source, TowerInput, convert, read_source,
 };
+use towermodes_testing::Close;
 
 fn peer_data() -> Option<PathBuf> {
     let folder = std::env::var_os("TOWERMODES_PEER_DATA");
@@ -417,4 +418,84 @@ fn a_tower_on_members_is_not_written_where_they_have_no_place() {
     };
     let refused = convert(&input, OutputFormat::Bmodes, &options).expect_err("a frame");
     assert!(refused.to_string().contains("--clamped"), "{refused}");
+}
+
+/// Weight, and what buoyancy and lines leave of it. The lines of Test24 are those of MAP++ with
+/// friction on the seabed; the independent program has those of MoorDyn without: 46 N.
+#[test]
+fn floaters_have_the_static_balance_of_an_independent_program() {
+    const VOLTURNUS: &str =
+        "iea15-volturnus/OpenFAST/IEA-15-240-RWT-UMaineSemi/IEA-15-240-RWT-UMaineSemi.fst";
+    let rows = [
+        (
+            "fast8/Test24.fst",
+            [79_097_050.631, 80_708_143.553, 3863.0],
+            47.0,
+        ),
+        (
+            "fast8/Test25.fst",
+            [138_032_074.010, 139_891_126.751, -34_264.0],
+            1.0,
+        ),
+        (
+            VOLTURNUS,
+            [198_676_457.582, 203_179_889.676, -1_581_086.0],
+            1.0,
+        ),
+    ];
+    for (path, [weight_n, buoyancy_n, left_n], most_n) in rows {
+        let Some(input) = read(path, false, &ReadOptions::default()) else {
+            return;
+        };
+        let tower = Tower::new(input.description).expect("a tower");
+        let balance = tower
+            .static_balance()
+            .expect("its buoyancy is in its files");
+        balance.weight_n().close_to(weight_n, 1e-11);
+        balance.buoyancy_n.close_to(buoyancy_n, 1e-11);
+        let found_n = balance.residual_force_n[2];
+        assert!((found_n - left_n).abs() < most_n, "{path}: {found_n}");
+    }
+}
+
+/// Of an independent program: VolturnUS-S tilts by −1.45°, and with its lines there the lower of the
+/// two frequencies of surge and sway falls by 0.45 %, the other one by 0.05 %, yaw by 0.3 %; those
+/// of the spar and of OC4 change by less than 0.01 % and 0.02 %.
+#[test]
+fn lines_at_the_equilibrium_lower_frequencies_as_in_an_independent_program() {
+    const VOLTURNUS: &str =
+        "iea15-volturnus/OpenFAST/IEA-15-240-RWT-UMaineSemi/IEA-15-240-RWT-UMaineSemi.fst";
+    let at_equilibrium = ReadOptions {
+        at_equilibrium: true,
+        ..ReadOptions::default()
+    };
+    let changes = |path: &str| -> Option<Vec<f64>> {
+        let [reference, equilibrium] = [ReadOptions::default(), at_equilibrium]
+            .map(|options| Some(frequencies(read(path, false, &options)?.description, 6)));
+        let pairs = reference?.into_iter().zip(equilibrium?);
+        Some(
+            pairs
+                .map(|((_, from), (_, to))| 100.0 * (to / from - 1.0))
+                .collect(),
+        )
+    };
+    let Some(of_volturnus) = changes(VOLTURNUS) else {
+        return;
+    };
+    for (found, expected) in of_volturnus.iter().zip([-0.45, -0.05, -0.3]) {
+        assert!((found - expected).abs() < 0.015, "{of_volturnus:?}");
+    }
+    for (path, most) in [("fast8/Test24.fst", 0.01), ("fast8/Test25.fst", 0.02)] {
+        let found = changes(path).expect("its files");
+        assert!(
+            found.iter().all(|change| change.abs() < most),
+            "{path} {found:?}"
+        );
+    }
+    let input = read(VOLTURNUS, false, &at_equilibrium).expect("its files");
+    let tower = Tower::new(input.description).expect("a tower");
+    let balance = tower.static_balance().expect("a balance");
+    let pose = balance.equilibrium.expect("an equilibrium");
+    assert!((pose.pitch_deg + 1.45).abs() < 0.005, "{pose:?}");
+    assert!(balance.linearized_at_equilibrium);
 }

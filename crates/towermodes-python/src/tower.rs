@@ -4,8 +4,10 @@ use std::sync::Arc;
 
 use numpy::PyArray2;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
-use towermodes::{Change, DEFAULT_SEGMENTS, Operation, Parameter, Solver, Tower as CheckedTower};
+use pyo3::types::{PyDict, PyTuple};
+use towermodes::{
+    Change, DEFAULT_SEGMENTS, Operation, Parameter, Solver, StaticBalance, Tower as CheckedTower,
+};
 use towermodes_files::{Setting, TowerInput};
 use towermodes_report::figures::{self};
 use towermodes_report::svg::Look;
@@ -98,6 +100,13 @@ impl Tower {
     #[getter]
     fn gravity_m_per_s2(&self) -> f64 {
         self.model.tower.gravity_m_per_s2()
+    }
+
+    /// Weights, buoyancy and lines of a floating tower, by the keys of JSON.
+    #[getter]
+    fn static_balance<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let balance = self.model.tower.static_balance();
+        balance.map(|balance| of_balance(py, &balance)).transpose()
     }
 
     /// Number of blades of its turbine; none without a turbine.
@@ -276,4 +285,41 @@ impl Tower {
     fn restore(state: &Bound<'_, PyTuple>) -> PyResult<Self> {
         Self::of_changed(restored(state)?)
     }
+}
+
+/// Forces in N, the equilibrium in m and degrees.
+fn of_balance<'py>(py: Python<'py>, balance: &StaticBalance) -> PyResult<Bound<'py, PyDict>> {
+    let dict = PyDict::new(py);
+    for (key, value) in [
+        ("reference_height_m", balance.reference_height_m),
+        ("platform_weight_n", balance.platform_weight_n),
+        ("tower_weight_n", balance.tower_weight_n),
+        ("rna_weight_n", balance.rna_weight_n),
+        ("buoyancy_n", balance.buoyancy_n),
+        ("lines_n", balance.lines_n),
+    ] {
+        dict.set_item(key, value)?;
+    }
+    dict.set_item("residual_force_n", balance.residual_force_n)?;
+    dict.set_item("residual_moment_n_m", balance.residual_moment_n_m)?;
+    let equilibrium = match &balance.equilibrium {
+        Ok(pose) => {
+            let place = PyDict::new(py);
+            for (key, value) in [
+                ("surge_m", pose.surge_m),
+                ("sway_m", pose.sway_m),
+                ("heave_m", pose.heave_m),
+                ("roll_deg", pose.roll_deg),
+                ("pitch_deg", pose.pitch_deg),
+                ("yaw_deg", pose.yaw_deg),
+            ] {
+                place.set_item(key, value)?;
+            }
+            Some(place)
+        }
+        Err(_) => None,
+    };
+    dict.set_item("equilibrium", equilibrium)?;
+    dict.set_item("linearized_at_equilibrium", balance.linearized_at_equilibrium)?;
+    Ok(dict)
 }

@@ -1,7 +1,7 @@
 //! One case: a tower, its reference values, and the methods that must reproduce them.
 
 use towermodes::frame::FrameRecipe;
-use towermodes::{Method, Mode, Options, Solution, Solver, Tower, TowerDescription};
+use towermodes::{Method, Mode, Options, Solution, Solver, StaticBalance, Tower, TowerDescription};
 
 use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected, Quantity, families};
@@ -204,9 +204,10 @@ impl Case {
             Ok(tower) => self.solution(run, tower),
             Err(error) => Err(error.to_string()),
         };
-        let got = |expected: &Expected| match &solution {
-            Ok(solution) => self.got(run, solution, expected, planes_are_equal),
-            Err(error) => Err(error.clone()),
+        let got = |expected: &Expected| match (&tower, &solution) {
+            (Ok(tower), Ok(solution)) => self.got(run, (tower, solution), expected),
+            (Err(error), _) => Err(error.to_string()),
+            (_, Err(error)) => Err(error.clone()),
         };
         let row = |expected| self.row(run, expected, planes_are_equal, got(expected));
         self.expected.iter().map(row).collect()
@@ -256,6 +257,7 @@ impl Case {
     fn modes(&self) -> usize {
         let place = |expected: &Expected| match expected.quantity {
             Quantity::Lowest(place) => Some(place),
+            Quantity::Weight | Quantity::ForceLeft => Some(0),
             _ => None,
         };
         let places: Option<Vec<usize>> = self.expected.iter().map(place).collect();
@@ -278,6 +280,8 @@ impl Case {
             }
             Quantity::Lowest(place) => solution.modes.len() >= place,
             Quantity::BucklingLoadFactor
+            | Quantity::Weight
+            | Quantity::ForceLeft
             | Quantity::Mass
             | Quantity::MotionsWithoutStiffness
             | Quantity::Stiffness(..)
@@ -298,10 +302,10 @@ impl Case {
     fn got(
         &self,
         run: &Run,
-        solution: &Solution,
+        (tower, solution): (&Tower, &Solution),
         expected: &Expected,
-        planes_are_equal: bool,
     ) -> Result<f64, String> {
+        let planes_are_equal = tower.planes_are_equal();
         let in_unit = |mode: &Mode| run.frequency_hz(mode) / self.unit.hz;
         match expected.quantity {
             Quantity::Mode(family, order) => {
@@ -322,6 +326,8 @@ impl Case {
                 let factor = solution.buckling_load_factor;
                 Ok(factor.ok_or("no weights buckle the tower")?)
             }
+            Quantity::Weight => Ok(balance(tower)?.weight_n()),
+            Quantity::ForceLeft => Ok(balance(tower)?.residual_force_n[2]),
             Quantity::Mass
             | Quantity::MotionsWithoutStiffness
             | Quantity::Stiffness(..)
@@ -330,6 +336,12 @@ impl Case {
             | Quantity::Place(..) => Err("no quantity of a tower".into()),
         }
     }
+}
+
+/// The static balance of a floating tower.
+fn balance(tower: &Tower) -> Result<StaticBalance, String> {
+    let balance = tower.static_balance();
+    balance.ok_or_else(|| "the buoyancy is not known".into())
 }
 
 /// The elements of a frame: "subdyn 4".

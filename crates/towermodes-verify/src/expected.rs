@@ -26,6 +26,10 @@ pub enum Quantity {
     Mass,
     /// How many motions of a mechanism have no stiffness.
     MotionsWithoutStiffness,
+    /// The weight of a floating tower with its platform.
+    Weight,
+    /// The upward force that weight, buoyancy and lines of a floating tower leave.
+    ForceLeft,
     /// An entry of the stiffness of moorings for the motions (x, y, z, rotation about x, y, z) of
     /// the platform, rows and columns from 0.
     Stiffness(usize, usize),
@@ -58,6 +62,7 @@ impl Quantity {
             Self::Mode(..) | Self::Lowest(_) => None,
             Self::BucklingLoadFactor | Self::MotionsWithoutStiffness => Some("1"),
             Self::Mass => Some("kg"),
+            Self::Weight | Self::ForceLeft => Some("N"),
             Self::Stiffness(0..3, 0..3) => Some("N/m"),
             Self::Stiffness(0..3, _) | Self::Stiffness(_, 0..3) => Some("N"),
             Self::Stiffness(..) => Some("N m"),
@@ -152,6 +157,8 @@ impl Expected {
             Quantity::Lowest(place) => format!("mode {place}"),
             Quantity::BucklingLoadFactor => "buckling load factor".into(),
             Quantity::Mass => "mass".into(),
+            Quantity::Weight => "weight".into(),
+            Quantity::ForceLeft => "force left".into(),
             Quantity::MotionsWithoutStiffness => "motions without stiffness".into(),
             Quantity::Stiffness(i, j) => format!("K{}{}", i + 1, j + 1),
             Quantity::Force(i) => format!("F{}", i + 1),

@@ -79,6 +79,8 @@ impl FoundFrame {
             Quantity::Stiffness(i, j) => self.stiffness.map(|matrix| matrix[i][j]),
             Quantity::Mode(..)
             | Quantity::BucklingLoadFactor
+            | Quantity::Weight
+            | Quantity::ForceLeft
             | Quantity::Force(_)
             | Quantity::Tension(..)
             | Quantity::Place(..) => None,
@@ -169,6 +171,8 @@ pub(crate) fn of_mooring(state: &MooringState, quantity: Quantity) -> Option<f64
         | Quantity::Lowest(_)
         | Quantity::BucklingLoadFactor
         | Quantity::Mass
+        | Quantity::Weight
+        | Quantity::ForceLeft
         | Quantity::MotionsWithoutStiffness => None,
     }
 }

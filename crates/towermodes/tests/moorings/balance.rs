@@ -289,7 +289,10 @@ fn a_tower_without_equilibrium_is_refused() {
     assert_eq!(unknown, EquilibriumError::NoBuoyancy);
     let weightless = refused(|tower| tower.gravity_m_per_s2 = 0.0);
     assert_eq!(weightless, EquilibriumError::NoGravity);
-    let tilting = refused(|tower| tower.rna.center_m[0] = 200.0);
+    let tilting = refused(|tower| {
+        *tower = with(|platform| platform.at_equilibrium = true);
+        tower.rna.center_m[0] = 200.0;
+    });
     assert!(
         matches!(tilting, EquilibriumError::Tilts { .. }),
         "{tilting}"

@@ -2,7 +2,7 @@
 
 use towermodes::mooring::MooringDescription;
 use towermodes::tower::MooringLines;
-use towermodes::{FloatingPlatform, Inertia, ReferredMatrix};
+use towermodes::{Buoyancy, FloatingPlatform, Inertia, ReferredMatrix};
 
 use super::moorings::{hywind, oc4_semi, volturnus};
 
@@ -24,6 +24,12 @@ fn lines(description: MooringDescription) -> Option<Box<MooringLines>> {
         description,
         still_water_m: 0.0,
     }))
+}
+
+/// Buoyancy below the tower's axis.
+fn buoyancy(force_n: f64) -> Option<Buoyancy> {
+    let center_m = [0.0; 2];
+    Some(Buoyancy { force_n, center_m })
 }
 
 /// OC3-Hywind, with its added mass at infinite frequency.
@@ -48,6 +54,7 @@ pub(super) fn hywind_platform() -> FloatingPlatform {
             // The delta lines, which the model has as a spring against yaw.
             (5, 5, 98_340_000.0),
         ]),
+        buoyancy: buoyancy(1025.0 * 9.80665 * 8029.21),
         mooring_lines: lines(hywind()),
         ..FloatingPlatform::default()
     }
@@ -87,6 +94,7 @@ pub(super) fn oc4_semi_platform() -> FloatingPlatform {
             (2, 4, -154.105_299_592_212_5),
             (3, 5, -157.296_212_483_433_1),
         ]),
+        buoyancy: buoyancy(1025.0 * 9.80665 * 13917.0),
         mooring_lines: lines(oc4_semi()),
         ..FloatingPlatform::default()
     }
@@ -118,6 +126,7 @@ pub(super) fn volturnus_platform() -> FloatingPlatform {
             (4, 4, 2_194_222_467.15),
             (2, 4, -4_034.463_935_4),
         ]),
+        buoyancy: buoyancy(1025.0 * 9.81 * 20_206.349),
         mooring_lines: lines(volturnus()),
         ..FloatingPlatform::default()
     }
