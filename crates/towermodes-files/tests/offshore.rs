@@ -458,9 +458,9 @@ fn floaters_have_the_static_balance_of_an_independent_program() {
     }
 }
 
-/// Of an independent program: VolturnUS-S tilts by −1.45°, and with its lines there the lower of the
-/// two frequencies of surge and sway falls by 0.45 %, the other one by 0.05 %, yaw by 0.3 %; those
-/// of the spar and of OC4 change by less than 0.01 % and 0.02 %.
+/// Of an independent program: VolturnUS-S tilts by −1.45°, and with its lines there the lower of
+/// the two frequencies of surge and sway falls by 0.45 %, the other one by 0.05 %, yaw by 0.3 %;
+/// those of the spar and of OC4 change by less than 0.01 % and 0.02 %.
 #[test]
 fn lines_at_the_equilibrium_lower_frequencies_as_in_an_independent_program() {
     const VOLTURNUS: &str =

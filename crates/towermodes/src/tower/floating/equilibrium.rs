@@ -189,11 +189,12 @@ fn work(step: &[f64; 6], force: &[f64; 6]) -> f64 {
         .sum()
 }
 
-/// K⁻¹ F in units in which the diagonal of K is 1; none in a motion without stiffness.
+/// K⁻¹ F in units in which the diagonal of K is 1; none in a motion without stiffness, which only
+/// weights beside the axis couple with others.
 fn newton_step(loads: &Loads) -> Result<[f64; 6], EquilibriumError> {
     let unit: [f64; 6] = std::array::from_fn(|i| match loads.stiffness[i][i] {
-        own if own > 0.0 => 1.0 / own.sqrt(),
-        _ => 1.0,
+        0.0 => 0.0,
+        own => 1.0 / own.abs().sqrt(),
     });
     let scaled: SpatialMatrix =
         std::array::from_fn(|i| std::array::from_fn(|j| loads.stiffness[i][j] * unit[i] * unit[j]));
