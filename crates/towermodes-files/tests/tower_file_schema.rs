@@ -339,9 +339,10 @@ fn names_of_parameters(table: &TableSchema, key: &KeySchema) -> Vec<String> {
             &["height", "displacement", "reaction"],
         ),
         (_, Matrix, name) => vec![format!("{part}.{name}[*][*]")],
-        (_, Numbers, "center" | "position") => (0..3)
-            .map(|i| format!("{part}.{}[{i}]", key.name))
-            .collect(),
+        (_, Numbers, name @ ("center" | "position" | "buoyancy_center")) => {
+            let count = if name == "buoyancy_center" { 2 } else { 3 };
+            (0..count).map(|i| format!("{part}.{name}[{i}]")).collect()
+        }
         (_, _, name) => vec![format!("{part}.{name}")],
     }
 }
