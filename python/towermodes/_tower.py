@@ -215,7 +215,8 @@ class Tower:
         >>> balance["buoyancy_n"], round(balance["residual_force_n"][2])
         (81000000.0, -28868)
         """
-        return self._core.static_balance
+        balance: dict[str, object] | None = self._core.static_balance
+        return balance
 
     @property
     def stations(self) -> NDArray[np.float64]:

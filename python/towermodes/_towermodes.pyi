@@ -349,6 +349,11 @@ class Tower:
         All that [`restore`](Self::restore) needs.
         """
     @property
+    def static_balance(self, /) -> Any:
+        """
+        Weights, buoyancy and lines of a floating tower, by the keys of JSON.
+        """
+    @property
     def stations(self, /) -> Incomplete:
         """
         Height, outer diameter and wall thickness of the stations, m.

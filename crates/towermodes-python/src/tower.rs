@@ -104,9 +104,11 @@ impl Tower {
 
     /// Weights, buoyancy and lines of a floating tower, by the keys of JSON.
     #[getter]
-    fn static_balance<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
-        let balance = self.model.tower.static_balance();
-        balance.map(|balance| of_balance(py, &balance)).transpose()
+    fn static_balance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        match self.model.tower.static_balance() {
+            Some(balance) => Ok(of_balance(py, &balance)?.into_any()),
+            None => Ok(py.None().into_bound(py)),
+        }
     }
 
     /// Number of blades of its turbine; none without a turbine.

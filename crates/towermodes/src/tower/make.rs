@@ -94,7 +94,7 @@ impl Tower {
         let masses = description.point_masses.iter();
         let mass_kg = above.tower_kg + masses.map(|m| m.mass_kg).sum::<f64>();
         let carried_kg = mass_kg + description.rna.mass_kg;
-        let afloat = Afloat::of(description, &pieces);
+        let afloat = Afloat::at_rest(description, &pieces);
         // The lines were checked; a neighbour beyond the last that they can reach has none.
         let linear = afloat.as_ref().and_then(|afloat| afloat.linear().ok());
         let base = match &linear {

@@ -26,7 +26,7 @@ pub use closed_form::*;
 pub use description::{PointMass, PropertyStation, Rna, Station, TowerDescription};
 pub use error::{FreeMotions, Place, Problem, TowerError};
 pub use floating::balance::{EquilibriumPose, StaticBalance};
-pub use floating::equilibrium::EquilibriumError;
+pub use floating::mistake::EquilibriumError;
 pub use foundation::{
     Buoyancy, FloatingPlatform, Foundation, ReferredMatrix, StiffnessFoundation, Support,
 };

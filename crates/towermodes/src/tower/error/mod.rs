@@ -9,7 +9,7 @@ use std::fmt;
 
 use thiserror::Error;
 
-use super::floating::equilibrium::EquilibriumError;
+use super::floating::mistake::EquilibriumError;
 use crate::mooring::MooringError;
 use crate::number::{Apart, Plain, Rounded};
 

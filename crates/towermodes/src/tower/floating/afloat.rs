@@ -5,7 +5,7 @@ use super::super::foundation::{FloatingPlatform, ReferredMatrix};
 use super::super::pieces::integrals::weight_integrals;
 use super::super::pieces::piece::Piece;
 use super::super::support::base::symmetrized;
-use super::equilibrium::{EquilibriumError, equilibrium};
+use super::mistake::EquilibriumError;
 use crate::mooring::{MooringError, Pose};
 use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
 
@@ -36,12 +36,12 @@ pub(super) struct Loads {
 }
 
 impl Afloat {
-    /// The tower of a description with its pieces, if it floats.
-    pub(crate) fn of(description: &TowerDescription, pieces: &[Piece]) -> Option<Self> {
+    /// The tower of a description with its pieces at its reference position, if it floats.
+    pub(super) fn of(description: &TowerDescription, pieces: &[Piece]) -> Option<Self> {
         let platform = description.foundation.platform()?;
         let top_m = pieces.last()?.top_m;
         let [x, y, z] = description.rna.center_m;
-        let mut afloat = Self {
+        Some(Self {
             platform: platform.clone(),
             gravity_m_per_s2: description.gravity_m_per_s2,
             tower: tower(description, pieces),
@@ -50,11 +50,7 @@ impl Afloat {
                 center_m: [x, y, top_m + z],
             },
             at: None,
-        };
-        if platform.at_equilibrium {
-            afloat.at = Some(equilibrium(&afloat));
-        }
-        Some(afloat)
+        })
     }
 
     /// Why the lines cannot be at the equilibrium, where they should be.

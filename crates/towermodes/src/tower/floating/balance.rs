@@ -1,9 +1,12 @@
 //! The static balance of a floating tower.
 
+use super::super::description::TowerDescription;
 use super::super::foundation::FloatingPlatform;
 use super::super::model::Tower;
+use super::super::pieces::piece::Piece;
 use super::afloat::Afloat;
-use super::equilibrium::{EquilibriumError, equilibrium};
+use super::equilibrium::equilibrium;
+use super::mistake::EquilibriumError;
 use crate::mooring::Pose;
 
 /// Weights, buoyancy and mooring lines of a floating tower at its reference position, what is left
@@ -125,6 +128,16 @@ impl Tower {
 }
 
 impl Afloat {
+    /// The tower of a description with its pieces, if it floats, with its lines where they should
+    /// be.
+    pub(crate) fn at_rest(description: &TowerDescription, pieces: &[Piece]) -> Option<Self> {
+        let mut afloat = Self::of(description, pieces)?;
+        if afloat.platform.at_equilibrium {
+            afloat.at = Some(equilibrium(&afloat));
+        }
+        Some(afloat)
+    }
+
     /// The balance at the reference position, without the search for the equilibrium.
     fn at_reference(&self) -> Option<StaticBalance> {
         if self.gravity_m_per_s2 == 0.0 {

@@ -1,10 +1,8 @@
 //! The equilibrium of a floating tower, by Newton's method on its six rigid motions.
 
-use thiserror::Error;
-
 use super::afloat::{Afloat, Loads};
+use super::mistake::{EquilibriumError, MOST_TILT_DEG};
 use crate::mooring::{Mooring, MooringError, MooringWorkspace, Pose};
-use crate::number::Rounded;
 use crate::space::{SpatialMatrix, add_scaled, eigenpairs, times};
 
 /// Steps after which the search has failed.
@@ -21,53 +19,6 @@ const HALVINGS: usize = 12;
 const ROUNDING: f64 = 1e-7;
 /// A scaled stiffness below this counts as zero.
 const FREE: f64 = 1e-12;
-/// Stiffness against rotation is that of small angles: beyond this tilt, degrees, it misses more
-/// than some percent.
-const MOST_TILT_DEG: f64 = 15.0;
-
-/// Why a floating tower has no known equilibrium.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[non_exhaustive]
-pub enum EquilibriumError {
-    /// Without gravity nothing has weight.
-    #[error(
-        "gravity is left out, so the floating tower has no weight that could be in balance; give gravity, or leave the lines at the reference position"
-    )]
-    NoGravity,
-    /// The buoyancy is not given.
-    #[error(
-        "the buoyancy of the platform is not known, so its equilibrium cannot be computed; give buoyancy and buoyancy_center in [foundation]"
-    )]
-    NoBuoyancy,
-    /// The lines do not reach on the way, or their free parts have no equilibrium.
-    #[error(
-        "the floating tower drifts to where its mooring lines cannot hold it: {0}; compare weight, buoyancy and the vertical force of the lines"
-    )]
-    Lines(MooringError),
-    /// A stiffness is negative.
-    #[error(
-        "the floating tower has no stable equilibrium: its stiffness against {motion} is negative; check the heights of masses, hydrostatic stiffness and fairleads"
-    )]
-    Unstable {
-        /// The motion that is turned over most.
-        motion: &'static str,
-    },
-    /// The tilt is beyond linear hydrostatics.
-    #[error("the floating tower tilts by {} degrees until its forces are in balance, more than the {MOST_TILT_DEG} degrees for which the hydrostatic stiffness holds; check the horizontal positions of masses, buoyancy and fairleads", Rounded(*.tilt_deg))]
-    Tilts {
-        /// The angle, degrees.
-        tilt_deg: f64,
-    },
-    /// Forces are left.
-    #[error("no equilibrium of the floating tower was found: {} N or N m are left in {motion}; if nothing holds the platform against this motion, give mooring lines or their matrix", Rounded(*.left))]
-    NotHeld {
-        /// The motion.
-        motion: &'static str,
-        /// The largest force (N) or moment (N m) that is left.
-        left: f64,
-    },
-}
-
 const MOTIONS: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
 
 /// The pose of the reference point in which weights, buoyancy and lines are in balance.

@@ -4,3 +4,4 @@
 pub(super) mod afloat;
 pub(super) mod balance;
 pub(super) mod equilibrium;
+pub(super) mod mistake;
