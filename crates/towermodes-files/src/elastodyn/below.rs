@@ -119,6 +119,7 @@ impl<'a> Model<'a> {
                 let joint = subdyn.interface_joints.first();
                 water.put_on_joint(description, joint.copied().unwrap_or(0), &moored);
                 below.notes.extend(notes);
+                below.notes.push(Note::left_out("the static balance of a flexible floater is not computed; its lines have their stiffness at the reference position"));
                 restoring = Some(found);
             }
             below.sources.splice(0..0, water.sources);

@@ -42,7 +42,7 @@ pub(super) fn platform(
     let loads = loads(tower, layout, hub, notes)?;
     let mut block = match &description.foundation {
         Foundation::Floating(platform) => {
-            let linear = linear(platform, notes);
+            let linear = linear(platform, tower, notes);
             let mut block = floating(&linear, loads, ends, notes);
             add_geometric_stiffness(&mut block, tower, description, notes);
             block
@@ -58,15 +58,16 @@ pub(super) fn platform(
 }
 
 /// The platform with the stiffness of its lines in place of them.
-fn linear(platform: &FloatingPlatform, notes: &mut Vec<Note>) -> FloatingPlatform {
+fn linear(platform: &FloatingPlatform, tower: &Tower, notes: &mut Vec<Note>) -> FloatingPlatform {
     if platform.mooring_lines.is_some() {
-        notes.push(Note::approximation(
-            "BModes has no mooring lines: their stiffness at the reference position is written",
-        ));
+        notes.push(Note::approximation(match platform.at_equilibrium {
+            false => {
+                "BModes has no mooring lines: their stiffness at the reference position is written"
+            }
+            true => "BModes has no mooring lines: their stiffness at the equilibrium is written",
+        }));
     }
-    // The lines of a tower were checked.
-    let linear = platform.with_linear_moorings();
-    linear.unwrap_or_else(|_| platform.clone())
+    tower.linear_platform().unwrap_or_else(|| platform.clone())
 }
 
 /// The matrices of a base that does not float are about the base.
