@@ -257,7 +257,7 @@ fn hint(error: &SolveError) -> Option<&'static str> {
             Some("reduce modes or segments, or give limits=False")
         }
         SolveError::Buckles { .. } => Some(
-            "reduce the mass, increase the diameter or the wall thickness, or leave out gravity",
+            "reduce the mass, increase the diameter or the wall thickness (of a substructure check supports, sections and marine growth), or leave out gravity",
         ),
         SolveError::Eigen(EigenError::TooStiff) => Some(
             "check the units: foundation, soil and guy wires are not a million times stiffer than the tower",

@@ -145,15 +145,20 @@ impl Agreement {
         1.0 - self.overlap.length_m() / lengths_m.into_iter().fold(0.0, f64::max)
     }
 
-    /// The [`verdict`](Self::verdict) that follows from all other values.
-    fn worst(&self) -> Verdict {
-        let ranges = if self.ranges_agree() {
+    /// The verdict on the heights: different ends are a warning, and fail if more than a hundredth
+    /// of one tower is not in the other.
+    pub fn ranges_verdict(&self) -> Verdict {
+        if self.ranges_agree() {
             Verdict::Pass
         } else if self.uncompared_share() <= FEW {
             Verdict::Warn
         } else {
             Verdict::Fail
-        };
+        }
+    }
+
+    /// The [`verdict`](Self::verdict) that follows from all other values.
+    fn worst(&self) -> Verdict {
         let (tip, bending) = (&self.tip_flexibility_m_per_n, &self.largest_bending);
         let compared = [
             &self.mass_kg,
@@ -172,6 +177,6 @@ impl Agreement {
             .map(|compared| compared.verdict)
             .chain(below)
             .chain(modes.map(|mode| mode.verdict))
-            .fold(ranges, Verdict::max)
+            .fold(self.ranges_verdict(), Verdict::max)
     }
 }

@@ -103,10 +103,8 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     }
     deliver(&result, None)?;
     match agreement.verdict {
-        Verdict::Fail => {
-            Err(Failure::failed("the two models do not agree")
-                .hint("see the lines with fail above"))
-        }
+        Verdict::Fail => Err(Failure::failed("the two models do not agree")
+            .hint("see the lines with fail above; the heights of the towers count as a line")),
         _ => Ok(()),
     }
 }

@@ -37,7 +37,7 @@ fn ranges(agreement: &Agreement) -> String {
         )
     });
     format!(
-        "the first from {} m to {} m, the second from {} m to {} m{}: compared from {} m to {} m (warn)\n",
+        "the first from {} m to {} m, the second from {} m to {} m{}: compared from {} m to {} m ({})\n",
         first.base_m,
         first.top_m,
         second.base_m,
@@ -45,6 +45,7 @@ fn ranges(agreement: &Agreement) -> String {
         shift.unwrap_or_default(),
         agreement.overlap.base_m,
         agreement.overlap.top_m,
+        agreement.ranges_verdict().name(),
     )
 }
 

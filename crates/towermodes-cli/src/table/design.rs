@@ -51,7 +51,11 @@ fn results(found: &Design) -> String {
     let mass = |kg: f64| tonnes(kg).trim_end_matches(" t").to_owned();
     let [before, after] = found.mass_kg;
     let first = [
-        "tower mass, t".to_owned(),
+        match found.tower.foundation.frame() {
+            Some(_) => "mass of tower and substructure, t",
+            None => "tower mass, t",
+        }
+        .to_owned(),
         mass(before),
         mass(after),
         "least".to_owned(),

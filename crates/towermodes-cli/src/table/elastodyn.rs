@@ -19,7 +19,7 @@ pub(crate) fn fits(tower: &Tower, made: &MadeTower) -> String {
         "largest",
         "largest / top",
         "condition",
-        "ElastoDyn Hz (alone)",
+        "ElastoDyn Hz (no RNA, no gravity)",
         "damping %",
     ];
     let row = |(index, shape): (usize, &TowerShape)| {

@@ -95,7 +95,16 @@ fn period(mode: &Mode) -> String {
     }
 }
 
-/// Masses of tower and RNA, method, certificate.
+/// The mass of the members of a substructure.
+fn below(tower: &Tower) -> String {
+    let members_kg = tower.structure_mass_kg() - tower.mass_kg();
+    let text = tower
+        .frame()
+        .map(|_| format!(", substructure {}", tonnes(members_kg)));
+    text.unwrap_or_default()
+}
+
+/// Masses of tower, substructure and RNA, method, certificate.
 fn summary(tower: &Tower, solution: &Solution) -> String {
     // The error of a method does not include the effect of rotary inertia.
     let physics = match solution.method.has_rotary_inertia() {
@@ -103,9 +112,10 @@ fn summary(tower: &Tower, solution: &Solution) -> String {
         false => " without rotary inertia",
     };
     format!(
-        "{} {}, {} | {}, {}{physics} | {}",
+        "{} {}{}, {} | {}, {}{physics} | {}",
         structure(tower),
         tonnes(tower.mass_kg()),
+        below(tower),
         rna(tower),
         solution.method.name(),
         mesh(solution.method, solution.segments, solution.degree),

@@ -42,7 +42,7 @@ pub enum Side {
 }
 
 /// A light tower within these limits is to be found. The mass is that of
-/// [`Tower::mass_kg`](towermodes::Tower::mass_kg).
+/// [`Tower::structure_mass_kg`](towermodes::Tower::structure_mass_kg).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DesignProblem {
     /// What is chosen. No two variables may change the same number.

@@ -23,7 +23,8 @@ pub struct Design {
     pub before_is_mean: Vec<bool>,
     /// The value of each variable, in steps or with eight significant digits.
     pub values: Vec<f64>,
-    /// Mass of the original tower and of this one, kg.
+    /// Mass of the original tower and of this one, kg, with the members of a substructure:
+    /// [`Tower::structure_mass_kg`](towermodes::Tower::structure_mass_kg).
     pub mass_kg: [f64; 2],
     /// The goals and the frequencies of this tower, from an ordinary solve.
     pub reached: Vec<Reached>,
@@ -133,7 +134,7 @@ pub fn design(
     };
     let (found, is_searched) = search.met(&mut towers)?;
     let masses = [base, &found.tower].map(|tower| Tower::new(tower.clone()));
-    let [before_kg, after_kg] = masses.map(|tower| tower.map(|tower| tower.mass_kg()));
+    let [before_kg, after_kg] = masses.map(|tower| tower.map(|tower| tower.structure_mass_kg()));
     let variables = problem.variables.iter();
     Ok(Design {
         mass_kg: [before_kg?, after_kg?],

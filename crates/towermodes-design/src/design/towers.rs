@@ -237,7 +237,7 @@ impl<'d> Towers<'d> {
             .map(|(value, room)| value + room);
         let slopes = slopes.then(|| self.slopes(&values, &found, &places));
         Ok(Point {
-            mass: Tower::new(tower)?.mass_kg() / self.mass_kg,
+            mass: Tower::new(tower)?.structure_mass_kg() / self.mass_kg,
             limits: limits.collect(),
             slopes: slopes.transpose()?,
             ends,

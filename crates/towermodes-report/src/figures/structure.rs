@@ -82,14 +82,58 @@ impl Deflected<'_> {
         let Some((base, scale)) = first else {
             return points.to_vec();
         };
-        let ([u, v, w], [a, b, c]) = (base.translation, base.rotation);
+        let (by, turn) = (base.translation, base.rotation.map(|angle| scale * angle));
         let moved = |&[x, y, z]: &Point| {
-            let r = z - base_m;
-            let [dx, dy, dz] = [u + b * r - c * y, v + c * x - a * r, w + a * y - b * x];
-            [x + scale * dx, y + scale * dy, z + scale * dz]
+            let [x, y, z] = turned([x, y, z - base_m], turn);
+            [
+                x + scale * by[0],
+                y + scale * by[1],
+                z + base_m + scale * by[2],
+            ]
         };
         points.iter().map(moved).collect()
     }
+
+    /// The rigid links of the transition piece: from the base of the tower to its joints.
+    fn links(&self, substructure: &Substructure<'_>) -> Vec<[Point; 2]> {
+        let Some(transition) = &substructure.description().transition else {
+            return Vec::new();
+        };
+        let [x, y, _] = substructure.of.reference_m();
+        let moved = self
+            .mode
+            .and_then(|(mode, scale)| Some((mode.frame.as_ref()?, scale)));
+        let base = self.tower().first().copied().unwrap_or_default();
+        let to = |&joint: &usize| {
+            let at_m = substructure.description().joints[joint].position_m;
+            let [dx, dy, dz] = moved.map_or([0.0; 3], |(shape, scale)| {
+                std::array::from_fn(|i| scale * shape.joints[joint][i])
+            });
+            [base, [at_m[0] - x + dx, at_m[1] - y + dy, at_m[2] + dz]]
+        };
+        transition.joints.iter().map(to).collect()
+    }
+}
+
+/// A vector rotated by a rotation vector, rad: a body stays rigid however much its motion is
+/// enlarged (Rodrigues' formula).
+fn turned([x, y, z]: Point, [a, b, c]: Point) -> Point {
+    let angle = (a * a + b * b + c * c).sqrt();
+    let sinc = if angle > 0.0 {
+        angle.sin() / angle
+    } else {
+        1.0
+    };
+    let half = 0.5 * angle;
+    let versed = if angle > 0.0 {
+        (half.sin() / half).powi(2) / 2.0
+    } else {
+        0.5
+    };
+    let cross = |[x, y, z]: Point| [b * z - c * y, c * x - a * z, a * y - b * x];
+    let once = cross([x, y, z]);
+    let twice = cross(once);
+    std::array::from_fn(|i| [x, y, z][i] + sinc * once[i] + versed * twice[i])
 }
 
 /// Where points are on a panel.
@@ -311,6 +355,9 @@ fn draw(drawing: &mut Drawing, projection: &Projection, of: &Deflected<'_>, hull
     if let Some(substructure) = of.parts.substructure() {
         for member in of.members(&substructure) {
             drawing.polyline(&projection.places(&member), &line(thin));
+        }
+        for link in of.links(&substructure) {
+            drawing.polyline(&projection.places(&link), &line(thin));
         }
     }
     let tower = projection.places(&of.tower());

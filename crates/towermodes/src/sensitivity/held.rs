@@ -93,7 +93,8 @@ impl<'a> Held<'a> {
         let changes = changes.filter(|(_, lambda)| **lambda > 0.0);
         Some(Difference {
             largest: changes.fold(0.0, |most, (s, lambda)| most.max((s * h / lambda).abs())),
-            mass_kg_per_unit: (above.tower.mass_kg() - below.tower.mass_kg()) / (2.0 * h),
+            mass_kg_per_unit: (above.tower.structure_mass_kg() - below.tower.structure_mass_kg())
+                / (2.0 * h),
             coupled: above.coupled,
             slopes,
         })

@@ -44,7 +44,7 @@ pub struct ChangeSensitivity {
     /// The value of the change on the tower as it is: that of the number, 1 for a factor, 0 for an
     /// addition.
     pub value: f64,
-    /// d(mass of the tower, with outfitting and point masses, without RNA)/d(value), kg per unit.
+    /// d([`Tower::structure_mass_kg`](crate::Tower::structure_mass_kg))/d(value), kg per unit.
     pub mass_kg_per_unit: f64,
     /// The derivative of each mode's frequency, in the order of the modes.
     pub modes: Vec<Result<Derivative, NoDerivative>>,

@@ -43,7 +43,7 @@ pub(super) fn derivatives(
                 Some(same.extrapolated_hz)
             };
             let frequencies = modes.iter().enumerate().map(frequency);
-            Some((frequencies.collect(), tower.mass_kg()))
+            Some((frequencies.collect(), tower.structure_mass_kg()))
         })
     };
     let h = LARGER * step(change, value, neighbours);

@@ -126,7 +126,7 @@ impl<'a> Swept<'a> {
             change.apply(&mut self.description, value);
             let neighbour = self.neighbours.near(&self.description)?;
             neighbour.write_numbers(numbers);
-            Some((neighbour.tower.mass_kg(), neighbour.coupled))
+            Some((neighbour.tower.structure_mass_kg(), neighbour.coupled))
         };
         let (above_kg, coupled) = write(value + h, upper)?;
         let (below_kg, _) = write(value - h, lower)?;

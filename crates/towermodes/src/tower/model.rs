@@ -8,6 +8,7 @@ use super::floating::afloat::Afloat;
 use super::frame::FrameFoundation;
 use super::parts::missing::MissingParts;
 use super::parts::rotor::Rotor;
+use super::pieces::environment::Environment;
 use super::pieces::integrals::weight_integrals;
 use super::pieces::piece::Piece;
 use super::pieces::weight::Above;
@@ -209,6 +210,20 @@ impl Tower {
     /// kg.
     pub fn mass_kg(&self) -> f64 {
         self.mass_kg
+    }
+
+    /// Whether the lowest piece of the tower stands in soil or water, or has added mass: then the
+    /// tower reaches down into its substructure.
+    pub fn begins_in_soil_or_water(&self) -> bool {
+        let lowest = self.pieces.first();
+        lowest.is_some_and(|piece| piece.environment != Environment::default())
+    }
+
+    /// Mass of the tower and of the members of the substructure below it, kg: what steel is to be
+    /// bought for. Water, growth, and masses on joints are not part of it.
+    pub fn structure_mass_kg(&self) -> f64 {
+        let members_kg = self.frame().map(|below| below.frame.masses().members_kg);
+        self.mass_kg + members_kg.unwrap_or_default()
     }
 
     /// The axial compression N at a height (m) by the weight of everything above, N. An attachment

@@ -1,7 +1,8 @@
 //! `towermodes elastodyn tower`.
 
+use towermodes::Tower;
+use towermodes_files::Note;
 use towermodes_files::elastodyn::{make_tower_file, write_tower_file};
-use towermodes_files::{Note, TowerInput};
 
 use super::arguments::TowerArguments;
 use super::deck::notes_for_shapes;
@@ -27,16 +28,14 @@ pub(crate) fn run(arguments: &TowerArguments) -> Result<(), Failure> {
         .map_err(Failure::failed)?;
     note(&notes_for_shapes(&input));
     note(&made.notes);
-    note(&surrounded_base(&input, options.from_m));
+    note(&surrounded_base(&tower, options.from_m));
     report(&table::fits(&tower, &made.made));
     deliver(text.as_bytes(), arguments.output())
 }
 
 /// A note if the tower begins in soil or water, which is unlikely for ElastoDyn.
-fn surrounded_base(input: &TowerInput, from_m: Option<f64>) -> Vec<Note> {
-    let d = &input.description;
-    let is_surrounded = d.has_soil() || d.water.is_some() || !d.added_mass.is_empty();
-    if from_m.is_some() || !is_surrounded {
+fn surrounded_base(tower: &Tower, from_m: Option<f64>) -> Vec<Note> {
+    if from_m.is_some() || !tower.begins_in_soil_or_water() {
         return Vec::new();
     }
     vec![Note::new(

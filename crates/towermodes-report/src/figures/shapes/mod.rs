@@ -6,7 +6,7 @@ mod numbers;
 mod panels;
 mod strip;
 
-use towermodes::{Solution, Tower, TowerDescription};
+use towermodes::{Family, Mode, Solution, Tower, TowerDescription};
 
 pub(crate) use curves::Part;
 
@@ -35,6 +35,7 @@ pub fn shapes(description: &TowerDescription, tower: &Tower, solution: &Solution
         let view = draw_strip(&mut drawing, strip, Parts { description, tower }, index);
         note = note_of(tower, (view.diameter_factor, view.wall_factor));
     }
+    note.push_str(&left_out(solution));
     let style = TextStyle::new(10.0).colour(Colour::Muted);
     drawing.text((12.0, height - 8.0), &note, &style);
     Figure {
@@ -55,6 +56,17 @@ fn title(tower: &Tower, solution: &Solution) -> String {
     match tower.name() {
         "" => modes,
         name => format!("{modes}: {name}"),
+    }
+}
+
+/// The note on the modes that no panel shows, because hardly more than members of the substructure
+/// move in them.
+fn left_out(solution: &Solution) -> String {
+    let local = |mode: &&Mode| mode.family == Family::Substructure;
+    match solution.modes.iter().filter(local).count() {
+        0 => String::new(),
+        1 => " Not drawn: 1 mode of substructure members.".to_owned(),
+        count => format!(" Not drawn: {count} modes of substructure members."),
     }
 }
 

@@ -13,6 +13,8 @@ const ABOVE: f64 = 14.0;
 const BELOW_FLOATING: f64 = 36.0;
 /// Water deeper below the base than this fraction of the tower's height is not shown.
 const NEAR: f64 = 0.5;
+/// A substructure is shown down to this multiple of the tower's height below the base.
+const FRAME: f64 = 2.0;
 
 /// A height that is worth a line across everything.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +37,9 @@ pub(in crate::figures) fn small_view(frame: Frame, parts: Parts<'_>, widest: f64
     let sea_m = platform.and_then(|platform| platform.surface_m());
     let depth_m = sea_m.map_or(0.0, |sea_m| tower.base_m() - sea_m);
     let is_near = (0.0..=NEAR * tower.height_m()).contains(&depth_m);
-    let extent_m = tower.height_m() + if is_near { depth_m } else { 0.0 };
+    let frame_m = tower.base_m() - parts.foot_m();
+    let reach_m = if is_near { depth_m } else { 0.0 };
+    let extent_m = tower.height_m() + frame_m.max(reach_m).min(FRAME * tower.height_m());
     let per_m = (frame.bottom - frame.top - above - below) / extent_m;
     let per_m = if per_m.is_finite() && per_m > 0.0 {
         per_m
@@ -78,6 +82,7 @@ pub(in crate::figures) fn draw_small(
         platform::draw_hull(drawing, view);
         foundation::draw_foundation(drawing, view);
         substructure::draw_members(drawing, view);
+        substructure::draw_links(drawing, view, 1.2);
     });
     body::draw_body(drawing, view);
     body::draw_masses(drawing, view);

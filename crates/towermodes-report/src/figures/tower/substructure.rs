@@ -115,17 +115,25 @@ fn draw_supports(drawing: &mut Drawing, view: &View<'_>, substructure: &Substruc
     }
 }
 
-/// Rigid links from the reference point to the joints that move with it, and the centre of mass.
-fn draw_transition(drawing: &mut Drawing, view: &View<'_>, substructure: &Substructure<'_>) {
+/// Rigid links from the reference point of the transition piece to the joints that move with it.
+pub(super) fn draw_links(drawing: &mut Drawing, view: &View<'_>, width: f64) {
+    let Some(substructure) = view.parts.substructure() else {
+        return;
+    };
     let Some(transition) = &substructure.description().transition else {
         return;
     };
-    let middle = place(view, substructure, transition.position_m);
-    let link = Stroke::new(Colour::Ink, 2.4);
+    let middle = place(view, &substructure, transition.position_m);
+    let link = Stroke::new(Colour::Ink, width);
     for joint in &transition.joints {
         let joint_m = substructure.description().joints[*joint].position_m;
-        drawing.line(middle, place(view, substructure, joint_m), &link);
+        drawing.line(middle, place(view, &substructure, joint_m), &link);
     }
+}
+
+/// The transition piece: its links and its centre of mass.
+fn draw_transition(drawing: &mut Drawing, view: &View<'_>, substructure: &Substructure<'_>) {
+    draw_links(drawing, view, 2.4);
     if substructure.of.platform.mass_kg > 0.0 {
         center_of_mass(
             drawing,

@@ -97,9 +97,8 @@ fn lacks(content: &ReportContent) -> Option<String> {
 }
 
 fn begins_in_soil_or_water(content: &ReportContent) -> bool {
-    let d = &content.description;
-    let is_surrounded = d.has_soil() || d.water.is_some() || !d.added_mass.is_empty();
-    is_surrounded && content.shapes_from_m == content.tower.base_m()
+    let tower = &content.tower;
+    tower.begins_in_soil_or_water() && content.shapes_from_m == tower.base_m()
 }
 
 fn left_out(mode: &PassedOver) -> String {
@@ -139,7 +138,7 @@ fn coefficients(made: &ElastoDynShapes) -> Table {
     for (quantity, value) in fit_quality() {
         row(quantity, &|shape| value(&shape.fit));
     }
-    row("ElastoDyn frequency (Hz)", &|s| {
+    row("ElastoDyn frequency without RNA and gravity (Hz)", &|s| {
         hertz(made.frequency_alone_hz.of(s.plane)[s.number - 1])
     });
     let torsion = "torsion fraction of the mode's energy (%)";
