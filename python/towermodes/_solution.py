@@ -78,9 +78,13 @@ class Solution(ModeArrays, Computed):
         return array
 
     @property
-    def effective_mass_shares(self) -> Array:
-        """Sums of the effective masses of these modes as fractions of the whole: (6,)."""
-        array: Array = self._core.effective_mass_shares
+    def effective_mass_shares(self) -> Array | None:
+        """Sums of the effective masses of these modes as fractions of the whole: (6,).
+
+        None where each mode has the added mass of its own frequency: such masses do not add up.
+        The columns `effective_mass_shares.x` and so on have the fractions of each mode.
+        """
+        array: Array | None = self._core.effective_mass_shares
         return array
 
     @property

@@ -692,8 +692,9 @@ class Tower:
         nothing, and the notes name them.
 
         Args:
-            loss_factors: Loss factors (twice the damping ratio) by part: "tower", "foundation",
-                "soil", "wires", "water" or the name of a material; by default those of the file.
+            loss_factors: Loss factors (twice the damping ratio) by part: "tower", "substructure",
+                "foundation", "soil", "wires", "water" or the name of a material; by default those
+                of the file.
             chord_moment_m3: Integral of chord times radius over one blade; by default that of the
                 file. Without it there is no aerodynamic damping.
             lift_slope: Slope of the lift coefficient, per rad; by default that of the file,

@@ -2,13 +2,16 @@
 
 use crate::towers;
 
+use towermodes::frame::*;
+use towermodes::tower::Tube;
 use towermodes::{
-    BladeFamily, Family, Options, Place, Problem, Rotor, Solution, Station, Tower, solve,
+    BladeFamily, Family, Foundation, Material, Options, Place, Problem, RigidBody, Rotor, Solution,
+    Station, Tower, TowerDescription, solve,
 };
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{
     Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited, FrequencyLine, LineEnd,
-    Margin, StiffnessClass, campbell, reach_hz, tower_margin,
+    Margin, ModeClass, StiffnessClass, campbell, reach_hz, tower_margin,
 };
 use towermodes_testing::{Says, assert_matches, changed, rotor, with};
 use towers::reference_350t;
@@ -96,7 +99,8 @@ fn lines_of_a_tower_are_level_to_beyond_the_highest_speed() {
         Excited::Tower {
             number: 2,
             family: Family::SideSide,
-            order: 1
+            order: 1,
+            class: ModeClass::Tower,
         }
     );
     // 1.2 times 12.1 rpm.
@@ -679,4 +683,76 @@ fn the_error_of_a_frequency_counts_for_the_margin() {
     assert!(is_violated(limit_hz + 0.01 - 1e-9, 0.01));
     assert!(!is_violated(limit_hz + 0.01 + 1e-9, 0.01));
     assert!(is_violated(0.5, 0.0));
+}
+
+/// A tower on two legs whose slender brace vibrates by itself.
+fn with_brace() -> TowerDescription {
+    let steel = Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10);
+    let points = [[-6.0, 1.0, -20.0], [6.0, 0.0, -20.0], [0.0, 0.0, 0.0]];
+    let joint = |(k, point): (usize, &[f64; 3])| FrameJoint::new(k.to_string(), *point);
+    let tube = |joints: [usize; 2], outer_diameter_m| {
+        let section = Tube {
+            outer_diameter_m,
+            wall_thickness_m: 0.02,
+        };
+        FrameMember::tube(format!("{joints:?}"), joints, [section; 2], steel)
+    };
+    let brace = FrameSupport {
+        fixed: [true, true, true, false, false, false],
+        ..FrameSupport::clamped(0)
+    };
+    let frame = Frame::new(FrameDescription {
+        joints: points.iter().enumerate().map(joint).collect(),
+        members: vec![tube([0, 2], 2.0), tube([2, 1], 2.0), tube([0, 1], 0.2)],
+        supports: vec![brace, FrameSupport::clamped(1)],
+        transition: Some(Transition {
+            position_m: [0.0; 3],
+            joints: vec![2],
+            is_held: false,
+        }),
+        ..FrameDescription::default()
+    });
+    let foundation = FrameFoundation::new(frame.expect("a frame"), RigidBody::default());
+    TowerDescription {
+        foundation: Foundation::Frame(Box::new(foundation.expect("a foundation"))),
+        stations: vec![Station::new(0.0, 3.0, 0.03), Station::new(60.0, 2.0, 0.02)],
+        materials: vec![steel],
+        ..reference_350t()
+    }
+}
+
+/// Modes in which the tower has less than a quarter of the energy are lines without distances, and
+/// the conclusion says so; all others are judged.
+#[test]
+fn local_modes_of_a_substructure_are_listed_and_not_judged() {
+    let tower = Tower::new(with_brace()).expect("a tower");
+    let solution = solve(&tower, &with!(Options, modes = 8)).expect("modes");
+    let options = CampbellOptions::default();
+    let diagram = campbell(&tower, &solution, None, &NREL, &options).expect("a diagram");
+    let mut local = 0;
+    for (place, (mode, line)) in solution.modes.iter().zip(&diagram.lines).enumerate() {
+        let is_local = mode.shares.of(Family::Substructure) >= 0.75;
+        local += usize::from(is_local);
+        let margins = diagram.margins.iter();
+        let margins = margins.filter(|margin| margin.line == place).count();
+        assert_eq!(margins, if is_local { 0 } else { 4 }, "{}", line.label);
+        assert_eq!(line.class() == ModeClass::Substructure, is_local);
+    }
+    assert!((1..8).contains(&local), "{local} local modes");
+    let said = diagram.conclusion().concat();
+    said.says(&format!("Not judged: {local} local mode"));
+}
+
+/// A floating tower has modes of its platform and of itself.
+#[test]
+fn modes_of_a_floater_have_classes() {
+    let tower = Tower::new(towermodes_verify::towers::floater()).expect("a tower");
+    let solution = solve(&tower, &with!(Options, modes = 8)).expect("modes");
+    for mode in &solution.modes {
+        let expected = match mode.family.is_rigid() && mode.share() > 0.5 {
+            true => ModeClass::Platform,
+            false => ModeClass::Tower,
+        };
+        assert_eq!(ModeClass::of(mode), expected, "{}", mode.label());
+    }
 }

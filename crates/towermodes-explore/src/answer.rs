@@ -147,7 +147,7 @@ impl Answer {
         let description = &solved.input.description;
         let all = Parameter::all(&file.description).into_iter();
         let campbell = solved.assessment.as_ref().map(|of| &of.campbell);
-        let of_mode = |mode| AnsweredMode::new(mode, solution, campbell);
+        let of_mode = |mode| AnsweredMode::new(mode, campbell);
         let warnings = solution.warnings.iter();
         Self {
             values: all.map(|one| one.value(description)).collect(),
@@ -191,12 +191,10 @@ impl Resonance {
 }
 
 impl AnsweredMode {
-    fn new(mode: &Mode, solution: &Solution, campbell: Option<&Campbell>) -> Self {
+    fn new(mode: &Mode, campbell: Option<&Campbell>) -> Self {
         let (hz, error_hz) = (mode.frequency_hz, mode.error_hz());
-        let shares = std::array::from_fn(|axis| {
-            let share = mode.effective_mass[axis] / solution.rigid_inertia[axis][axis];
-            share.is_finite().then_some(share)
-        });
+        let shares = mode.effective_mass_shares();
+        let shares = shares.map(|share| share.is_finite().then_some(share));
         Self {
             number: mode.number,
             label: mode.label(),

@@ -34,6 +34,7 @@ water_loss_factor = 0.0
 chord_moment = 6073
 lift_slope = 6.0
 air_density = 1.2
+substructure_loss_factor = 0.006
 "#;
 
 fn good() -> TowerDescription {
@@ -58,6 +59,7 @@ fn every_key_is_read() {
     let expected = Damping {
         loss_factors: LossFactors {
             tower: Some(0.004),
+            substructure: Some(0.006),
             // The material without a name comes first.
             materials: vec![None, Some(0.01)],
             foundation: Some(0.02),

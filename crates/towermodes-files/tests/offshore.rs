@@ -65,6 +65,8 @@ fn weighed(input: &TowerInput, weight_on_members: bool) -> TowerDescription {
         panic!("no frame");
     };
     foundation.weight_on_members = weight_on_members;
+    // The reference program leaves it out.
+    foundation.buoyancy_on_members = false;
     description
 }
 

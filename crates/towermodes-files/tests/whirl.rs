@@ -166,7 +166,11 @@ fn modes_that_share_their_energy_with_the_tower_are_judged_as_its_modes() {
     let points = || found.curves.iter().flat_map(|curve| &curve.points);
     let holds = points().filter(shared).count() > 0;
     assert!(holds, "no veering in operation");
-    assert!(points().filter(shared).all(|point| point.counts_as_tower()));
+    assert!(
+        points()
+            .filter(shared)
+            .all(|point| point.class().counts_as_tower())
+    );
     // 3P, 0.345 to 0.605 Hz, crosses it.
     let of_tower = found.campbell.margins.iter().filter(|margin| {
         let line = &found.campbell.lines[margin.line];

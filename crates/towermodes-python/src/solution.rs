@@ -127,10 +127,11 @@ impl Solution {
         array::rows(py, self.modes().map(|mode| mode.effective_mass))
     }
 
-    /// Sums of the effective masses as fractions of the whole: (6).
+    /// Sums of the effective masses as fractions of the whole: (6). None if they do not add up.
     #[getter]
-    fn effective_mass_shares<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        array::vector(py, self.solution.effective_mass_shares())
+    fn effective_mass_shares<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
+        let shares = self.solution.effective_mass_shares()?;
+        Some(array::vector(py, shares))
     }
 
     /// Inertia of the whole tower against rigid motions about its base: (6, 6).

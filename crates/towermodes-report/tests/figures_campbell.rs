@@ -7,7 +7,7 @@ use pictures::{check, check_labels, input};
 use towermodes::{BladeFamily, Family, Method, Options, Solver, solve};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{
-    Campbell, CampbellOptions, Excited, FrequencyLine, Margin, StiffnessClass, campbell,
+    Campbell, CampbellOptions, Excited, FrequencyLine, Margin, ModeClass, StiffnessClass, campbell,
 };
 use towermodes_analysis::study::{
     ColumnSpec, Comparison, Convergence, Fineness, compare, converge,
@@ -32,6 +32,7 @@ fn tower_line(number: usize, frequency_hz: f64) -> FrequencyLine {
         number,
         family,
         order,
+        class: ModeClass::Tower,
     };
     let label = family.label(order);
     line(of, &label, &[[0.0, frequency_hz], [14.52, frequency_hz]])

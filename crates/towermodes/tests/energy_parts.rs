@@ -3,9 +3,12 @@
 
 use crate::towers;
 
+use towermodes::frame::*;
+use towermodes::tower::Tube;
 use towermodes::{
-    EnergyParts, Foundation, FoundationSprings, Material, Method, Mode, Options, Planes,
-    Properties, PropertyStation, Rna, Shear, SoilRow, SoilStiffness, Station, TowerDescription,
+    EnergyParts, FloatingPlatform, Foundation, FoundationSprings, Material, Method, Mode, Options,
+    Planes, Properties, PropertyStation, RigidBody, Rna, Shear, SoilRow, SoilStiffness, Station,
+    TowerDescription,
 };
 use towermodes_testing::{Close, changed, parts};
 use towers::{floater, solved};
@@ -262,14 +265,263 @@ fn uncoupled_motions_have_the_same_fractions() {
     }
 }
 
+/// A tower on three legs with a brace, on springs and in soil, with growth, filling, water, a mass
+/// on a joint and a transition piece.
+fn on_frame() -> TowerDescription {
+    let steel = Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10);
+    let points = [
+        [-9.0, 0.0, -30.0],
+        [6.0, 7.0, -30.0],
+        [6.0, -8.0, -32.0],
+        [0.0, 0.0, 0.0],
+    ];
+    let joint = |(k, point): (usize, &[f64; 3])| FrameJoint::new(k.to_string(), *point);
+    let tube = |joints| {
+        let section = Tube {
+            outer_diameter_m: 2.0,
+            wall_thickness_m: 0.03,
+        };
+        let radii = |outer_radius_m, inner_radius_m, density| CoatKind::Solid {
+            density_kg_per_m3: [density; 2],
+            outer_radius_m: [outer_radius_m; 2],
+            inner_radius_m: [inner_radius_m; 2],
+        };
+        let coat = |kind| FrameCoat {
+            range: [0.2, 0.8],
+            kind,
+        };
+        let mut member = FrameMember::tube("leg", joints, [section; 2], steel);
+        member.coats = vec![
+            coat(radii(1.1, 1.0, 1325.0)),
+            coat(radii(0.97, 0.0, 1025.0)),
+            coat(CoatKind::AddedMass {
+                density_kg_per_m3: 1025.0,
+                radius_m: [1.1; 2],
+                across: [0.9; 2],
+                along: [0.0; 2],
+            }),
+        ];
+        let springs = SoilStiffness {
+            x_n_per_m2: 5e6,
+            y_n_per_m2: 6e6,
+            z_n_per_m2: 1e6,
+            ..SoilStiffness::default()
+        };
+        let row = |fraction| FrameSoilRow {
+            fraction,
+            stiffness: springs,
+        };
+        member.soil = vec![FrameSoil {
+            rows: vec![row(0.1), row(0.4)],
+        }];
+        member
+    };
+    let support = |joint| FrameSupport {
+        fixed: [false; 6],
+        stiffness: std::array::from_fn(|i| std::array::from_fn(|j| if i == j { 4e7 } else { 0.0 })),
+        inertia: std::array::from_fn(|i| std::array::from_fn(|j| if i == j { 3e3 } else { 0.0 })),
+        ..FrameSupport::clamped(joint)
+    };
+    let frame = FrameDescription {
+        joints: points.iter().enumerate().map(joint).collect(),
+        members: [[0, 3], [3, 1], [2, 3], [0, 1]].map(tube).to_vec(),
+        supports: [0, 1, 2].map(support).to_vec(),
+        masses: vec![(
+            1,
+            RigidBody {
+                mass_kg: 5e3,
+                ..RigidBody::default()
+            },
+        )],
+        ..FrameDescription::default()
+    };
+    let mut foundation = towers::carried(frame, &[3], [0.5, 0.0, 1.0]);
+    frame_of(&mut foundation).platform.mass_kg = 30e3;
+    TowerDescription {
+        foundation,
+        stations: vec![Station::new(3.0, 2.0, 0.03), Station::new(60.0, 1.5, 0.02)],
+        materials: vec![steel],
+        rna: Rna {
+            center_m: [0.4, 0.0, 1.0],
+            ..Rna::point(20e3)
+        },
+        ..TowerDescription::default()
+    }
+}
+
+fn frame_of(foundation: &mut Foundation) -> &mut FrameFoundation {
+    match foundation {
+        Foundation::Frame(frame) => frame,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn numbers_of(description: &mut TowerDescription) -> &mut FrameDescription {
+    frame_of(&mut description.foundation).numbers_mut()
+}
+
+fn materials_of(description: &mut TowerDescription) -> impl Iterator<Item = &mut Material> {
+    let members = numbers_of(description).members.iter_mut();
+    members.filter_map(|member| match &mut member.kind {
+        MemberKind::Beam { material, .. } => Some(material),
+        _ => None,
+    })
+}
+
+/// Multiplies the density of the coats that are of a kind.
+fn scale_coats(description: &mut TowerDescription, is_own: fn(&CoatKind) -> bool, factor: f64) {
+    let members = numbers_of(description).members.iter_mut();
+    let coats = members.flat_map(|member| &mut member.coats);
+    for coat in coats.filter(|coat| is_own(&coat.kind)) {
+        match &mut coat.kind {
+            CoatKind::Solid {
+                density_kg_per_m3, ..
+            } => density_kg_per_m3
+                .iter_mut()
+                .for_each(|density| *density *= factor),
+            CoatKind::AddedMass {
+                density_kg_per_m3, ..
+            } => *density_kg_per_m3 *= factor,
+        }
+    }
+}
+
+fn has_hole(kind: &CoatKind) -> bool {
+    matches!(kind, CoatKind::Solid { inner_radius_m, .. } if inner_radius_m[0] > 0.0)
+}
+
+fn is_full(kind: &CoatKind) -> bool {
+    matches!(kind, CoatKind::Solid { inner_radius_m, .. } if inner_radius_m[0] == 0.0)
+}
+
+fn scale_supports(
+    description: &mut TowerDescription,
+    matrix: fn(&mut FrameSupport) -> &mut [[f64; 6]; 6],
+    factor: f64,
+) {
+    for support in &mut numbers_of(description).supports {
+        let entries = matrix(support).iter_mut().flatten();
+        entries.for_each(|entry| *entry *= factor);
+    }
+}
+
+/// Parts of a tower on a frame: stiffness, then masses.
+const OF_FRAME: [Part; 8] = [
+    Part {
+        name: "members",
+        scale: |d, factor| materials_of(d).for_each(|material| scale_moduli(material, factor)),
+        fraction: |parts| parts.strain.substructure,
+    },
+    Part {
+        name: "supports",
+        scale: |d, factor| scale_supports(d, |support| &mut support.stiffness, factor),
+        fraction: |parts| parts.strain.foundation,
+    },
+    Part {
+        name: "soil along members",
+        scale: |d, factor| {
+            let members = numbers_of(d).members.iter_mut();
+            for row in members
+                .flat_map(|m| &mut m.soil)
+                .flat_map(|soil| &mut soil.rows)
+            {
+                row.stiffness.x_n_per_m2 *= factor;
+                row.stiffness.y_n_per_m2 *= factor;
+                row.stiffness.z_n_per_m2 *= factor;
+            }
+        },
+        fraction: |parts| parts.strain.soil,
+    },
+    Part {
+        name: "mass of members and on joints",
+        scale: |d, factor| {
+            materials_of(d).for_each(|material| material.density_kg_per_m3 *= factor);
+            numbers_of(d).masses[0].1.mass_kg *= factor;
+        },
+        fraction: |parts| -parts.kinetic.substructure,
+    },
+    Part {
+        name: "growth",
+        scale: |d, factor| scale_coats(d, has_hole, factor),
+        fraction: |parts| -parts.kinetic.growth,
+    },
+    Part {
+        name: "filling",
+        scale: |d, factor| scale_coats(d, is_full, factor),
+        fraction: |parts| -parts.kinetic.filling,
+    },
+    Part {
+        name: "added mass",
+        scale: |d, factor| scale_coats(d, |kind| !has_hole(kind) && !is_full(kind), factor),
+        fraction: |parts| -parts.kinetic.water,
+    },
+    Part {
+        name: "transition piece and soil at the supports",
+        scale: |d, factor| {
+            frame_of(&mut d.foundation).platform.mass_kg *= factor;
+            scale_supports(d, |support| &mut support.inertia, factor);
+        },
+        fraction: |parts| -parts.kinetic.foundation,
+    },
+];
+
+#[test]
+fn fractions_of_a_frame_are_the_slopes_of_the_eigenvalue() {
+    for method in [Method::RmjeExact, Method::Spectral] {
+        for part in OF_FRAME.iter().chain([&STIFF[0]]) {
+            assert_slopes(&on_frame(), method, part);
+        }
+    }
+}
+
+/// Moorings and added mass of a floater have fractions of their own.
+#[test]
+fn fractions_of_a_platform_are_the_slopes_of_the_eigenvalue() {
+    fn of(description: &mut TowerDescription) -> &mut FloatingPlatform {
+        match &mut description.foundation {
+            Foundation::Floating(platform) => platform,
+            other => panic!("{other:?}"),
+        }
+    }
+    fn times(matrix: &mut [[f64; 6]; 6], factor: f64) {
+        matrix
+            .iter_mut()
+            .flatten()
+            .for_each(|entry| *entry *= factor);
+    }
+    let platform = [
+        Part {
+            name: "moorings",
+            scale: |d, factor| times(&mut of(d).mooring.matrix, factor),
+            fraction: |parts| parts.strain.moorings,
+        },
+        Part {
+            name: "water plane and buoyancy",
+            // A tenth of the change, because buoyancy has several times the energy of the mode.
+            scale: |d, factor| times(&mut of(d).hydrostatic.matrix, factor.powf(0.1)),
+            fraction: |parts| 0.1 * parts.strain.foundation,
+        },
+        Part {
+            name: "added mass",
+            scale: |d, factor| times(&mut of(d).added_mass.matrix, factor),
+            fraction: |parts| -parts.kinetic.water,
+        },
+    ];
+    for part in &platform {
+        assert_slopes(&floater(), Method::Spectral, part);
+    }
+}
+
 #[test]
 fn fractions_sum_to_one() {
     for method in Method::ALL {
-        for description in [everything(), floater()] {
+        for description in [everything(), floater(), on_frame()] {
             for mode in &solved(&description, &options(method)).modes {
                 let EnergyParts { strain, kinetic } = parts(mode);
                 let sum = strain.tower()
+                    + strain.substructure
                     + strain.foundation
+                    + strain.moorings
                     + strain.soil
                     + strain.wires
                     + strain.gravity;
@@ -278,6 +530,9 @@ fn fractions_sum_to_one() {
                 let sum = kinetic.tower
                     + kinetic.rna
                     + kinetic.point_masses
+                    + kinetic.substructure
+                    + kinetic.growth
+                    + kinetic.filling
                     + kinetic.water
                     + kinetic.foundation;
                 assert!((sum - 1.0).abs() < 1e-12, "{sum}");

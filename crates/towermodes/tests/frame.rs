@@ -293,6 +293,42 @@ fn water_and_growth_on_a_member_are_those_of_a_tower() {
     }
 }
 
+/// Water that carries the whole weight of a member leaves no force in it, so gravity changes no
+/// frequency; half of it has half the effect, to first order.
+#[test]
+fn a_member_that_water_carries_is_not_softened_by_its_weight() {
+    let density = 1025.0;
+    let hz = |gravity_m_per_s2: f64, carried: f64| {
+        let mut description = frame(&VERTICAL, &[[0, 1]], &[0]);
+        let mass_kg = Frame::new(description.clone()).expect("a frame").mass_kg();
+        let radius_m = (carried * mass_kg / 20.0 / (density * std::f64::consts::PI)).sqrt();
+        // With this coefficient the mass of the water does not depend on what it carries.
+        let across = if carried > 0.0 { 1.0 / carried } else { 1.0 };
+        description.members[0].coats = vec![FrameCoat {
+            range: [0.0, 1.0],
+            kind: CoatKind::AddedMass {
+                density_kg_per_m3: density,
+                radius_m: [radius_m; 2],
+                across: [across; 2],
+                along: [0.0; 2],
+            },
+        }];
+        let frame = Frame::new(description).expect("a frame");
+        let options = FrameOptions {
+            modes: 2,
+            gravity_m_per_s2,
+            ..FrameOptions::default()
+        };
+        solve_frame(&frame, &options).expect("a solution").modes[0].frequency_hz
+    };
+    let (still, half, whole) = (hz(0.0, 1.0), hz(9.81, 0.5), hz(9.81, 1.0));
+    assert!((whole / still - 1.0).abs() < 1e-12, "{whole}, {still}");
+    // Of the weight in air, as of half of it with twice the gravity.
+    let twice = hz(19.62, 0.5);
+    assert!((half / hz(4.905, 1e-12) - 1.0).abs() < 1e-10);
+    assert!(twice < half && half < still, "{twice}, {half}, {still}");
+}
+
 #[test]
 fn a_very_stiff_jacket_is_a_clamp() {
     let legs = [

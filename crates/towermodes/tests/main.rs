@@ -19,6 +19,7 @@ mod footings;
 mod frame;
 mod frame_dense;
 mod frame_shapes;
+mod frame_shares;
 mod frequencies;
 mod ground;
 mod independence;

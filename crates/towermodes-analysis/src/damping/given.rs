@@ -6,8 +6,8 @@ use towermodes::{RotorAerodynamics, TowerDescription, TowerError};
 /// Damping data that replace those of a description; none for those that do not.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct GivenDamping {
-    /// Loss factors by part: `tower`, `foundation`, `soil`, `wires`, `water` or the name of a
-    /// material.
+    /// Loss factors by part: `tower`, `substructure`, `foundation`, `soil`, `wires`, `water` or the
+    /// name of a material.
     pub loss_factors: Vec<(String, f64)>,
     /// ∫ c r dr over one blade, m³.
     pub chord_moment_m3: Option<f64>,
@@ -41,7 +41,7 @@ pub enum GivenDampingError {
 fn parts(materials: &[String]) -> String {
     let named = materials.iter().filter(|name| !name.is_empty());
     let named: Vec<String> = named.take(20).map(|name| format!("`{name}`")).collect();
-    let parts = "the parts are tower, foundation, soil, wires and water";
+    let parts = "the parts are tower, substructure, foundation, soil, wires and water";
     match named.is_empty() {
         true => parts.to_owned(),
         false => format!("{parts}, and the materials {}", named.join(", ")),
@@ -108,6 +108,7 @@ fn set_loss_factor(
     let factors = &mut description.damping.loss_factors;
     let own = match part {
         "tower" => &mut factors.tower,
+        "substructure" => &mut factors.substructure,
         "foundation" => &mut factors.foundation,
         "soil" => &mut factors.soil,
         "wires" => &mut factors.wires,

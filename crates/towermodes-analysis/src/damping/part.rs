@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-use towermodes::{EnergyParts, Foundation, TowerDescription, printable};
+use towermodes::frame::{CoatKind, FrameFoundation, FrameMember};
+use towermodes::tower::Support;
+use towermodes::{EnergyParts, TowerDescription, printable};
 
 /// A part of a tower that dissipates energy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -12,9 +14,11 @@ use towermodes::{EnergyParts, Foundation, TowerDescription, printable};
 pub enum DampedPart {
     /// The tower itself in one of its materials, or a table of properties.
     Tower,
-    /// The foundation.
+    /// The members of the substructure.
+    Substructure,
+    /// The foundation, or the supports of the substructure.
     Foundation,
-    /// The soil springs along the tower.
+    /// The soil springs along the tower and along the piles of the substructure.
     Soil,
     /// The guy wires.
     Wires,
@@ -26,6 +30,7 @@ impl fmt::Display for DampedPart {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Tower => "tower",
+            Self::Substructure => "substructure",
             Self::Foundation => "foundation",
             Self::Soil => "soil",
             Self::Wires => "wires",
@@ -88,6 +93,11 @@ pub(super) fn parts(description: &TowerDescription, energy: &EnergyParts) -> Vec
         .collect();
     let others = [
         (
+            DampedPart::Substructure,
+            factors.substructure,
+            strain.substructure,
+        ),
+        (
             DampedPart::Foundation,
             factors.foundation,
             strain.foundation,
@@ -105,19 +115,55 @@ pub(super) fn parts(description: &TowerDescription, energy: &EnergyParts) -> Vec
 
 /// Whether a tower has a part.
 pub(super) fn has(description: &TowerDescription, part: DampedPart) -> bool {
+    let frame = description.foundation.frame();
     match part {
         DampedPart::Tower => true,
+        DampedPart::Substructure => frame.is_some(),
         // Soil in layers has springs at the tip of the pile, which are part of the foundation.
         // Water plane and moorings are no material, and the energy of buoyancy may be negative.
-        DampedPart::Foundation => match description.foundation {
-            Foundation::Clamped => description.ground.is_some(),
-            Foundation::Floating(_) => false,
-            _ => true,
+        DampedPart::Foundation => match description.foundation.support() {
+            Support::Clamped => description.ground.is_some(),
+            Support::Floating(_) => false,
+            Support::Frame(frame) => description.ground.is_some() || has_springs(frame),
+            Support::Stiffness(_) | Support::Springs(_) | Support::Form(_) => true,
         },
-        DampedPart::Soil => !description.soil.is_empty() || description.ground.is_some(),
+        DampedPart::Soil => {
+            let mut members = members(frame);
+            !description.soil.is_empty()
+                || description.ground.is_some()
+                || members.any(|member| !member.soil.is_empty())
+        }
         DampedPart::Wires => !description.wires.is_empty(),
-        DampedPart::Water => description.water.is_some() || !description.added_mass.is_empty(),
+        DampedPart::Water => {
+            let platform = description.foundation.platform();
+            description.water.is_some()
+                || !description.added_mass.is_empty()
+                || frame.is_some_and(has_water)
+                || platform.is_some_and(|platform| platform.added_mass_at(0.0).matrix != NONE)
+        }
     }
+}
+
+const NONE: [[f64; 6]; 6] = [[0.0; 6]; 6];
+
+fn members(frame: Option<&FrameFoundation>) -> impl Iterator<Item = &FrameMember> {
+    frame
+        .into_iter()
+        .flat_map(|frame| &frame.frame.description().members)
+}
+
+/// Whether springs hold a support.
+fn has_springs(foundation: &FrameFoundation) -> bool {
+    let mut supports = foundation.frame.description().supports.iter();
+    supports.any(|support| support.stiffness != NONE)
+}
+
+/// Whether water moves with members or joints.
+fn has_water(foundation: &FrameFoundation) -> bool {
+    let description = foundation.frame.description();
+    let mut coats = members(Some(foundation)).flat_map(|member| &member.coats);
+    !(description.added_masses.is_empty() && description.riders.is_empty())
+        || coats.any(|coat| matches!(coat.kind, CoatKind::AddedMass { .. }))
 }
 
 /// Whether any piece of the tower is of a material. That of the top row has no piece above it.

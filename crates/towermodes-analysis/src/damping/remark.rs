@@ -3,7 +3,7 @@
 use std::fmt;
 
 use towermodes::number::four_digits;
-use towermodes::{Foundation, Plain, Rotor, TowerDescription};
+use towermodes::{Plain, Rotor, TowerDescription};
 
 use super::ModeDamping;
 use super::part::{DampedPart, has};
@@ -95,11 +95,18 @@ pub(super) fn remarks(
     if damping.rotor.is_some() && rotor.is_none() {
         remarks.push(DampingRemark::NoSpeed);
     }
+    let is_afloat = is_afloat(description);
     let parts = modes.first().map_or(&[][..], |mode| &mode.parts);
     let is_nothing = parts.iter().all(|part| part.loss_factor.is_none());
     match is_nothing {
         true if damping.rotor.is_none() => remarks.push(DampingRemark::Nothing),
-        _ => remarks.extend((0..parts.len()).filter_map(|place| missing(modes, place))),
+        _ => {
+            // Afloat another remark has the water around the platform.
+            let places = 0..parts.len();
+            let places =
+                places.filter(|place| !(is_afloat && parts[*place].part == DampedPart::Water));
+            remarks.extend(places.filter_map(|place| missing(modes, place)));
+        }
     }
     for part in parts {
         if let Some(loss_factor) = part.loss_factor.filter(|factor| *factor > UNUSUAL) {
@@ -107,10 +114,10 @@ pub(super) fn remarks(
             remarks.push(DampingRemark::Unusual { name, loss_factor });
         }
     }
-    let is_afloat = matches!(description.foundation, Foundation::Floating(_));
     remarks.extend(is_afloat.then_some(DampingRemark::Afloat));
     let factors = &damping.loss_factors;
     let others = [
+        (DampedPart::Substructure, factors.substructure),
         (DampedPart::Foundation, factors.foundation),
         (DampedPart::Soil, factors.soil),
         (DampedPart::Wires, factors.wires),
@@ -121,6 +128,13 @@ pub(super) fn remarks(
     let unused = unused.filter(|(part, _)| !is_afloat || *part != DampedPart::Foundation);
     remarks.extend(unused.map(|(part, _)| DampingRemark::Unused { part }));
     remarks
+}
+
+/// Whether a platform or a substructure floats.
+fn is_afloat(description: &TowerDescription) -> bool {
+    let foundation = &description.foundation;
+    let frame = foundation.frame();
+    foundation.platform().is_some() || frame.is_some_and(|frame| frame.restoring.is_some())
 }
 
 /// The remark on a part without a loss factor, by its place in the list of parts.

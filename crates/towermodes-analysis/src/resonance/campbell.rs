@@ -3,6 +3,7 @@
 
 use thiserror::Error;
 
+use super::mode_class::ModeClass;
 use super::not_checked::NotChecked;
 use crate::verdict::Verdict;
 use towermodes::blade::BladeError;
@@ -76,6 +77,8 @@ pub enum Excited {
         family: Family,
         /// Its order in the family, from 1.
         order: usize,
+        /// What it is of.
+        class: ModeClass,
     },
     /// A mode of a rotating blade, followed from speed to speed. Family and order are those at
     /// standstill.
@@ -91,9 +94,8 @@ pub enum Excited {
         name: TurbineModeName,
         /// The index of the curve that has the name there.
         curve: usize,
-        /// Whether it is judged as a mode of the tower; see
-        /// [`counts_as_tower`](crate::whirl::CurvePoint::counts_as_tower).
-        counts_as_tower: bool,
+        /// What it is of; see [`CurvePoint::class`](crate::whirl::CurvePoint::class).
+        class: ModeClass,
     },
 }
 
@@ -116,12 +118,14 @@ pub struct FrequencyLine {
 impl FrequencyLine {
     /// Whether it is judged as a blade mode, of a blade alone or of the blades of a turbine.
     pub fn is_of_blade(&self) -> bool {
+        self.class() == ModeClass::Blades
+    }
+
+    /// What its mode is of.
+    pub fn class(&self) -> ModeClass {
         match self.of {
-            Excited::Tower { .. } => false,
-            Excited::Blade { .. } => true,
-            Excited::Turbine {
-                counts_as_tower, ..
-            } => !counts_as_tower,
+            Excited::Tower { class, .. } | Excited::Turbine { class, .. } => class,
+            Excited::Blade { .. } => ModeClass::Blades,
         }
     }
 
@@ -223,8 +227,8 @@ pub struct Campbell {
     /// The lines: tower modes by frequency, then blade modes. A mode of a turbine has one for each
     /// curve with its name.
     pub lines: Vec<FrequencyLine>,
-    /// The distance of every mode from every multiple, by line, then by multiple. Of a mode with
-    /// several lines it is that of the worst.
+    /// The distance of every mode that is [judged](ModeClass::is_judged) from every multiple, by
+    /// line, then by multiple. Of a mode with several lines it is that of the worst.
     pub margins: Vec<Margin>,
     /// The stiffness class of the first fore-aft and of the first side-side bending mode, if they
     /// are in the list. Of modes that share the motion it is that of the lowest that [holds the

@@ -35,6 +35,7 @@ impl Campbell {
             sentences.push("No warnings.".to_owned());
         }
         sentences.extend(remarks);
+        sentences.extend(unjudged(self));
         sentences.extend(self.uncovered_range_hz().map(|[from_hz, to_hz]| {
             format!(
                 "Modes between {} and {} Hz are not in the list and were not checked.",
@@ -44,6 +45,34 @@ impl Campbell {
         }));
         sentences
     }
+}
+
+/// The modes that are listed and not judged: "Not judged: 6 local modes of the substructure, 2.510
+/// to 2.546 Hz, in which the tower has less than a quarter of the energy."
+fn unjudged(campbell: &Campbell) -> Option<String> {
+    let lines = campbell.lines.iter();
+    let local: Vec<&FrequencyLine> = lines.filter(|line| !line.class().is_judged()).collect();
+    let all_hz = local
+        .iter()
+        .flat_map(|line| &line.points)
+        .map(|[_, hz]| *hz);
+    let from_hz = all_hz.clone().reduce(f64::min)?;
+    let to_hz = all_hz.reduce(f64::max)?;
+    let mut names: Vec<&str> = local.iter().map(|line| &*line.label).collect();
+    names.dedup();
+    let (from, to) = (four_digits(from_hz), four_digits(to_hz));
+    let range = if from == to {
+        from
+    } else {
+        format!("{from} to {to}")
+    };
+    let modes = match names.len() {
+        1 => "1 local mode".to_owned(),
+        count => format!("{count} local modes"),
+    };
+    Some(format!(
+        "Not judged: {modes} of the substructure, {range} Hz, in which the tower has less than a quarter of the energy."
+    ))
 }
 
 /// A first bending mode: its plane, its class, its line.

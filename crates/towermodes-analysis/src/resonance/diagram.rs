@@ -5,6 +5,7 @@ use super::campbell::{
 };
 use super::class::class;
 use super::margin::margin;
+use super::mode_class::ModeClass;
 use super::not_checked::not_checked;
 use super::reach::known_to_hz;
 use super::sweep::{blade_lines, speeds_rpm};
@@ -46,7 +47,9 @@ const MOST_SPEEDS: usize = 1000;
 ///
 /// An error of 10 to 20 % in a stiffness changes a frequency by 5 to 10 %: a pair that warns could
 /// then be at the limit. Other multiples are weaker; whether they matter depends on loads, which
-/// are not in this model. A frequency of 0 (a rigid-body mode without stiffness) is not checked;
+/// are not in this model. Local modes of a [substructure](ModeClass::Substructure) are lines of the
+/// diagram and have no distances: the tower, whose top the rotor excites, hardly moves in them. A
+/// frequency of 0 (a rigid-body mode without stiffness) is not checked;
 /// other rigid-body modes of a floating platform are checked like all modes.
 ///
 /// There are no verdicts and no classes ([`Campbell::not_checked`]) where the operating speeds are
@@ -155,6 +158,7 @@ fn tower_line(mode: &Mode, last_rpm: f64) -> FrequencyLine {
             number: mode.number,
             family: mode.family,
             order: mode.order,
+            class: ModeClass::of(mode),
         },
         label: mode.label(),
         points: [0.0, last_rpm].map(|rpm| [rpm, mode.frequency_hz]).to_vec(),

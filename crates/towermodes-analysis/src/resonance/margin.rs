@@ -5,7 +5,8 @@ use crate::verdict::Verdict;
 use towermodes::tower::Rotor;
 
 /// The distance of a line from a multiple of the rotor speed, at the operating speed where both
-/// are closest; none for a frequency of 0, and for a line that has no operating speeds. A line that
+/// are closest; none for a frequency of 0, for a mode that is not judged, and for a line that has
+/// no operating speeds. A line that
 /// is lost within the operating speeds does not pass, because the rest is unknown; one that begins
 /// or ends there without being lost is beyond the frequencies of the diagram at the other speeds.
 ///
@@ -18,6 +19,9 @@ pub(super) fn margin(
     rotor: &Rotor,
     least: f64,
 ) -> Option<Margin> {
+    if !line.class().is_judged() {
+        return None;
+    }
     let [first_rpm, last_rpm] = [line.points.first()?[0], line.points.last()?[0]];
     let range_rpm = [
         rotor.lowest_rpm.max(first_rpm),

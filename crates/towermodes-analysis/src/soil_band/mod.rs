@@ -7,7 +7,7 @@ use thiserror::Error;
 use towermodes::modes::SharedMotion;
 use towermodes::{Family, Mode, Rotor, Solution, SolveError, Tower, TowerDescription, TowerError};
 
-use crate::resonance::{CampbellOptions, tower_margin};
+use crate::resonance::{CampbellOptions, ModeClass, tower_margin};
 use crate::verdict::Verdict;
 
 pub use scour::{ScourCurve, scour_curve};
@@ -319,6 +319,8 @@ fn value(mode: &Mode, rotor: Option<(&Rotor, &CampbellOptions)>) -> BandValue {
         frequency_hz,
         error_hz,
         share: mode.share(),
-        verdict: rotor.and_then(worst),
+        verdict: rotor
+            .filter(|_| ModeClass::of(mode).is_judged())
+            .and_then(worst),
     }
 }

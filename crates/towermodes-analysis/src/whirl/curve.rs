@@ -2,7 +2,7 @@
 
 use towermodes::turbine::{CoupledFrequency, Nodding, TurbineEnergy, TurbineModeName, TurbinePart};
 
-use crate::resonance::LineEnd;
+use crate::resonance::{LineEnd, ModeClass};
 
 /// A mode with less than this share of its energy in its name shares it with another part. …
 pub(super) const SHARED: f64 = 0.6;
@@ -92,12 +92,20 @@ impl CurvePoint {
         self.share + other_wave.map_or(0.0, |(_, share)| share) < SHARED
     }
 
-    /// Whether it is judged as a mode of the tower: its name is not one of the blades, or the part
-    /// that names it has less than 60 % of its energy and the tower at least 25 %. So both modes
-    /// are judged where the tower shares two.
-    pub fn counts_as_tower(&self) -> bool {
+    /// What it is of: the blades, if its name is one of theirs, unless the part that names it has
+    /// less than 60 % of its energy and the tower at least 25 %. So both modes are judged as modes
+    /// of the tower where the tower shares two. Of the others the shares of the energy decide.
+    pub fn class(&self) -> ModeClass {
+        let energy = &self.energy;
         let is_of_blades = matches!(self.name.part, TurbinePart::Blades(..));
-        !is_of_blades || self.share < SHARED && self.energy.of_tower() >= GOOD_PART
+        if is_of_blades && (self.share >= SHARED || energy.of_tower() < GOOD_PART) {
+            return ModeClass::Blades;
+        }
+        let platform: f64 = energy.platform.iter().sum();
+        let drives = energy.yaw_drive + energy.shaft;
+        // What the blades have moves with the largest of the others.
+        let others = energy.of_tower() + drives;
+        ModeClass::by_shares(energy.substructure, platform / others, drives / others)
     }
 }
 

@@ -109,7 +109,7 @@ impl CoupledCampbell {
 /// each name with the multiples of the rotor speed in the fixed frame, by the table of
 /// [`campbell`](crate::campbell()): modes of the tower and the drivetrain as tower modes, those of
 /// the blades as blade modes. A mode of the blades that shares its energy with the tower counts as
-/// one of the tower; see [`CurvePoint::counts_as_tower`].
+/// one of the tower; see [`CurvePoint::class`].
 ///
 /// Between two speeds f² is interpolated linearly in Ω², as for blades. For a whirl that is an
 /// approximation, whose error falls with the square of the step.

@@ -40,7 +40,7 @@ fn pieces(index: usize, curves: &[CoupledCurve]) -> Vec<(TurbineModeName, Freque
         let begin = first;
         first += run.len();
         let name = title(run);
-        let alike = |a: &CurvePoint, b: &CurvePoint| a.counts_as_tower() == b.counts_as_tower();
+        let alike = |a: &CurvePoint, b: &CurvePoint| a.class() == b.class();
         let mut own = begin;
         let parts = run.chunk_by(alike);
         let piece = |part: &[CurvePoint]| {
@@ -69,7 +69,7 @@ fn line(
         of: Excited::Turbine {
             name,
             curve: index,
-            counts_as_tower: part[0].counts_as_tower(),
+            class: part[0].class(),
         },
         label: name.to_string(),
         points: begin

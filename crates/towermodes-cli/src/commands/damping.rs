@@ -35,8 +35,8 @@ pub(crate) struct DampingArguments {
     #[command(flatten)]
     input: InputArguments,
 
-    /// Loss factor of a part: tower, foundation, soil, wires, water or the name of a material; may
-    /// be repeated [default: from the file]
+    /// Loss factor of a part: tower, substructure, foundation, soil, wires, water or the name of a
+    /// material; may be repeated [default: from the file]
     #[arg(long = "loss-factor", value_name = "PART=VALUE", value_parser = loss_factor_parser)]
     loss_factors: Vec<(String, f64)>,
 

@@ -3,11 +3,11 @@
 use towermodes::number::{percent, with_error};
 use towermodes::tower::Rpm;
 use towermodes::{Mode, Tower};
-use towermodes_analysis::resonance::{Campbell, FrequencyLine, Margin};
+use towermodes_analysis::resonance::{Campbell, FrequencyLine, Margin, ModeClass};
 use towermodes_report::wording::{counted, operation_of, verdict_counts, verdict_word};
 
 use super::coupled::coupled_modes;
-use super::text::{text_table, title, wrapped};
+use super::text::{align_right, plain_table, title, wrapped};
 
 /// The conclusion, then the pairs within a factor of 2, or all, and the rotor.
 /// `modes` are those of the solved tower, `has_blade` is whether the input contains a blade.
@@ -43,7 +43,14 @@ pub fn campbell(
     text + &coupled_modes("", modes)
 }
 
+/// Whether modes are of more than tower, drives and blades, so that tables say of what.
+pub(super) fn has_classes(campbell: &Campbell) -> bool {
+    let mut classes = campbell.lines.iter().map(FrequencyLine::class);
+    classes.any(|class| matches!(class, ModeClass::Platform | ModeClass::Substructure))
+}
+
 pub(super) fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
+    let has_classes = has_classes(campbell);
     let mut before: Option<&FrequencyLine> = None;
     let rows = shown.iter().map(|margin| {
         let line = &campbell.lines[margin.line];
@@ -53,7 +60,11 @@ pub(super) fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
             true => String::new(),
             false => line.label.clone(),
         };
-        [
+        let class = match label.is_empty() {
+            true => String::new(),
+            false => line.class().name().to_owned(),
+        };
+        let mut row = vec![
             label,
             with_error(margin.natural_hz, margin.natural_hz, line.error_hz),
             format!("{}P", margin.multiple),
@@ -61,7 +72,9 @@ pub(super) fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
             format!("{:.4}", margin.excitation_hz),
             distance(campbell, margin),
             verdict_word(margin.verdict).to_owned(),
-        ]
+        ];
+        row.extend(has_classes.then_some(class));
+        row
     });
     let header = [
         "mode",
@@ -72,7 +85,11 @@ pub(super) fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
         "distance",
         "verdict",
     ];
-    text_table(header, rows, 1..=5)
+    let mut table = plain_table();
+    table.set_header(header.into_iter().chain(has_classes.then_some("class")));
+    table.add_rows(rows);
+    align_right(&mut table, 1..=5);
+    table.trim_fmt()
 }
 
 /// "+12.3 %", "crossing", or from which speed on the mode is not found, if the pair warns for this.
@@ -146,7 +163,7 @@ mod tests {
     use towermodes::Rotor;
     use towermodes::{Family, Material, Station, Tower, TowerDescription};
     use towermodes_analysis::Verdict;
-    use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, Margin};
+    use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, Margin, ModeClass};
 
     fn campbell() -> Campbell {
         let (family, order) = (Family::Surge, 1);
@@ -155,6 +172,7 @@ mod tests {
                 number: 1,
                 family,
                 order,
+                class: ModeClass::Tower,
             },
             label: family.label(order),
             points: vec![[0.0, 0.0], [14.52, 0.0]],
@@ -207,6 +225,7 @@ mod tests {
                 number: 1,
                 family,
                 order,
+                class: ModeClass::Tower,
             },
             label: family.label(order),
             points: vec![[0.0, 1.0], [14.52, 1.0]],

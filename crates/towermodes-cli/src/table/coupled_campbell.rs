@@ -9,7 +9,7 @@ use towermodes_analysis::resonance::Margin;
 use towermodes_analysis::whirl::{AgainstRigid, Change, CoupledCampbell, CurvePoint, Meeting};
 use towermodes_report::wording::{STRUCTURE_ONLY, counted, proved};
 
-use super::campbell::{hidden, pairs, summary_or};
+use super::campbell::{has_classes, hidden, pairs, summary_or};
 use super::text::{text_table, title, wrapped};
 
 /// The diagram as text; `all` shows every pair of mode and excitation, and the meetings of curves
@@ -53,6 +53,7 @@ pub fn coupled_campbell(
 /// mode of each whirl pair.
 fn modes(coupled: &CoupledCampbell) -> String {
     let columns = columns_rpm(coupled);
+    let has_classes = has_classes(&coupled.campbell);
     let at = |name: TurbineModeName, rpm: f64| match coupled.at_rpm(name, rpm) {
         Some(point) => {
             let hz = point.frequency.frequency_hz;
@@ -75,14 +76,26 @@ fn modes(coupled: &CoupledCampbell) -> String {
         };
         let ends = columns.iter().map(|rpm| at(*name, *rpm));
         let named = [(index + 1).to_string(), format!("{name}{sign}")];
-        named.into_iter().chain(ends).chain([other]).collect()
+        let class = has_classes.then(|| class_of(coupled, *name));
+        let row = named.into_iter().chain(ends).chain([other]);
+        row.chain(class).collect()
     };
     let rows: Vec<Vec<String>> = names.iter().enumerate().map(row).collect();
     let heading = |rpm: &f64| format!("Hz at {} rpm", Rpm(*rpm));
     let header = ["".to_owned(), "coupled mode".to_owned()].into_iter();
     let header = header.chain(columns.iter().map(heading));
-    let header: Vec<String> = header.chain(["whirls with".to_owned()]).collect();
-    wide_table(&header, &rows)
+    let class = has_classes.then(|| "class".to_owned());
+    let header = header.chain(["whirls with".to_owned()]).chain(class);
+    wide_table(&header.collect::<Vec<_>>(), &rows)
+}
+
+/// What the mode of a name is of, at the speeds of the table: "tower", "substructure, tower".
+fn class_of(coupled: &CoupledCampbell, name: TurbineModeName) -> String {
+    let speeds = columns_rpm(coupled).into_iter();
+    let points = speeds.filter_map(|rpm| coupled.at_rpm(name, rpm));
+    let mut classes: Vec<&str> = points.map(|point| point.class().name()).collect();
+    classes.dedup();
+    classes.join(", ")
 }
 
 /// Of the names in the table of modes the speeds at which less than 60 % of the energy is in the

@@ -2,7 +2,7 @@
 
 use towermodes::number::four_digits;
 use towermodes::tower::Rpm;
-use towermodes::{Plain, RotorAerodynamics, Tower};
+use towermodes::{KineticParts, Plain, RotorAerodynamics, Tower};
 use towermodes_analysis::damping::{DampedPart, ModalDamping, ModeDamping, PartDamping};
 
 use super::text::{align_right, plain_table, title, wrapped};
@@ -15,7 +15,11 @@ pub fn damping(tower: &Tower, damping: &ModalDamping) -> String {
     };
     let has_gravity = tower.gravity_m_per_s2() != 0.0;
     text += "percent of the strain energy of the mode\n\n";
-    text += &energy(first, &damping.modes, has_gravity);
+    text += &energy(first, &damping.modes, (has_gravity, tower.base().floats));
+    if tower.base().floats || tower.frame().is_some() {
+        text += "\npercent of the kinetic energy of the mode\n\n";
+        text += &kinetic(&damping.modes);
+    }
     let mut sentences = Vec::new();
     let has_ratios = first.parts.iter().any(|part| part.loss_factor.is_some());
     if has_ratios || !first.aerodynamic.is_empty() {
@@ -44,18 +48,56 @@ fn rotor(rotor: &RotorAerodynamics) -> String {
     )
 }
 
-fn energy(first: &ModeDamping, modes: &[ModeDamping], has_gravity: bool) -> String {
+fn energy(
+    first: &ModeDamping,
+    modes: &[ModeDamping],
+    (has_gravity, floats): (bool, bool),
+) -> String {
     let mut header = vec!["mode".to_owned(), "frequency Hz".to_owned()];
     header.extend(first.parts.iter().map(|part| match part.part {
         DampedPart::Water => "water (kinetic)".to_owned(),
         _ => part.name(),
     }));
+    if floats {
+        header.extend(["moorings", "water plane"].map(str::to_owned));
+    }
     header.extend(has_gravity.then(|| "self-weight".to_owned()));
     let rows = modes.iter().map(|mode| {
         let mut row = vec![mode.label.clone(), four_digits(mode.frequency_hz)];
         let fractions = mode.parts.iter().map(|part| part.energy_fraction);
-        let gravity = has_gravity.then_some(mode.energy_parts.strain.gravity);
-        row.extend(fractions.chain(gravity).map(two_decimals));
+        let strain = &mode.energy_parts.strain;
+        let afloat = floats.then_some([strain.moorings, strain.foundation]);
+        let gravity = has_gravity.then_some(strain.gravity);
+        let others = afloat.into_iter().flatten().chain(gravity);
+        row.extend(fractions.chain(others).map(two_decimals));
+        row
+    });
+    table(header, rows)
+}
+
+/// The parts of the kinetic energy of which any mode has some.
+fn kinetic(modes: &[ModeDamping]) -> String {
+    let parts: [(&str, fn(&KineticParts) -> f64); 8] = [
+        ("tower", |of| of.tower),
+        ("RNA", |of| of.rna),
+        ("point masses", |of| of.point_masses),
+        ("substructure", |of| of.substructure),
+        ("growth", |of| of.growth),
+        ("filling", |of| of.filling),
+        ("water", |of| of.water),
+        ("platform", |of| of.foundation),
+    ];
+    let is_there = |part: &&(&str, fn(&KineticParts) -> f64)| {
+        let mut modes = modes.iter();
+        modes.any(|mode| (part.1)(&mode.energy_parts.kinetic) != 0.0)
+    };
+    let parts: Vec<_> = parts.iter().filter(is_there).collect();
+    let mut header = vec!["mode".to_owned()];
+    header.extend(parts.iter().map(|(name, _)| (*name).to_owned()));
+    let rows = modes.iter().map(|mode| {
+        let fractions = parts.iter().map(|(_, of)| of(&mode.energy_parts.kinetic));
+        let mut row = vec![mode.label.clone()];
+        row.extend(fractions.map(two_decimals));
         row
     });
     table(header, rows)

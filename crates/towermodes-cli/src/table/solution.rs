@@ -125,8 +125,9 @@ fn summary(tower: &Tower, solution: &Solution) -> String {
 
 /// The sum of the effective modal masses as a percentage of the total mass.
 fn effective_masses(solution: &Solution) -> String {
-    let [x, y, z, ..] = solution
-        .effective_mass_shares()
-        .map(|share| format!("{:.0} %", 100.0 * share));
+    let Some(shares) = solution.effective_mass_shares() else {
+        return "effective modal masses do not add up, as each mode has its own added mass".into();
+    };
+    let [x, y, z, ..] = shares.map(|share| format!("{:.0} %", 100.0 * share));
     format!("effective modal mass of these modes: {x} in x, {y} in y, {z} in z")
 }

@@ -167,6 +167,7 @@ impl Model {
         description.rna = rna.into();
         description.rotor = rotor::rotor(main, self.speeds.as_ref());
         description.missing_parts = self.missing_parts();
+        description.is_clamped_by_request = options.clamped;
         description.foundation = self.below.foundation.clone();
         if self.has_no_blades(options) {
             description.missing_parts.push(MissingPart::Blades);

@@ -35,25 +35,21 @@ impl HydrodynInput {
     ) -> (Restoring, Vec<Note>) {
         let on_origin = self.platform(&RigidBody::default(), gravity_m_per_s2);
         let mut rest = on_origin.platform.hydrostatic.matrix;
-        add(&mut rest, 1.0, &moored.stiffness);
+        let mut moorings = moored.stiffness;
         let moved = [self.filling(), self.growth()].map(|body| body.mass_kg * body.center_m[2]);
         let overturning_n_m = gravity_m_per_s2 * (structure_kg_m + moved[0] + moved[1]);
         (3..5).for_each(|i| rest[i][i] -= overturning_n_m);
-        let mut local = self.water_planes(gravity_m_per_s2);
-        for (at_m, stiffness) in moored.fairleads.iter().flatten() {
-            local.push((*at_m, of_mass(stiffness, *at_m)));
-        }
-        let mut on_joints = Vec::new();
-        for (at_m, matrix) in local {
-            if let Some((joint, position_m)) = nearest_joint(frame, at_m) {
-                add(&mut rest, -1.0, &matrix);
-                on_joints.push((joint, from_point(&matrix, position_m.map(|x| -x))));
-            }
-        }
+        let planes = self.water_planes(gravity_m_per_s2);
+        let lines = moored.fairleads.iter().flatten();
+        let lines = lines.map(|(at_m, stiffness)| (*at_m, of_mass(stiffness, *at_m)));
+        let on_joints = to_joints(frame, planes, &mut rest);
+        let moorings_on_joints = to_joints(frame, lines, &mut moorings);
         let restoring = Restoring {
             matrix: rest,
             height_m: 0.0,
             on_joints,
+            moorings,
+            moorings_on_joints,
         };
         let mut notes = on_origin.notes;
         notes.push(self.note_on_places(moored));
@@ -109,6 +105,23 @@ impl HydrodynInput {
         );
         Note::approximation(message).at(&self.sources[0], 0)
     }
+}
+
+/// Matrices for the origin that act at points, as matrices on the nearest joints; they are taken
+/// from what acts on the origin.
+fn to_joints(
+    frame: &FrameDescription,
+    local: impl IntoIterator<Item = (Vector, SpatialMatrix)>,
+    rest: &mut SpatialMatrix,
+) -> Vec<(usize, SpatialMatrix)> {
+    let mut on_joints = Vec::new();
+    for (at_m, matrix) in local {
+        if let Some((joint, position_m)) = nearest_joint(frame, at_m) {
+            add(rest, -1.0, &matrix);
+            on_joints.push((joint, from_point(&matrix, position_m.map(|x| -x))));
+        }
+    }
+    on_joints
 }
 
 /// The welded joint of a frame nearest to a point, and where it is.

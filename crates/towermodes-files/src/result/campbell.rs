@@ -5,7 +5,9 @@ use std::io::Write;
 use serde::Serialize;
 use towermodes::{Family, Tower, Warning};
 use towermodes_analysis::Verdict;
-use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, Margin, StiffnessClass};
+use towermodes_analysis::resonance::{
+    Campbell, Excited, FrequencyLine, Margin, ModeClass, StiffnessClass,
+};
 use towermodes_analysis::soil_band::SoilBand;
 
 use super::{ResultError, write_records_csv, write_result_json};
@@ -90,6 +92,8 @@ pub(super) fn not_checked(campbell: &Campbell) -> Vec<String> {
 struct LineJson<'a> {
     /// `tower` or `blade`.
     of: &'static str,
+    /// What its mode is of, by its energy. Modes of the `substructure` are not judged.
+    class: ModeClass,
     /// Its number in the list of the tower's modes, from 1; null for a blade.
     number: Option<usize>,
     /// Its family, as in the result of `solve`; for a blade mode that at standstill: `flap`, `lag`,
@@ -187,6 +191,7 @@ fn named(of: Excited) -> (&'static str, Option<usize>, String, usize) {
             number,
             family,
             order,
+            ..
         } => ("tower", Some(number), family.name().to_owned(), order),
         Excited::Blade { family, order } => ("blade", None, family.name().to_owned(), order),
         Excited::Turbine { name, .. } => ("turbine", None, name.part.to_string(), name.order),
@@ -197,6 +202,7 @@ fn line_json(line: &FrequencyLine) -> LineJson<'_> {
     let (of, number, family, order) = named(line.of);
     LineJson {
         of,
+        class: line.class(),
         number,
         family,
         order,

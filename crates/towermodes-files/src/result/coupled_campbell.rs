@@ -6,6 +6,7 @@ use serde::Serialize;
 use towermodes::Tower;
 use towermodes::turbine::{BladeEnergy, TurbineEnergy, TurbinePart};
 use towermodes_analysis::Verdict;
+use towermodes_analysis::resonance::ModeClass;
 use towermodes_analysis::whirl::{
     AgainstRigid, Change, CoupledCampbell, CoupledCurve, CurvePoint, Meeting, NameRange,
     SolvedSpeed,
@@ -170,6 +171,8 @@ struct PointJson {
     /// Whether it is judged as a mode of the tower: its name is not one of the blades, or it shares
     /// its energy with the tower.
     counts_as_tower: bool,
+    /// What it is of, by its energy. Modes of the `substructure` are not judged.
+    class: ModeClass,
     /// Fractions of its elastic energy.
     energy: EnergyJson,
 }
@@ -361,7 +364,8 @@ fn point(point: &CurvePoint) -> PointJson {
         share: point.share,
         second: point.second.map(share),
         nodding: point.nodding().map(|nodding| nodding.to_string()),
-        counts_as_tower: point.counts_as_tower(),
+        counts_as_tower: point.class().counts_as_tower(),
+        class: point.class(),
         energy: shares(&point.energy),
     }
 }

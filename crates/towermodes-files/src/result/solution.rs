@@ -4,7 +4,7 @@
 use std::io::Write;
 
 use serde::Serialize;
-use towermodes::modes::serialized::directions;
+use towermodes::modes::serialized::Directions;
 use towermodes::{
     AddedMassAt, Certificate, HeadStiffness, Method, MissingParts, Mode, Solution, SpringsAt,
     SpringsOfMember, StaticBalance, Statistics, Tower, TowerDescription,
@@ -45,13 +45,9 @@ pub(super) struct SolutionDocument<'a> {
     /// The buckling load factor: the factor on gravity at which the tower buckles; null without
     /// gravity, or where the tower floats.
     buckling_load_factor: Option<f64>,
-    /// Effective masses of the listed modes together, as fractions of those of the whole tower.
-    #[serde(serialize_with = "directions")]
-    #[cfg_attr(
-        feature = "schema",
-        schemars(with = "towermodes::modes::serialized::Directions")
-    )]
-    effective_mass_shares: [f64; 6],
+    /// Effective masses of the listed modes together, as fractions of those of the whole tower;
+    /// null where each mode has the added mass of its own frequency, as such masses do not add up.
+    effective_mass_shares: Option<Directions>,
     /// The derivatives of the frequencies with respect to every number of the tower; null unless
     /// they are requested.
     sensitivities: Option<InfluencesJson<'a>>,
@@ -139,7 +135,7 @@ impl<'a> SolutionDocument<'a> {
             added_mass: solution.added_mass,
             static_balance: tower.static_balance(),
             buckling_load_factor: solution.buckling_load_factor,
-            effective_mass_shares: solution.effective_mass_shares(),
+            effective_mass_shares: solution.effective_mass_shares().map(Directions::from),
             sensitivities: None,
             solver: solution.statistics,
             warnings: notes.chain(warnings).collect(),

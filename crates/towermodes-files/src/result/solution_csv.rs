@@ -40,6 +40,12 @@ pub static MODE_COLUMNS: &[Column<Mode>] = &[
     Column { key: "effective_mass.rotation_x", unit: "kg m²", meaning: "effective modal mass about x", value: |m| Small(m.effective_mass[3]) },
     Column { key: "effective_mass.rotation_y", unit: "kg m²", meaning: "effective modal mass about y", value: |m| Small(m.effective_mass[4]) },
     Column { key: "effective_mass.rotation_z", unit: "kg m²", meaning: "effective modal mass about z", value: |m| Small(m.effective_mass[5]) },
+    Column { key: "effective_mass_shares.x", unit: "", meaning: "effective modal mass in x as a fraction of the whole, with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[0]) },
+    Column { key: "effective_mass_shares.y", unit: "", meaning: "effective modal mass in y as a fraction of the whole, with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[1]) },
+    Column { key: "effective_mass_shares.z", unit: "", meaning: "effective modal mass in z as a fraction of the whole, with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[2]) },
+    Column { key: "effective_mass_shares.rotation_x", unit: "", meaning: "effective modal mass about x as a fraction of the whole, with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[3]) },
+    Column { key: "effective_mass_shares.rotation_y", unit: "", meaning: "effective modal mass about y as a fraction of the whole, with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[4]) },
+    Column { key: "effective_mass_shares.rotation_z", unit: "", meaning: "effective modal mass about z as a fraction of the whole, with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[5]) },
 ];
 
 fn name(family: Family) -> Cell {

@@ -22,6 +22,9 @@ const LOOSE: f64 = -3.0;
 const RIGID: f64 = -2.0;
 const HINGED: f64 = -1.0;
 
+/// Two nodes and their positions, m.
+type Ends = ([Node; 2], [Vector; 2]);
+
 /// A frame as equations, and where its parts are in them.
 pub(super) struct Assembled {
     pub(super) equations: Equations,
@@ -259,24 +262,31 @@ impl<'a> Assembly<'a> {
             self.ends[member][side] = node;
             for (other, other_axes) in &placed {
                 if let Some([near, across, far]) = spring(&kind, [other_axes, &own]) {
-                    self.add_nodal(ELASTIC, [*other, node], [near, across, far]);
+                    let ends = ([*other, node], [position_m; 2]);
+                    self.add_nodal(ELASTIC, ends, [near, across, far]);
                 }
             }
             placed.push((node, own));
         }
     }
 
-    /// Adds a matrix for the motions of two nodes: its blocks near-near, near-far, far-far.
-    fn add_nodal(&mut self, kind: usize, ends: [Node; 2], blocks: [SpatialMatrix; 3]) {
+    /// Adds a matrix for the motions of two nodes at these positions (m): its blocks near-near,
+    /// near-far, far-far.
+    fn add_nodal(&mut self, kind: usize, (ends, ends_m): Ends, blocks: [SpatialMatrix; 3]) {
         self.matrices.push(Chord {
             ends,
+            ends_m,
             first: 0,
             parts: Parts::of_nodal(kind, &blocks),
         });
     }
 
     fn place_member(&mut self, index: usize, member: &FrameMember) {
-        let ends = self.ends[index];
+        let joints = &self.frame.description().joints;
+        let ends = (
+            self.ends[index],
+            member.joints.map(|j| joints[j].position_m),
+        );
         let length_m = self.frame.length_m(member);
         let axes = self.frame.axes(member);
         match &member.kind {
@@ -294,7 +304,7 @@ impl<'a> Assembly<'a> {
                 self.add_cable_inertia(ends, &axes, mass_kg_per_m * unstretched_m);
             }
             MemberKind::Rigid { mass_kg_per_m } => {
-                self.graph.connect(ends, EdgeKind::Rigid, RIGID);
+                self.graph.connect(ends.0, EdgeKind::Rigid, RIGID);
                 if *mass_kg_per_m > 0.0 && length_m > 0.0 {
                     self.add_cable_inertia(ends, &axes, mass_kg_per_m * length_m);
                 }
@@ -307,13 +317,13 @@ impl<'a> Assembly<'a> {
     }
 
     /// Adds a stiffness for the difference of two motions, with no lever arm between them.
-    fn add_relative(&mut self, ends: [Node; 2], stiffness: &SpatialMatrix) {
+    fn add_relative(&mut self, ends: Ends, stiffness: &SpatialMatrix) {
         let across = stiffness.map(|row| row.map(|entry| -entry));
         self.add_nodal(ELASTIC, ends, [*stiffness, across, *stiffness]);
     }
 
     /// The consistent inertia of a cable: cubic shapes across, linear along.
-    fn add_cable_inertia(&mut self, ends: [Node; 2], axes: &[Vector; 3], mass_kg: f64) {
+    fn add_cable_inertia(&mut self, ends: Ends, axes: &[Vector; 3], mass_kg: f64) {
         let of = |across: f64, along: f64| {
             let own = [across, across, along, 0.0, 0.0, 0.0].map(|share| share * mass_kg);
             rigid::matrix_out_of_axes(axes, &diagonal(own))
@@ -323,9 +333,6 @@ impl<'a> Assembly<'a> {
     }
 
     fn place_beam(&mut self, index: usize, member: &FrameMember, length_m: f64) {
-        let [from, to] = member
-            .joints
-            .map(|j| self.frame.description().joints[j].position_m);
         let borders = self.recipe.borders(member);
         let parts = borders.len() - 1;
         let mut near = self.ends[index][0];
@@ -333,8 +340,7 @@ impl<'a> Assembly<'a> {
             let far = if k + 1 == parts {
                 self.ends[index][1]
             } else {
-                let s = fractions[1];
-                let position_m = std::array::from_fn(|i| from[i] + s * (to[i] - from[i]));
+                let position_m = self.position_m(index, fractions[1]);
                 Some(self.graph.add_node(position_m, member.joints[0]))
             };
             // The flexibility of a cantilever in bending is as its length cubed over EI.
@@ -349,6 +355,14 @@ impl<'a> Assembly<'a> {
                 .connect([near, far], kind, part_m.powi(3) / bending);
             near = far;
         }
+    }
+
+    /// Position of a point of a member at a fraction of its length, m.
+    fn position_m(&self, member: usize, at: f64) -> Vector {
+        let description = self.frame.description();
+        let joints = description.members[member].joints;
+        let [from, to] = joints.map(|joint| description.joints[joint].position_m);
+        std::array::from_fn(|i| from[i] + at * (to[i] - from[i]))
     }
 
     fn bending_n_m2(&self, member: &FrameMember, fractions: &[f64]) -> f64 {
@@ -623,6 +637,7 @@ impl<'a> Assembly<'a> {
         }
         Some(Chord {
             ends,
+            ends_m: [from, to].map(|at| self.position_m(member, at)),
             first,
             parts: Parts::of_chord(&element, axes),
         })

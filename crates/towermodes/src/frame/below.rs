@@ -12,11 +12,12 @@ use super::elimination::Factors;
 use super::equations::{ELASTIC, Equations, GEOMETRIC, GROUND, INERTIA, KINDS};
 use super::error::FrameSolveError;
 use super::hinge::UNIT;
+use super::local::has_loops;
 use super::order::Order;
 use super::product::Sweep;
 use super::recipe::FrameRecipe;
 use super::rigid::{Motion, NONE, moved, product, rigid_transfer, transposed_product};
-use super::statics::with_tensions;
+use super::statics::{AtRest, with_tensions};
 use crate::scalar::{Complex, Scalar};
 use crate::space::SpatialMatrix;
 use crate::tower::frame::FrameFoundation;
@@ -43,6 +44,8 @@ pub struct FrameBelow {
     product: Vec<f64>,
     /// The stiffness that the base feels at rest.
     at_rest: SpatialMatrix,
+    /// Whether members are in loops and so can vibrate by themselves; a single pile cannot.
+    has_loops: bool,
 }
 
 /// What is left of a frame at the base of the tower.
@@ -71,14 +74,13 @@ impl FrameBelow {
         let [_, _, reference_m] = foundation.reference_m();
         let rise_m = base_m - reference_m;
         let recipe = FrameRecipe::Spectral { degree };
-        let members_n = foundation.gravity_on_members(gravity_m_per_s2);
         let Assembled {
             mut equations,
             transition,
             ..
         } = with_tensions(
             &foundation.frame,
-            members_n,
+            AtRest::under_tower(foundation, gravity_m_per_s2),
             |frame, tensions, purpose| assemble_below_transition(frame, recipe, tensions, purpose),
             |assembled| {
                 if let Some(node) = assembled.transition {
@@ -94,6 +96,7 @@ impl FrameBelow {
         equations.links.pop();
         let mut own = Self {
             order: Order::ending_with(&equations, Some(node)),
+            has_loops: has_loops(&equations),
             equations,
             from_base: rigid_transfer([0.0, 0.0, -rise_m]),
             at_rest: NONE,
@@ -180,17 +183,23 @@ impl FrameBelow {
     /// Twice the elastic energy, with what holds the frame and with gravity: by component of the
     /// motion of the base what the frame has if it follows this motion at rest, and what it has
     /// besides, by motions of its own with the base held. The two add up, as K of one times the
-    /// other is zero.
+    /// other is zero. Without loops all is with the tower: what a pile has besides goes to the
+    /// components in the proportion of what it has as it follows.
     pub(crate) fn energies(&mut self, base: &Phasors, x: &[Complex]) -> ([f64; 6], f64) {
         let mut out = vec![Complex::default(); x.len()];
         let (_, all) = self.times((&stiffness(), 1.0), base, x, &mut out);
-        let following = std::array::from_fn(|i| {
+        let following: [f64; 6] = std::array::from_fn(|i| {
             let row = self.at_rest[i].iter().zip(base);
             let force: Complex = row.map(|(k, x)| x.times(*k)).sum();
             (base[i].conj() * force).re
         });
-        let own = all - following.iter().sum::<f64>();
-        (following, own.max(0.0))
+        let own = (all - following.iter().sum::<f64>()).max(0.0);
+        if self.has_loops {
+            return (following, own);
+        }
+        let size: f64 = following.iter().map(|energy| energy.abs()).sum();
+        let of_size = if size > 0.0 { own / size } else { 0.0 };
+        (following.map(|energy| energy + of_size * energy.abs()), 0.0)
     }
 
     /// The coordinates whose squares are elastic energies, those of the elements that carry nodes

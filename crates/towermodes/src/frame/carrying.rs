@@ -8,16 +8,16 @@ use super::elimination::Factors;
 use super::equations::{ELASTIC, Equations, GEOMETRIC, GROUND, INERTIA, KINDS, Link};
 use super::error::FrameSolveError;
 use super::finer::Finer;
-use super::hinge::UNIT;
 use super::local::Local;
 use super::mechanism::mechanism;
 use super::order::Order;
 use super::parts::Parts;
 use super::product::Sweep;
 use super::recipe::FrameRecipe;
-use super::rigid::{Motion, NONE, add_transposed, rigid_transfer, transposed};
+use super::resultant::Places;
+use super::rigid::{Motion, NONE, rigid_transfer};
 use super::shape::{FrameShape, ShapeReader};
-use super::statics::with_tensions;
+use super::statics::{AtRest, with_tensions};
 use super::tension::Tension;
 use crate::beam::MemberPart;
 use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
@@ -39,8 +39,8 @@ pub(crate) struct BareFrame {
     equations: Equations,
     /// The node of the transition piece.
     node: usize,
-    /// Positions of the nodes of the frame about the axis of the tower, m.
-    levers_m: Vec<[f64; 2]>,
+    /// Its nodes from the base of the tower.
+    places: Places,
     /// The tension in its elements, by edge.
     tensions: Vec<(usize, Tension)>,
     /// The same frame with elements of a higher degree, when it was needed.
@@ -92,7 +92,6 @@ impl BareFrame {
     ) -> Result<Self, FrameSolveError> {
         let [x, y, z] = foundation.reference_m();
         let gravity_m_per_s2 = tower.gravity_m_per_s2();
-        let members_n = foundation.gravity_on_members(gravity_m_per_s2);
         let mut bare = (0, 0);
         let Assembled {
             mut equations,
@@ -105,7 +104,7 @@ impl BareFrame {
             ..
         } = with_tensions(
             &foundation.frame,
-            members_n,
+            AtRest::under_tower(foundation, gravity_m_per_s2),
             |frame, tensions, purpose| {
                 let recipe = FrameRecipe::Spectral { degree };
                 assemble(frame, recipe, tensions, purpose)
@@ -120,12 +119,13 @@ impl BareFrame {
             },
         )?;
         equations.shrink(bare);
+        let places = Places::new(&equations, &positions_m, [x, y, tower.base_m()]);
         Ok(Self {
             tower: tower.clone(),
             degree,
             node: transition.ok_or(FrameSolveError::NoTransition)?,
             equations,
-            levers_m: positions_m.iter().map(|p| [p[0] - x, p[1] - y]).collect(),
+            places,
             joint_of_node,
             tensions,
             shapes: ShapeReader { joints, samples },
@@ -245,51 +245,16 @@ impl OnFrame {
         Ok(change / self.energy(&Coefficients::MASS, x))
     }
 
-    /// The inertia of all against motions of the base as a rigid body, of a frame that floats: kg,
-    /// kg m, kg m²; none where supports hold it.
-    pub(crate) fn rigid_inertia(&mut self) -> Option<SpatialMatrix> {
-        let first = self.first_of_rigid()?;
-        let to_piece = transposed(&self.piece_of_base());
-        let columns = to_piece.map(|motion| {
-            let mut x = vec![0.0; self.degrees_of_freedom()];
-            (0..6).for_each(|i| x[first + i] = motion[i] / UNIT);
-            let mut force = vec![0.0; x.len()];
-            self.product(&Coefficients::MASS, &x, &mut force);
-            self.at_base(first, &force)
-        });
-        Some(transposed(&columns))
+    /// The inertia of the frame against motions of the base of the tower, with which all moves as
+    /// one rigid body: kg, kg m, kg m².
+    pub(crate) fn rigid_inertia_of_frame(&self) -> SpatialMatrix {
+        let (factors, _) = factors_of(&Coefficients::MASS);
+        self.frame.places.as_rigid(&self.frame.equations, &factors)
     }
 
-    /// The place of the coordinates that move all as a rigid body, if nothing but what they move
-    /// holds the frame: those of the transition piece.
-    fn first_of_rigid(&self) -> Option<usize> {
-        let foundation = self.frame.tower.frame()?;
-        foundation.restoring.as_ref()?;
-        let mut roots = self
-            .frame
-            .equations
-            .links
-            .iter()
-            .filter(|l| l.parent.is_none());
-        let root = roots
-            .next()
-            .filter(|l| l.child == self.frame.node && l.tip.len() == 6)?;
-        roots.next().is_none().then_some(root.first)
-    }
-
-    /// The motion of the transition piece from that of the base.
-    fn piece_of_base(&self) -> SpatialMatrix {
-        let tower = &self.frame.tower;
-        let reference_m = tower.frame().map_or(0.0, |frame| frame.reference_m()[2]);
-        rigid_transfer([0.0, 0.0, reference_m - tower.base_m()])
-    }
-
-    /// The force on the whole about the base, of forces on the coordinates.
-    fn at_base(&self, first: usize, forces: &[f64]) -> Motion {
-        let on_piece: Motion = std::array::from_fn(|i| forces[first + i] / UNIT);
-        let mut force = Motion::default();
-        add_transposed(&mut force, &self.piece_of_base(), &on_piece);
-        force
+    /// Whether it floats, so that the frame follows the base but for its deformation.
+    fn floats(&self) -> bool {
+        self.frame.tower.base().floats
     }
 
     /// Why the frame is a mechanism under its tower, if it is one.
@@ -350,14 +315,14 @@ impl OnFrame {
         let mut motions = std::mem::take(&mut self.frame.memory.sweep.motions);
         self.frame.equations.set_motions(x, &mut motions);
         let (mut turned, mut squares) = (0.0, 0.0);
-        for ([x_m, y_m], motion) in self.frame.levers_m.iter().zip(&motions) {
+        for ([x_m, y_m, _], motion) in self.frame.places.levers_m.iter().zip(&motions) {
             turned += x_m * motion[1] - y_m * motion[0];
             squares += x_m * x_m + y_m * y_m;
         }
         let angle = if squares > 0.0 { turned / squares } else { 0.0 };
         let mut shares = [0.0; 6];
         shares[5] = angle * angle * squares;
-        for ([x_m, y_m], motion) in self.frame.levers_m.iter().zip(&motions) {
+        for ([x_m, y_m, _], motion) in self.frame.places.levers_m.iter().zip(&motions) {
             let rest = [motion[0] + angle * y_m, motion[1] - angle * x_m, motion[2]];
             (0..3).for_each(|i| shares[i] += rest[i] * rest[i]);
         }
@@ -384,10 +349,12 @@ pub(super) fn add_platform(
     let rise_m = reference_m - foundation.pivot_m();
     let nodes = &mut assembled.equations.nodes;
     if let Some(restoring) = &foundation.restoring {
-        let mut matrix = restoring.matrix;
-        transform_matrix(&mut matrix, -rise_m);
-        add_scaled(&mut nodes[node][GROUND], 1.0, &matrix);
-        for (joint, matrix) in &restoring.on_joints {
+        for matrix in [restoring.matrix, restoring.moorings] {
+            let mut moved = matrix;
+            transform_matrix(&mut moved, -rise_m);
+            add_scaled(&mut nodes[node][GROUND], 1.0, &moved);
+        }
+        for (joint, matrix) in restoring.all_on_joints() {
             if let Some(node) = assembled.joints[*joint] {
                 add_scaled(&mut nodes[node][GROUND], 1.0, matrix);
             }
@@ -612,19 +579,20 @@ impl Subsystem for OnFrame {
         let own = self.tower_vector(x);
         let mut resultant = self.tower.resultant(a, &own, base_m);
         let of_tower: f64 = resultant.energy.iter().sum();
-        let mut of_rigid = [0.0; 6];
-        if let Some(first) = self.first_of_rigid() {
-            let mut product = vec![0.0; x.len()];
-            self.product(a, x, &mut product);
-            let force = self.at_base(first, &product);
-            let mut motions = std::mem::take(&mut self.frame.memory.sweep.motions);
-            self.frame.equations.set_motions(x, &mut motions);
-            // Afloat the frame follows the base but for its deformation.
-            of_rigid =
-                std::array::from_fn(|i| motions[self.foot][i] * (force[i] - resultant.force[i]));
-            self.frame.memory.sweep.motions = motions;
-            resultant.force = force;
-        }
+        let mut motions = std::mem::take(&mut self.frame.memory.sweep.motions);
+        let equations = &self.frame.equations;
+        equations.set_motions(x, &mut motions);
+        let (factors, _) = factors_of(a);
+        let force = self
+            .frame
+            .places
+            .resultant(equations, &factors, (&motions, x));
+        let of_rigid: [f64; 6] = match self.floats() {
+            true => std::array::from_fn(|i| motions[self.foot][i] * force[i]),
+            false => [0.0; 6],
+        };
+        self.frame.memory.sweep.motions = motions;
+        (0..6).for_each(|i| resultant.force[i] += force[i]);
         let known = of_tower + of_rigid.iter().sum::<f64>();
         let of_frame = self.energy_of_frame(of_all, known, x);
         (0..6).for_each(|i| resultant.energy[i] += of_rigid[i] + of_frame[i]);

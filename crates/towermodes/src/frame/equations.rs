@@ -10,7 +10,7 @@
 //! never meets the rigid motions of the rest, so a member of a millimetre costs no digit.
 
 use super::parts::{MOST_ENDS, Parts, Side};
-use super::rigid::Motion;
+use super::rigid::{Motion, Vector};
 use crate::space::SpatialMatrix;
 
 pub(super) use super::kinds::{ELASTIC, GEOMETRIC, GROUND, INERTIA, KINDS};
@@ -40,6 +40,8 @@ pub(super) struct Link {
 pub(super) struct Chord {
     /// None: the ground.
     pub(super) ends: [Option<usize>; 2],
+    /// Where they are, m.
+    pub(super) ends_m: [Vector; 2],
     /// Place of the first bubble among the unknowns.
     pub(super) first: usize,
     /// For the motions of both ends and the bubbles.

@@ -118,6 +118,11 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
+/// Whether any members of a frame are in loops.
+pub(super) fn has_loops(equations: &Equations) -> bool {
+    links_in_loops(equations).contains(&true)
+}
+
 /// Which links are in loops: each chord of a beam closes one, over the ground too.
 fn links_in_loops(equations: &Equations) -> Vec<bool> {
     let mut link_of = vec![None; equations.nodes.len()];

@@ -18,6 +18,7 @@ mod parts;
 mod pencil;
 mod product;
 mod recipe;
+mod resultant;
 mod rigid;
 mod shape;
 mod solve;

@@ -8,7 +8,7 @@ use super::mechanism::{least_lambda, mechanism};
 use super::pencil::FramePencil;
 use super::recipe::FrameRecipe;
 use super::shape::{FrameShape, ShapeReader};
-use super::statics::with_tensions;
+use super::statics::{AtRest, with_tensions};
 use crate::eigen::{EigenWorkspace, lowest};
 use crate::tower::frame::Frame;
 
@@ -27,7 +27,8 @@ pub struct FrameOptions {
     /// How members are made into elements; none: spectral elements whose degree rises until the
     /// frequencies have converged.
     pub recipe: Option<FrameRecipe>,
-    /// Gravity, m/s², for the geometric stiffness of the weight of the frame; 0 for none.
+    /// Gravity, m/s², for the geometric stiffness of the weight of the frame, less its buoyancy; 0
+    /// for none.
     pub gravity_m_per_s2: f64,
 }
 
@@ -119,7 +120,11 @@ fn solve_once(
     options: &FrameOptions,
     recipe: FrameRecipe,
 ) -> Result<FrameSolution, FrameSolveError> {
-    let (wanted, gravity_m_per_s2) = (options.modes, options.gravity_m_per_s2);
+    let wanted = options.modes;
+    let at_rest = AtRest {
+        gravity_m_per_s2: options.gravity_m_per_s2,
+        has_buoyancy: true,
+    };
     let Assembled {
         equations,
         joints,
@@ -129,7 +134,7 @@ fn solve_once(
         ..
     } = with_tensions(
         frame,
-        gravity_m_per_s2,
+        at_rest,
         |frame, tensions, purpose| assemble(frame, recipe, tensions, purpose),
         |_| {},
     )?;

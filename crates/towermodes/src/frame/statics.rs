@@ -1,8 +1,14 @@
 //! The axial forces of members at rest under weight, for their geometric stiffness.
 //!
 //! K u = f with the weights f; the force in a beam follows from its elongation, less what its own
-//! distributed weight and the friction of soil along it elongate. Water around members has no
-//! weight here, and buoyancy is left out.
+//! distributed weight and the friction of soil along it elongate.
+//!
+//! The water around a member carries the weight of what the member displaces, growth included. With
+//! weights in water on all members the force is the effective tension T + pₑ Aₑ − pᵢ Aᵢ, with the
+//! pressures and areas outside and inside of the wall. The transverse forces of the pressures on a
+//! bent tube are those of such a tension, so it is what changes the stiffness, with ends that are
+//! closed or open (Sparks 1984, *The influence of tension, pressure and weight on pipe and riser
+//! deformations and stresses*, J. Energy Resour. Technol. 106; not checked against the original).
 
 use super::assembly::{Assembled, Carrier, PlacedElement, Purpose};
 use super::elimination::Factors;
@@ -10,7 +16,7 @@ use super::equations::{ELASTIC, Equations, GROUND, INERTIA, KINDS, motion_of};
 use super::order::Order;
 use super::rigid::{Motion, Vector};
 use super::tension::{Tension, tension_at};
-use crate::tower::frame::{CoatKind, Frame, FrameDescription};
+use crate::tower::frame::{CoatKind, Frame, FrameDescription, FrameFoundation};
 
 /// Points of Gauss's rule on [0, 1] and their weights: exact for degree 7.
 const GAUSS: [(f64, f64); 4] = [
@@ -20,21 +26,47 @@ const GAUSS: [(f64, f64); 4] = [
     (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
 ];
 
-/// A frame whose masses are those that have weight.
-pub(super) fn weighed(frame: &Frame) -> FrameDescription {
+/// What acts on a frame at rest.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct AtRest {
+    /// Gravity, m/s².
+    pub(super) gravity_m_per_s2: f64,
+    /// Whether the water around members carries what they displace.
+    pub(super) has_buoyancy: bool,
+}
+
+impl AtRest {
+    /// On a frame under a tower with gravity, m/s².
+    pub(super) fn under_tower(foundation: &FrameFoundation, gravity_m_per_s2: f64) -> Self {
+        Self {
+            gravity_m_per_s2: foundation.gravity_on_members(gravity_m_per_s2),
+            has_buoyancy: foundation.buoyancy_on_members,
+        }
+    }
+}
+
+/// A frame whose masses are those that have weight, less what water carries.
+fn weighed(frame: &Frame, has_buoyancy: bool) -> FrameDescription {
     let mut description = frame.description().clone();
     description.added_masses.clear();
     description.riders.clear();
-    for coat in description
-        .members
-        .iter_mut()
-        .flat_map(|member| &mut member.coats)
-    {
+    let members = description.members.iter_mut();
+    for coat in members.flat_map(|member| &mut member.coats) {
         if let CoatKind::AddedMass {
-            density_kg_per_m3, ..
-        } = &mut coat.kind
+            density_kg_per_m3,
+            radius_m,
+            ..
+        } = coat.kind
         {
-            *density_kg_per_m3 = 0.0;
+            let carried = match has_buoyancy {
+                true => -density_kg_per_m3,
+                false => 0.0,
+            };
+            coat.kind = CoatKind::Solid {
+                density_kg_per_m3: [carried; 2],
+                outer_radius_m: radius_m,
+                inner_radius_m: [0.0; 2],
+            };
         }
     }
     description
@@ -222,16 +254,21 @@ fn integral([from, to]: [f64; 2], value: impl Fn(f64) -> f64) -> f64 {
     (to - from) * sum
 }
 
-/// The equations of a frame and of what it carries, with the geometric stiffness of its weight.
+/// The equations of a frame and of what it carries, with the geometric stiffness of the forces at
+/// rest.
 pub(super) fn with_tensions<E>(
     frame: &Frame,
-    gravity_m_per_s2: f64,
+    at_rest: AtRest,
     assemble: impl Fn(&Frame, &[(usize, Tension)], Purpose) -> Result<Assembled, E>,
     mut carry: impl FnMut(&mut Assembled),
 ) -> Result<Assembled, E> {
     let mut forces = Vec::new();
+    let AtRest {
+        gravity_m_per_s2,
+        has_buoyancy,
+    } = at_rest;
     if gravity_m_per_s2 != 0.0 {
-        let heavy = Frame::unchecked(weighed(frame));
+        let heavy = Frame::unchecked(weighed(frame, has_buoyancy));
         let mut at_rest = assemble(&heavy, &[], Purpose::Rest)?;
         carry(&mut at_rest);
         forces = tensions(

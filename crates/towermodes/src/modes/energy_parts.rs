@@ -52,9 +52,14 @@ pub struct StrainParts {
     /// Of the tower itself in each material, in the order of the materials of the description; one
     /// value for a table of properties.
     pub materials: Vec<f64>,
-    /// Of the foundation: springs, stiffness matrix, moorings and water plane.
+    /// Of the members of a substructure.
+    pub substructure: f64,
+    /// Of the foundation: springs, stiffness matrix, supports of a substructure; of a floating
+    /// platform the buoyancy and the water plane.
     pub foundation: f64,
-    /// Of the soil springs along the tower.
+    /// Of the moorings.
+    pub moorings: f64,
+    /// Of the soil springs along the tower and along the piles of a substructure.
     pub soil: f64,
     /// Of the guy wires.
     pub wires: f64,
@@ -73,10 +78,17 @@ pub struct KineticParts {
     pub rna: f64,
     /// Of the point masses.
     pub point_masses: f64,
-    /// Of the water around and inside the tower and of the tables of added mass.
+    /// Of the members of a substructure themselves, with the masses on its joints.
+    pub substructure: f64,
+    /// Of the marine growth on members.
+    pub growth: f64,
+    /// Of the water, or of another filling, inside members.
+    pub filling: f64,
+    /// Of the water around and inside the tower, of the tables of added mass, and of the water
+    /// around members and around a floating platform.
     pub water: f64,
-    /// Of what moves with the base: the inertia of the foundation, a floating platform with its
-    /// added mass.
+    /// Of what moves with the base: the inertia of the foundation or of supports, a floating
+    /// platform with its ballast, a transition piece.
     pub foundation: f64,
 }
 
@@ -91,13 +103,22 @@ impl StrainParts {
 
     /// Turns energies into fractions.
     pub(crate) fn into_fractions(mut self) -> Self {
-        let others = [self.foundation, self.soil, self.wires, self.gravity];
+        let others = [
+            self.substructure,
+            self.foundation,
+            self.moorings,
+            self.soil,
+            self.wires,
+            self.gravity,
+        ];
         let all = self.materials.iter().chain(&others);
         let factor = one_over_sum(all);
         self.materials.iter_mut().for_each(|value| *value *= factor);
         Self {
             materials: self.materials,
+            substructure: self.substructure * factor,
             foundation: self.foundation * factor,
+            moorings: self.moorings * factor,
             soil: self.soil * factor,
             wires: self.wires * factor,
             gravity: self.gravity * factor,
@@ -112,14 +133,22 @@ impl KineticParts {
             tower,
             rna,
             point_masses,
+            substructure,
+            growth,
+            filling,
             water,
             foundation,
         } = self;
-        let factor = one_over_sum([tower, rna, point_masses, water, foundation].iter());
+        let on_tower = [tower, rna, point_masses];
+        let below = [substructure, growth, filling, water, foundation];
+        let factor = one_over_sum(on_tower.iter().chain(&below));
         Self {
             tower: tower * factor,
             rna: rna * factor,
             point_masses: point_masses * factor,
+            substructure: substructure * factor,
+            growth: growth * factor,
+            filling: filling * factor,
             water: water * factor,
             foundation: foundation * factor,
         }

@@ -66,16 +66,20 @@ pub struct Directions {
 /// # Errors
 /// Those of the serializer.
 pub fn directions<S: Serializer>(values: &[f64; 6], serializer: S) -> Result<S::Ok, S::Error> {
-    let [x, y, z, rotation_x, rotation_y, rotation_z] = *values;
-    let directions = Directions {
-        x,
-        y,
-        z,
-        rotation_x,
-        rotation_y,
-        rotation_z,
-    };
-    directions.serialize(serializer)
+    Directions::from(*values).serialize(serializer)
+}
+
+impl From<[f64; 6]> for Directions {
+    fn from([x, y, z, rotation_x, rotation_y, rotation_z]: [f64; 6]) -> Self {
+        Self {
+            x,
+            y,
+            z,
+            rotation_x,
+            rotation_y,
+            rotation_z,
+        }
+    }
 }
 
 /// The fraction of the energy in each motion of a blade.

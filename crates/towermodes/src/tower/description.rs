@@ -210,6 +210,8 @@ pub struct TowerDescription {
     pub part_names: PartNames,
     /// Parts of the structure that its source has and this description lacks; none by default.
     pub missing_parts: Vec<MissingPart>,
+    /// Whether its user asked to clamp it in place of these parts; no by default.
+    pub is_clamped_by_request: bool,
 }
 
 impl Default for TowerDescription {
@@ -236,6 +238,7 @@ impl Default for TowerDescription {
             drivetrain: None,
             part_names: PartNames::default(),
             missing_parts: Vec::new(),
+            is_clamped_by_request: false,
         }
     }
 }

@@ -146,10 +146,12 @@ impl Tower {
             mass_kg,
             ground: None,
             missing: (!description.missing_parts.is_empty()).then(|| {
-                MissingParts::of(
-                    &description.missing_parts,
-                    description.foundation == Foundation::Clamped,
-                )
+                let is_clamped = description.foundation == Foundation::Clamped;
+                let missing = MissingParts::of(&description.missing_parts, is_clamped);
+                MissingParts {
+                    is_requested: missing.is_clamped && description.is_clamped_by_request,
+                    ..missing
+                }
             }),
             warnings: Vec::new(),
         }

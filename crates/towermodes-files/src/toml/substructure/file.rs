@@ -14,11 +14,12 @@ use crate::source::{FileError, Source};
 use crate::subdyn::{SubdynInput, read_subdyn};
 
 /// The keys beside `file`.
-const BESIDE: [&str; 5] = [
+const BESIDE: [&str; 6] = [
     "file",
     "reference",
     "platform",
     "weight_on_members",
+    "buoyancy_on_members",
     "growth",
 ];
 

@@ -43,10 +43,12 @@ pub(super) fn substructure(
         None => listed(&table, materials, reading),
     };
     let platform = bodies::platform(&table, reading);
-    let weight_on_members = match table.get("weight_on_members") {
-        Some(value) => truth(value, "weight_on_members", reading),
+    let mut flag = |key| match table.get(key) {
+        Some(value) => truth(value, key, reading),
         None => Some(true),
     };
+    let weight_on_members = flag("weight_on_members");
+    let buoyancy_on_members = flag("buoyancy_on_members");
     let growth = bodies::growth(&table, reading);
     let (read, platform) = (read?, platform?);
     let frame = match Frame::new(read.description) {
@@ -58,6 +60,7 @@ pub(super) fn substructure(
         Err(error) => return refuse(error, reading),
     };
     foundation.weight_on_members = weight_on_members?;
+    foundation.buoyancy_on_members = buoyancy_on_members?;
     foundation.materials = read.materials;
     foundation.in_water = MembersInWater {
         flooded: read.flooded,

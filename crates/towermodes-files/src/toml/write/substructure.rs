@@ -71,8 +71,13 @@ pub(super) fn substructure(
     if !held.is_empty() {
         writing.value("clamped", &joint_names(held.into_iter(), frame));
     }
-    if !foundation.weight_on_members {
-        writing.value("weight_on_members", "false");
+    for (key, is_on) in [
+        ("weight_on_members", foundation.weight_on_members),
+        ("buoyancy_on_members", foundation.buoyancy_on_members),
+    ] {
+        if !is_on {
+            writing.value(key, "false");
+        }
     }
     if foundation.restoring.is_some() {
         writing.note("the stiffness of buoyancy, weights and moorings of a substructure that floats: a tower file has no place for it");

@@ -36,13 +36,24 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         Block::Heading("Effective modal masses".to_owned()),
         paragraph(format!(
             "Effective modal mass for base excitation along an axis, or effective moment of inertia about the axis through the base: (uᵀMr)²/(uᵀMu) with the mode \
-             shape u and the rigid-body motion r, as a fraction of the total rᵀMr. {}",
-            total(content)
+             shape u and the rigid-body motion r, as a fraction of the total rᵀMr. {}{}",
+            total(content),
+            no_sum(solution)
         )),
         table(effective_masses(solution)),
     ];
     blocks.extend(buckling(content));
     blocks
+}
+
+/// Why the effective masses have no sum, if so.
+fn no_sum(solution: &Solution) -> &'static str {
+    match solution.effective_mass_shares() {
+        Some(_) => "",
+        None => {
+            " The fractions of several modes do not add up: each mode has its own total, with the added mass at its own frequency."
+        }
+    }
 }
 
 /// The meaning of the parentheses after the mode shapes, if there are any.
@@ -299,13 +310,15 @@ fn effective_masses(solution: &Solution) -> Table {
     );
     for mode in &solution.modes {
         let mut row = vec![mode.number.to_string(), mode.label()];
-        let shares = mode.effective_mass.iter().enumerate();
-        row.extend(shares.map(|(i, mass)| percent_or_dash(mass / solution.rigid_inertia[i][i])));
+        row.extend(mode.effective_mass_shares().map(percent_or_dash));
         table.push(row);
     }
     let mut table = table.shortened();
+    let Some(shares) = solution.effective_mass_shares() else {
+        return table;
+    };
     let mut sum = vec!["sum".to_owned(), "listed modes".to_owned()];
-    sum.extend(solution.effective_mass_shares().map(percent_or_dash));
+    sum.extend(shares.map(percent_or_dash));
     table.push(sum);
     if let Some(brief) = &mut table.brief {
         brief.shown.push(table.rows.len() - 1);

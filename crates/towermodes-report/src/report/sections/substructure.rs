@@ -210,10 +210,14 @@ fn masses(foundation: &FrameFoundation) -> Table {
 pub(super) fn assumption(foundation: &FrameFoundation) -> String {
     let description = foundation.frame.description();
     let members = counted(description.members.len(), "member");
-    let weight = if foundation.weight_on_members {
-        "The forces of its weight at rest change the stiffness of its members; buoyancy is left out of these forces."
-    } else {
-        "Its weight does not change the stiffness of its members, as in SubDyn."
+    let weight = match (foundation.weight_on_members, foundation.buoyancy_on_members) {
+        (true, true) => {
+            "The forces of its weight and its buoyancy at rest change the stiffness of its members."
+        }
+        (true, false) => {
+            "The forces of its weight at rest change the stiffness of its members; buoyancy is left out of these forces."
+        }
+        (false, _) => "Its weight does not change the stiffness of its members, as in SubDyn.",
     };
     let coats = description.members.iter().map(|member| &member.coats);
     let water = if coats.flatten().next().is_some() {

@@ -66,6 +66,8 @@ fn on(mut frame: FrameDescription, platform: RigidBody, has_weight: bool) -> Fou
     let mut foundation =
         FrameFoundation::new(frame, platform).expect("a transition piece of the manual");
     foundation.weight_on_members = has_weight;
+    // The source leaves it out.
+    foundation.buoyancy_on_members = false;
     Foundation::Frame(Box::new(foundation))
 }
 

@@ -8,7 +8,7 @@ use crate::chain::Chains;
 use crate::elements::{Element, Mesh, assemble_chains};
 use crate::frame::{BareFrame, FrameShape, FrameSolveError, OnFrame};
 use crate::modes::ByMotion;
-use crate::space::SpatialMatrix;
+use crate::space::{SpatialMatrix, add_scaled};
 use crate::subsystem::{
     Coefficients, Eigenproblem, Energies, Resultant, Subsystem, SubsystemPencil,
 };
@@ -125,11 +125,14 @@ impl Model {
         }
     }
 
-    /// The inertia of the whole tower as a rigid body about its base, with the frame below it if
-    /// that floats: kg, kg m, kg m².
-    pub(crate) fn rigid_inertia(&mut self, tower: &Tower, rotary_inertia: bool) -> SpatialMatrix {
-        let with_frame = self.on_frame.as_mut().and_then(OnFrame::rigid_inertia);
-        with_frame.unwrap_or_else(|| tower.rigid_inertia(rotary_inertia))
+    /// The inertia of the whole tower as a rigid body about its base, with the frame below it: kg,
+    /// kg m, kg m².
+    pub(crate) fn rigid_inertia(&self, tower: &Tower, rotary_inertia: bool) -> SpatialMatrix {
+        let mut sum = tower.rigid_inertia(rotary_inertia);
+        if let Some(on_frame) = &self.on_frame {
+            add_scaled(&mut sum, 1.0, &on_frame.rigid_inertia_of_frame());
+        }
+        sum
     }
 
     /// Why the frame under the tower is a mechanism, if it is one.

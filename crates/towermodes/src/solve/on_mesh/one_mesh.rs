@@ -177,7 +177,8 @@ pub(crate) fn describe(
         (listed, Wanted::All),
         naming,
     );
-    let mut modes = shapes(tower, &cut.mesh, options, listed, workspace)?;
+    let inertia = std::array::from_fn(|i| rigid_inertia[i][i]);
+    let mut modes = shapes(tower, &cut.mesh, options, (listed, inertia), workspace)?;
     if options.energy_parts {
         let listed = &listed[..modes.len()];
         let parts = energy_parts(tower, cut, options, listed, workspace);
@@ -204,12 +205,13 @@ pub(crate) fn describe(
     })
 }
 
-/// The requested modes with their shapes; the discretization error is not known yet.
+/// The requested modes with their shapes, of a tower with this inertia in the directions of rigid
+/// motions; the discretization error is not known yet.
 fn shapes(
     tower: &Tower,
     mesh: &Mesh,
     options: &Options,
-    found: &[Found],
+    (found, inertia): (&[Found], [f64; 6]),
     workspace: &Workspace,
 ) -> Result<Vec<Mode>, SolveError> {
     let Workspace {
@@ -234,7 +236,9 @@ fn shapes(
                 let motion = identity.shares.scale(identity.family);
                 let (component, _) = motion.components()[0];
                 let curve = ModeCurve::new(mesh.borders_m(), &*curves, &[component]);
-                let mut mode = Mode::new(number, found, identity, model.origin, &curve, heights_m);
+                let origin = model.origin;
+                let mut mode =
+                    Mode::new(number, found, identity, origin, &curve, inertia, heights_m);
                 mode.frame = model.frame_shape(vector, curve.largest());
                 mode
             }

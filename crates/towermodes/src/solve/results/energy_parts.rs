@@ -54,7 +54,7 @@ pub(crate) fn energy_parts(
         for (parts, whole) in all.iter_mut().zip(&whole) {
             // What is not in the tower's materials bends the members of the frame.
             let of_tower: f64 = parts.strain.materials.iter().sum();
-            parts.strain.foundation += whole.elastic - of_tower;
+            parts.strain.substructure = whole.elastic - of_tower;
         }
     }
     let fractions = |parts: EnergyParts| EnergyParts {
@@ -70,6 +70,10 @@ fn set(parts: &mut EnergyParts, part: Strippable, spring: f64, mass: f64) {
     kinetic.tower -= mass;
     match part {
         Strippable::Base => (strain.foundation, kinetic.foundation) = (spring, mass),
+        Strippable::Moorings => strain.moorings = spring,
+        Strippable::Members => kinetic.substructure = mass,
+        Strippable::Growth => kinetic.growth = mass,
+        Strippable::Filling => kinetic.filling = mass,
         Strippable::Surroundings => (strain.soil, kinetic.water) = (spring, mass),
         Strippable::WiresAndMasses => (strain.wires, kinetic.point_masses) = (spring, mass),
         Strippable::Rna => kinetic.rna = mass,

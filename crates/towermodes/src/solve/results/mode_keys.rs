@@ -49,13 +49,21 @@ struct ModeKeys {
     /// Where its energy is.
     energy: Energy,
     /// Effective modal masses: over all modes they add up to the diagonal of the tower's rigid
-    /// inertia.
+    /// inertia, if all modes have the same added mass.
     #[serde(serialize_with = "directions")]
     #[cfg_attr(
         feature = "schema",
         schemars(with = "crate::modes::serialized::Directions")
     )]
     effective_mass: [f64; 6],
+    /// The effective modal masses as fractions of those of the whole tower, with the added mass
+    /// that the mode has.
+    #[serde(getter = "Mode::effective_mass_shares", serialize_with = "directions")]
+    #[cfg_attr(
+        feature = "schema",
+        schemars(with = "crate::modes::serialized::Directions")
+    )]
+    effective_mass_shares: [f64; 6],
     /// The shape at equal heights from the base to the top.
     #[serde(serialize_with = "shape")]
     #[cfg_attr(feature = "schema", schemars(with = "crate::modes::serialized::Shape"))]

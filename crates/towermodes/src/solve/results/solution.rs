@@ -63,8 +63,11 @@ pub struct Mode {
     pub energy_parts: Option<EnergyParts>,
     /// Effective modal masses in x, y, z, kg, and about the axes x, y, z through the base, kg m²:
     /// (uᵀ M r)²/(uᵀ M u) with r the rigid motion of 1 in that direction. Over all modes they add
-    /// up to the diagonal of [`Solution::rigid_inertia`].
+    /// up to the diagonal of [`Solution::rigid_inertia`], if all have the same M.
     pub effective_mass: [f64; 6],
+    /// rᵀ M r with the M of this mode: the mass and the moments of inertia of the whole tower in
+    /// the same directions, with the added mass that the mode has, kg and kg m².
+    pub rigid_inertia: [f64; 6],
     /// The shape at equal heights from the base to the top.
     pub shape: Vec<ShapePoint>,
     /// The shape at the tower's stations.
@@ -79,13 +82,15 @@ pub struct Mode {
 
 impl Mode {
     /// A mode as found in a spectrum that begins at `origin` (rad²/s²), its discretization error
-    /// still unknown, with its shape at equal heights, at the stations and at others, m.
+    /// still unknown, of a tower with this inertia in the directions of rigid motions, with its
+    /// shape at equal heights, at the stations and at others, m.
     pub(crate) fn new(
         number: usize,
         found: &Found,
         identity: &Identity,
         origin: f64,
         curve: &ModeCurve<'_>,
+        rigid_inertia: [f64; 6],
         [equal_m, stations_m, others_m]: [&[f64]; 3],
     ) -> Self {
         let frequency_hz = found.eigenvalue.frequency_hz();
@@ -98,6 +103,7 @@ impl Mode {
             energy: identity.energy,
             energy_parts: None,
             effective_mass: identity.effective_mass,
+            rigid_inertia,
             key: found.key,
             algebraic_error_hz: found.eigenvalue.frequency_error_hz(),
             discretization_error_hz: 0.0,
@@ -172,6 +178,13 @@ impl Mode {
     /// Modal inertia, kg m²; for torsion and yaw only.
     pub fn modal_inertia_kg_m2(&self) -> Option<f64> {
         self.is_turning().then_some(self.modal_mass)
+    }
+
+    /// The effective masses as fractions of the whole, in x, y, z and about x, y, z:
+    /// (uᵀ M r)²/(uᵀ M u · rᵀ M r), none above 1 (Cauchy's inequality). Not finite in a direction
+    /// in which nothing has inertia.
+    pub fn effective_mass_shares(&self) -> [f64; 6] {
+        std::array::from_fn(|i| self.effective_mass[i] / self.rigid_inertia[i])
     }
 
     /// Whether the rotation about z scales the shape.
@@ -293,7 +306,8 @@ pub struct Solution {
     pub certificate: Certificate,
     /// The inertia of the whole tower, with everything that moves with it, against rigid-body
     /// motions (x, y, z, rotation about x, y, z) about its base: kg, kg m, kg m². Its diagonal is
-    /// the sum of the effective masses of all modes.
+    /// the sum of the effective masses of all modes. Where each mode has the added mass of its own
+    /// frequency, it is here that of infinite frequency.
     pub rigid_inertia: SpatialMatrix,
     /// The factor by which self-weight must be multiplied for the tower to buckle; none without
     /// gravity, or where it floats.
@@ -320,12 +334,19 @@ pub struct ErrorBasis {
 
 impl Solution {
     /// The sums of the effective masses of the modes in the list, as fractions of the whole: in x,
-    /// y, z and about x, y, z.
-    pub fn effective_mass_shares(&self) -> [f64; 6] {
-        std::array::from_fn(|i| {
-            let listed: f64 = self.modes.iter().map(|mode| mode.effective_mass[i]).sum();
-            listed / self.rigid_inertia[i][i]
-        })
+    /// y, z and about x, y, z. None where each mode has the added mass of its own frequency: modes
+    /// of different mass matrices are not orthogonal, and their effective masses are no parts of
+    /// one mass. Then only [those of each mode](Mode::effective_mass_shares) have a meaning.
+    pub fn effective_mass_shares(&self) -> Option<[f64; 6]> {
+        match self.added_mass {
+            Some(AddedMassAt::Own) => None,
+            None | Some(AddedMassAt::Infinite | AddedMassAt::Zero | AddedMassAt::Hz(_)) => {
+                Some(std::array::from_fn(|i| {
+                    let listed: f64 = self.modes.iter().map(|mode| mode.effective_mass[i]).sum();
+                    listed / self.rigid_inertia[i][i]
+                }))
+            }
+        }
     }
 
     /// The mode of a family and an order in it, from 1, if it is in the list.

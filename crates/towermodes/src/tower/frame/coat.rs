@@ -43,6 +43,28 @@ pub enum CoatKind {
     },
 }
 
+/// What the mass of a coat is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::tower) enum Substance {
+    /// Marine growth around the member.
+    Growth,
+    /// Water, or another filling, in the member.
+    Filling,
+    /// Water around the member.
+    Water,
+}
+
+impl CoatKind {
+    /// What its mass is: a solid without a hole is inside.
+    pub(super) fn substance(&self) -> Substance {
+        match self {
+            Self::Solid { inner_radius_m, .. } if *inner_radius_m == [0.0; 2] => Substance::Filling,
+            Self::Solid { .. } => Substance::Growth,
+            Self::AddedMass { .. } => Substance::Water,
+        }
+    }
+}
+
 impl FrameCoat {
     /// Adds its masses at a fraction of a member of this length (m), if it is there. At its ends
     /// the values inside count: elements begin and end there.

@@ -20,6 +20,10 @@ pub struct FrameFoundation {
     /// Whether the weight of the structure changes the stiffness of the members (geometric
     /// stiffness of their forces at rest). OpenFAST's SubDyn leaves it out.
     pub weight_on_members: bool,
+    /// Whether the buoyancy of members in water carries a part of that weight. Then the force in a
+    /// member is its effective tension, that of its wall with the pressure of the water on its
+    /// cross section, which is what changes its stiffness.
+    pub buoyancy_on_members: bool,
     /// Of each member, which of the tower's materials it is made of; a member without one, or
     /// beyond the end of the list, has a material of its own.
     pub materials: Vec<Option<usize>>,
@@ -43,6 +47,7 @@ impl FrameFoundation {
                 frame,
                 platform,
                 weight_on_members: true,
+                buoyancy_on_members: true,
                 materials: Vec::new(),
                 in_water: MembersInWater::default(),
                 restoring: None,
@@ -72,23 +77,11 @@ impl FrameFoundation {
         }
     }
 
-    /// Removes everything but the elastic members, whose elements stay as they are.
-    pub(crate) fn remove_masses_and_springs(&mut self) {
-        self.platform = RigidBody::default();
-        self.restoring = None;
-        self.frame.remove_masses_and_springs();
-    }
-
     /// Changes the frame, with its joints where they are.
     pub(in crate::tower) fn change(&mut self, change: impl FnOnce(&mut FrameDescription)) {
         let mut description = self.frame.description().clone();
         change(&mut description);
         self.frame = Frame::unchecked(description);
-    }
-
-    /// Removes the springs of the soil along members, whose elements stay as they are.
-    pub(crate) fn remove_soil(&mut self) {
-        self.frame.remove_soil();
     }
 
     /// Removes all springs to the ground, along members and at supports.

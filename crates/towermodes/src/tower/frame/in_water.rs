@@ -82,15 +82,14 @@ impl MembersInWater {
             let growth: Vec<&MarineGrowth> = self.growth_at(middle_m(heights_m, range)).collect();
             let thickness_m: f64 = growth.iter().map(|growth| growth.thickness_m).sum();
             let radius_m = at(outer, range).map(|radius| radius + thickness_m);
-            if water.added_mass_coefficient > 0.0 {
-                let kind = CoatKind::AddedMass {
-                    density_kg_per_m3: water.density_kg_per_m3,
-                    radius_m,
-                    across: [water.added_mass_coefficient; 2],
-                    along: [0.0; 2],
-                };
-                coats.push(FrameCoat { range, kind });
-            }
+            // Water that moves with no member carries its weight all the same.
+            let kind = CoatKind::AddedMass {
+                density_kg_per_m3: water.density_kg_per_m3,
+                radius_m,
+                across: [water.added_mass_coefficient; 2],
+                along: [0.0; 2],
+            };
+            coats.push(FrameCoat { range, kind });
             let mut below_m = at(outer, range);
             for growth in growth {
                 let above_m = below_m.map(|radius| radius + growth.thickness_m);

@@ -1,6 +1,6 @@
 //! The mass of a frame by what it is.
 
-use super::coat::{CoatKind, FrameCoat};
+use super::coat::{CoatKind, FrameCoat, Substance};
 use super::member::FrameMember;
 use super::validate::Frame;
 
@@ -27,13 +27,16 @@ impl Frame {
     /// Its mass by what it is.
     pub fn masses(&self) -> FrameMasses {
         let description = self.description();
+        let of_joints = description.masses.iter().map(|(_, body)| body.mass_kg);
         let mut masses = FrameMasses {
-            joints_kg: description
-                .masses
-                .iter()
-                .map(|(_, body)| body.mass_kg)
-                .sum(),
-            soil_kg: description.supports.iter().map(|s| s.inertia[0][0]).sum(),
+            joints_kg: 0.0 + of_joints.sum::<f64>(),
+            // An empty sum is −0.
+            soil_kg: 0.0
+                + description
+                    .supports
+                    .iter()
+                    .map(|s| s.inertia[0][0])
+                    .sum::<f64>(),
             ..FrameMasses::default()
         };
         for member in &description.members {
@@ -50,12 +53,10 @@ impl FrameMasses {
         for coat in &member.coats {
             let mass_kg = coat.mass_kg(length_m);
             coats_kg += mass_kg;
-            match coat.kind {
-                CoatKind::Solid { inner_radius_m, .. } if inner_radius_m == [0.0; 2] => {
-                    self.filling_kg += mass_kg;
-                }
-                CoatKind::Solid { .. } => self.growth_kg += mass_kg,
-                CoatKind::AddedMass { .. } => self.added_kg += coat.added_mass_kg(length_m),
+            match coat.kind.substance() {
+                Substance::Filling => self.filling_kg += mass_kg,
+                Substance::Growth => self.growth_kg += mass_kg,
+                Substance::Water => self.added_kg += coat.added_mass_kg(length_m),
             }
         }
         self.members_kg += mass_kg - coats_kg;

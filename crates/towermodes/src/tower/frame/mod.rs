@@ -9,12 +9,14 @@ mod in_water;
 mod masses;
 mod member;
 pub(super) mod part;
+mod removal;
 mod restoring;
 mod soil;
 mod validate;
 
 pub use axes::spin_of_axes;
 pub(in crate::tower) use axes::{difference, norm};
+pub(in crate::tower) use coat::Substance;
 pub use coat::{CoatKind, FrameCoat};
 pub use description::{
     FrameDescription, FrameJoint, FrameRider, FrameSupport, JointKind, Transition,

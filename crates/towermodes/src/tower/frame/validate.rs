@@ -128,34 +128,6 @@ impl Frame {
         soil.for_each(|soil| soil.multiply(factor));
     }
 
-    /// Removes the springs of the soil along members; the elements stay as they are.
-    pub(super) fn remove_soil(&mut self) {
-        let members = self.description.members.iter_mut();
-        let soil = members.flat_map(|member| &mut member.soil);
-        soil.for_each(FrameSoil::remove_springs);
-    }
-
-    /// Removes all inertia and the springs of the supports; the elements stay as they are.
-    pub(super) fn remove_masses_and_springs(&mut self) {
-        let description = &mut self.description;
-        description.masses.clear();
-        description.added_masses.clear();
-        description.riders.clear();
-        for support in &mut description.supports {
-            (support.stiffness, support.inertia) = ([[0.0; 6]; 6], [[0.0; 6]; 6]);
-        }
-        for member in &mut description.members {
-            member.coats.iter_mut().for_each(FrameCoat::remove_mass);
-            match &mut member.kind {
-                MemberKind::Beam { material, .. } => material.density_kg_per_m3 = 0.0,
-                MemberKind::Cable { mass_kg_per_m, .. } | MemberKind::Rigid { mass_kg_per_m } => {
-                    *mass_kg_per_m = 0.0;
-                }
-                MemberKind::Spring(_) => {}
-            }
-        }
-    }
-
     /// Mass of a member with growth and water in it, kg.
     pub fn member_mass_kg(&self, member: &FrameMember) -> f64 {
         let length_m = self.length_m(member);

@@ -213,6 +213,7 @@ fn without_rows(description: &TowerDescription) -> TowerDescription {
         drivetrain: _,
         part_names: _,
         missing_parts: _,
+        is_clamped_by_request: _,
     } = description;
     TowerDescription {
         outfitting_factor: *outfitting_factor,

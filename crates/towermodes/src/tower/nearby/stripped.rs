@@ -1,14 +1,28 @@
 //! A tower without some of its springs and masses, while its elements stay as they are.
 
+use super::super::frame::{FrameFoundation, Substance};
 use super::super::model::Tower;
+use crate::space::add_scaled;
+
+const NONE: [[f64; 6]; 6] = [[0.0; 6]; 6];
 
 /// A part of a tower that has springs to the ground, masses or both, and does not bend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Strippable {
-    /// The springs and the inertia of the base, or those of the frame that carries it.
+    /// The springs and the inertia of the base, with a platform and the water plane, but without
+    /// moorings and added mass; those of the supports and the transition piece of a frame.
     Base,
-    /// Soil springs and water along the tower, and soil springs along the members of its frame.
+    /// The moorings.
+    Moorings,
+    /// Soil springs and water along the tower, and along the members of its frame; the added mass
+    /// of a platform.
     Surroundings,
+    /// The mass of the members of the frame, and masses on its joints.
+    Members,
+    /// Marine growth on members.
+    Growth,
+    /// What members are filled with.
+    Filling,
     /// Guy wires and point masses.
     WiresAndMasses,
     /// The rotor-nacelle assembly.
@@ -16,9 +30,13 @@ pub(crate) enum Strippable {
 }
 
 impl Strippable {
-    pub(crate) const ALL: [Self; 4] = [
+    pub(crate) const ALL: [Self; 8] = [
         Self::Base,
+        Self::Moorings,
         Self::Surroundings,
+        Self::Members,
+        Self::Growth,
+        Self::Filling,
         Self::WiresAndMasses,
         Self::Rna,
     ];
@@ -27,38 +45,62 @@ impl Strippable {
 impl Tower {
     /// The tower without the springs and the inertia of a part; none if it has no such part.
     ///
-    /// Its elements, the coordinates of its base and the compression by its weight are those of the
-    /// whole tower, so that vectors of the whole tower are vectors of this one.
+    /// Its elements and the coordinates of its base are those of the whole tower, so that vectors
+    /// of the whole tower are vectors of this one. So is the compression by its weight, but for the
+    /// members of a frame, which have none.
     pub(crate) fn without(&self, part: Strippable) -> Option<Self> {
         let mut stripped = self.clone();
         match part {
-            Strippable::Base => {
-                stripped.base.stiffness = [[0.0; 6]; 6];
-                stripped.base.inertia = [[0.0; 6]; 6];
-                if let Some(frame) = &mut stripped.frame {
-                    frame.remove_masses_and_springs();
-                }
-            }
+            Strippable::Base | Strippable::Moorings => stripped.remove_from_base(part),
             Strippable::Surroundings => {
                 for piece in &mut stripped.pieces {
                     piece.environment = Default::default();
                 }
-                if let Some(frame) = &mut stripped.frame {
-                    frame.remove_soil();
-                }
+                stripped.base.inertia = stripped.base.dry_inertia;
+                stripped.change_frame(FrameFoundation::remove_surroundings);
             }
+            Strippable::Members => {
+                stripped.change_frame(FrameFoundation::remove_masses_of_members);
+            }
+            Strippable::Growth => stripped.change_frame(|f| f.remove_coats(Substance::Growth)),
+            Strippable::Filling => stripped.change_frame(|f| f.remove_coats(Substance::Filling)),
             Strippable::WiresAndMasses | Strippable::Rna => {
                 // The rotor-nacelle assembly is the last attachment.
                 let last = stripped.attachments.len().saturating_sub(1);
                 let (others, rna) = stripped.attachments.split_at_mut(last);
                 let own = if part == Strippable::Rna { rna } else { others };
                 for attachment in own {
-                    attachment.stiffness = [[0.0; 6]; 6];
-                    attachment.inertia = [[0.0; 6]; 6];
+                    attachment.stiffness = NONE;
+                    attachment.inertia = NONE;
                 }
             }
         }
-        (stripped != *self).then_some(stripped)
+        if stripped == *self {
+            return None;
+        }
+        stripped.change_frame(|frame| frame.weight_on_members = false);
+        Some(stripped)
+    }
+
+    /// Removes the moorings of the base, or all but them and the water around a platform.
+    fn remove_from_base(&mut self, part: Strippable) {
+        let base = &mut self.base;
+        if part == Strippable::Moorings {
+            let moorings = std::mem::replace(&mut base.mooring_stiffness, NONE);
+            add_scaled(&mut base.stiffness, -1.0, &moorings);
+            self.change_frame(FrameFoundation::remove_moorings);
+            return;
+        }
+        base.stiffness = base.mooring_stiffness;
+        let dry = std::mem::replace(&mut base.dry_inertia, NONE);
+        add_scaled(&mut base.inertia, -1.0, &dry);
+        self.change_frame(FrameFoundation::remove_platform_and_supports);
+    }
+
+    fn change_frame(&mut self, change: impl FnOnce(&mut FrameFoundation)) {
+        if let Some(frame) = &mut self.frame {
+            change(frame);
+        }
     }
 
     /// The index of the material at a height (m), of two that meet there the lower one; 0 for a

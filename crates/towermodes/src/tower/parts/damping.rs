@@ -43,11 +43,14 @@ pub struct LossFactors {
     /// Of the materials, in their order in the description; it may be shorter.
     #[tables]
     pub materials: Vec<Option<f64>>,
-    /// Of the foundation.
+    /// Of the members of a substructure.
+    #[input(loss_factor("substructure_loss_factor", "the loss factor of the substructure").note("of the members of the substructure"))]
+    pub substructure: Option<f64>,
+    /// Of the foundation; of the supports of a substructure.
     #[input(loss_factor("foundation_loss_factor", "the loss factor of the foundation").note("of the foundation"))]
     pub foundation: Option<f64>,
-    /// Of the soil springs along the tower.
-    #[input(loss_factor("soil_loss_factor", "the loss factor of the soil").note("of the soil along the tower"))]
+    /// Of the soil springs along the tower and along the piles of a substructure.
+    #[input(loss_factor("soil_loss_factor", "the loss factor of the soil").note("of the soil along the tower or the piles"))]
     pub soil: Option<f64>,
     /// Of the guy wires.
     #[input(loss_factor("wires_loss_factor", "the loss factor of the wires").note("of the guy wires"))]

@@ -84,6 +84,8 @@ pub struct MissingParts {
     pub parts: Vec<MissingPart>,
     /// Whether the tower is clamped at its base in their place.
     pub is_clamped: bool,
+    /// Whether it is clamped because the user asked for it (`--clamped`).
+    pub is_requested: bool,
 }
 
 impl MissingParts {
@@ -98,20 +100,23 @@ impl MissingParts {
         Self {
             parts,
             is_clamped: is_clamped && holds,
+            is_requested: false,
         }
     }
 }
 
-/// "clamped at the tower base; the file has a substructure and water, which are not in this model",
+/// "clamped at the tower base by request; the file has a substructure and water, which are not in
+/// this model",
 /// "the mass of the nacelle and the hub is not in this model".
 impl std::fmt::Display for MissingParts {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let parts = self.parts.iter().copied();
         let (above, others): (Vec<MissingPart>, Vec<MissingPart>) =
             parts.partition(|part| part.is_of_rotor_nacelle_assembly());
-        let clamped = self
-            .is_clamped
-            .then(|| "clamped at the tower base".to_owned());
+        let clamped = self.is_clamped.then(|| match self.is_requested {
+            true => "clamped at the tower base by request".to_owned(),
+            false => "clamped at the tower base".to_owned(),
+        });
         let others = listed(&others).map(|list| {
             let verb = match others[..] {
                 [part] if part != MissingPart::MooringLines => "is",
@@ -152,6 +157,14 @@ mod tests {
         assert!(
             said(&[MooringLines, Platform, Water])
                 .contains("a platform that moves, water and mooring lines, which are")
+        );
+        let requested = MissingParts {
+            is_requested: true,
+            ..MissingParts::of(&[Substructure], true)
+        };
+        assert_eq!(
+            requested.to_string(),
+            "clamped at the tower base by request; the file has a substructure, which is not in this model"
         );
         assert_eq!(said(&[]), "");
         // They hold no tower.

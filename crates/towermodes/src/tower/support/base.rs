@@ -16,9 +16,13 @@ pub struct Base {
     pub units: [f64; 6],
     /// Stiffness to the ground: N/m, N, N m; zero for motions that are rigidly held.
     pub stiffness: SpatialMatrix,
+    /// What the moorings of a platform have of this stiffness.
+    pub mooring_stiffness: SpatialMatrix,
     /// Inertia that moves with it: kg, kg m, kg m²; with the added mass at infinite frequency where
     /// that depends on frequency.
     pub inertia: SpatialMatrix,
+    /// This inertia without the water around a platform.
+    pub dry_inertia: SpatialMatrix,
     /// Moment of the platform's and the tower's mass about the point that the hydrostatic stiffness
     /// is about, kg m: times g the negative geometric stiffness against rotation about x and y;
     /// zero for a fixed base.
@@ -54,6 +58,7 @@ impl Base {
             moves,
             stiffness: symmetrized(&stiffness),
             inertia: symmetrized(&foundation.inertia),
+            dry_inertia: symmetrized(&foundation.inertia),
             ..Self::default()
         }
     }
@@ -74,6 +79,7 @@ impl Base {
     /// The weights turn over about the point that the hydrostatic stiffness is about: only about
     /// that point, where buoyancy and weights are in balance, do its entries and theirs add up.
     pub(in crate::tower) fn afloat(platform: &FloatingPlatform, base_m: f64, mass_kg: f64) -> Self {
+        let water = &platform.added_mass;
         // The lines were checked; a neighbour beyond the last that they can reach has none.
         let platform = &platform
             .with_linear_moorings()
@@ -92,6 +98,10 @@ impl Base {
             add_scaled(sum, 1.0, &matrix);
         };
         add(&mut base.inertia, &platform.added_mass);
+        base.dry_inertia = base.inertia;
+        let mut moved = symmetrized(&water.matrix);
+        transform_matrix(&mut moved, water.height_m - base_m);
+        add_scaled(&mut base.dry_inertia, -1.0, &moved);
         if let Some(table) = &platform.added_mass_by_frequency {
             let infinite = ReferredMatrix {
                 matrix: table.infinite,
@@ -100,7 +110,8 @@ impl Base {
             add(&mut base.inertia, &infinite);
         }
         add(&mut base.stiffness, &platform.hydrostatic);
-        add(&mut base.stiffness, &platform.mooring);
+        add(&mut base.mooring_stiffness, &platform.mooring);
+        add_scaled(&mut base.stiffness, 1.0, &base.mooring_stiffness);
         let pivot_m = platform.hydrostatic.height_m;
         base.overturning_kg_m = platform.mass_kg * (z - pivot_m) + mass_kg * (base_m - pivot_m);
         base

@@ -216,8 +216,7 @@ fn check_restoring(foundation: &FrameFoundation) -> Result<(), TowerError> {
     }
     let joints = foundation.frame.description().joints.len();
     match restoring
-        .on_joints
-        .iter()
+        .all_on_joints()
         .find(|(joint, _)| *joint >= joints)
     {
         None if restoring.entries().all(|entry| entry == 0.0) => {

@@ -1,0 +1,69 @@
+//! What a mode is of, by its energy.
+
+use towermodes::Mode;
+use towermodes::modes::Family;
+
+/// Members of a substructure have so much of the energy of their own modes: the tower, whose top
+/// the rotor excites, has less than a quarter.
+const LOCAL: f64 = 0.75;
+
+/// What a mode is of, by the shares of its energy. It decides how excitations by the rotor are
+/// judged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+pub enum ModeClass {
+    /// The tower.
+    Tower,
+    /// A floating platform with the tower as a rigid body: more than half of the energy is there.
+    /// It is judged as the tower is.
+    Platform,
+    /// Members of the substructure by themselves: local brace modes, with at least three quarters
+    /// of the energy there. They are not judged.
+    Substructure,
+    /// The yaw drive and the shaft. They are judged as the tower is.
+    Drivetrain,
+    /// The blades.
+    Blades,
+}
+
+impl ModeClass {
+    /// Of a mode of a tower.
+    pub fn of(mode: &Mode) -> Self {
+        let platform = Family::RIGID.map(|family| mode.shares.of(family));
+        let platform = platform.iter().sum();
+        Self::by_shares(mode.shares.of(Family::Substructure), platform, 0.0)
+    }
+
+    /// By the shares of what it stands on and of its drives; the rest is that of the tower.
+    pub(crate) fn by_shares(substructure: f64, platform: f64, drives: f64) -> Self {
+        match substructure {
+            _ if substructure >= LOCAL => Self::Substructure,
+            _ if platform > 0.5 => Self::Platform,
+            _ if drives > 0.5 => Self::Drivetrain,
+            _ => Self::Tower,
+        }
+    }
+
+    /// Its name in results: `tower`, `platform`, `substructure`, `drivetrain`, `blades`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Tower => "tower",
+            Self::Platform => "platform",
+            Self::Substructure => "substructure",
+            Self::Drivetrain => "drivetrain",
+            Self::Blades => "blades",
+        }
+    }
+
+    /// Whether excitations of it are judged.
+    pub fn is_judged(self) -> bool {
+        self != Self::Substructure
+    }
+
+    /// Whether it is judged as a mode of the tower.
+    pub fn counts_as_tower(self) -> bool {
+        matches!(self, Self::Tower | Self::Platform | Self::Drivetrain)
+    }
+}
