@@ -59,7 +59,7 @@ fn energy(
         _ => part.name(),
     }));
     if floats {
-        header.extend(["moorings", "water plane"].map(str::to_owned));
+        header.extend(["moorings", "hydrostatic"].map(str::to_owned));
     }
     header.extend(has_gravity.then(|| "self-weight".to_owned()));
     let rows = modes.iter().map(|mode| {
