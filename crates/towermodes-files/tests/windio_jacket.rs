@@ -7,7 +7,7 @@ use towermodes::{Foundation, Options, Tower, solve};
 use towermodes_files::{ReadError, ReadOptions, Source, TowerInput, read_windio};
 use towermodes_testing::Says;
 
-const FILE: &str = "\
+pub(crate) const FILE: &str = "\
 windIO_version: '2.0'
 name: jacket
 components:

@@ -19,6 +19,7 @@ use crate::subdyn::damaged::texts as subdyn;
 use crate::subdyn::soildyn::sand;
 use crate::subdyn::texts::{SOIL, deck};
 use crate::windio_floater::texts::volturnus;
+use crate::windio_jacket;
 
 /// No damaged model may take longer: an undamaged one takes some hundredths of a second.
 const LONGEST: Duration = Duration::from_secs(30);
@@ -109,6 +110,7 @@ pub(super) fn models() -> Vec<Model> {
             vec![("wet.dat", strips), ("lines.dat", MAP.to_owned())],
         ),
         vec![("floater.yaml", volturnus(2.4e6))],
+        vec![("jacket.yaml", windio_jacket::FILE.to_owned())],
     ]
 }
 
