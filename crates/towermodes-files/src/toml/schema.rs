@@ -619,7 +619,7 @@ tables! {
         optional "interface" Any "" "the names of the joints that carry the tower";
         optional "clamped" Any "" "the names of the joints that do not move";
         optional "weight_on_members" Flag "" "whether the weight at rest softens members, true by default";
-        optional "buoyancy_on_members" Flag "" "whether water carries a part of that weight, true by default";
+        optional "buoyancy_on_members" Flag "" "whether water carries a part of that weight, false by default";
         optional "flooded" Any "" "the names of the members with water inside, up to the level of [water]";
         optional "platform" Table "" "the transition piece as a rigid body";
         optional "growth" Table "" "marine growth between two heights, as often as needed";

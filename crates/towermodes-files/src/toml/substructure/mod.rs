@@ -43,12 +43,12 @@ pub(super) fn substructure(
         None => listed(&table, materials, reading),
     };
     let platform = bodies::platform(&table, reading);
-    let mut flag = |key| match table.get(key) {
+    let mut flag = |key, default| match table.get(key) {
         Some(value) => truth(value, key, reading),
-        None => Some(true),
+        None => Some(default),
     };
-    let weight_on_members = flag("weight_on_members");
-    let buoyancy_on_members = flag("buoyancy_on_members");
+    let weight_on_members = flag("weight_on_members", true);
+    let buoyancy_on_members = flag("buoyancy_on_members", false);
     let growth = bodies::growth(&table, reading);
     let (read, platform) = (read?, platform?);
     let frame = match Frame::new(read.description) {

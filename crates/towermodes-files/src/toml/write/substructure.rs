@@ -71,13 +71,11 @@ pub(super) fn substructure(
     if !held.is_empty() {
         writing.value("clamped", &joint_names(held.into_iter(), frame));
     }
-    for (key, is_on) in [
-        ("weight_on_members", foundation.weight_on_members),
-        ("buoyancy_on_members", foundation.buoyancy_on_members),
-    ] {
-        if !is_on {
-            writing.value(key, "false");
-        }
+    if !foundation.weight_on_members {
+        writing.value("weight_on_members", "false");
+    }
+    if foundation.buoyancy_on_members {
+        writing.value("buoyancy_on_members", "true");
     }
     if foundation.restoring.is_some() {
         writing.note("the stiffness of buoyancy, weights and moorings of a substructure that floats: a tower file has no place for it");

@@ -215,7 +215,7 @@ pub(super) fn assumption(foundation: &FrameFoundation) -> String {
             "The forces of its weight and its buoyancy at rest change the stiffness of its members."
         }
         (true, false) => {
-            "The forces of its weight at rest change the stiffness of its members; buoyancy is left out of these forces."
+            "The forces of its weight at rest, without buoyancy, change the stiffness of its members."
         }
         (false, _) => "Its weight does not change the stiffness of its members, as in SubDyn.",
     };
