@@ -7,10 +7,13 @@
 //! `cargo run --release -p towermodes-random --example random_study` prints the tables of the book.
 //!
 //! Turbines whose rotor turns are compared with finer elements; `--example random_turbines` prints
-//! their table. [`paths`] follows names along paths of towers (`--example name_study`).
+//! their table. Frames, by themselves and under a tower, are compared with elements of a higher
+//! degree (`--example random_frames`). [`paths`] follows names along paths of towers (`--example
+//! name_study`).
 
 mod class;
 mod features;
+mod framed;
 mod frames;
 pub mod paths;
 mod rotors;
@@ -22,6 +25,7 @@ mod tubes;
 mod turning;
 
 pub use class::Class;
+pub use framed::{frame_samples, samples_on_frame};
 pub use frames::{Lattice, random_frame, tower_on};
 pub use rotors::{RandomTurbine, TurbineClass};
 pub use sample::{Fineness, Sample, samples};

@@ -39,6 +39,8 @@ pub(crate) struct MemberPart {
     /// The components of the motion of an end, in the axes of the member; of a bending plane that
     /// is equal to the other one also those of the other.
     pub(crate) planes: Vec<&'static [Component]>,
+    /// Its kinds of strain with the number of their coordinates, in the order of these.
+    pub(crate) strains: Vec<(Strain, usize)>,
     /// The motion of the far end for the part's own coordinates, whose stiffness is the identity: a
     /// row for each component.
     pub(crate) tips: Vec<Vec<f64>>,
@@ -88,7 +90,7 @@ impl MemberStrains {
     /// axial motion are many times as long as those of bending.
     pub(crate) fn of_degree(degree: usize, shears: bool, is_uniform: bool) -> Self {
         let along = match is_uniform {
-            true => degree / 2 + 1,
+            true => degree.saturating_sub(3).max(2),
             false => degree,
         };
         Self {
@@ -97,6 +99,16 @@ impl MemberStrains {
             shear: if shears { (degree - 2).max(1) } else { 0 },
             torsion: along,
             axial: along,
+        }
+    }
+
+    /// Number of polynomials of a kind of strain.
+    pub(crate) fn count(&self, strain: Strain) -> usize {
+        match strain {
+            Strain::Curvature(_) => self.curvature,
+            Strain::Shear(_) => self.shear,
+            Strain::Twist => self.torsion,
+            Strain::Stretch => self.axial,
         }
     }
 
@@ -195,14 +207,10 @@ fn fill<const D: usize>(
     slice: &Slice<'_>,
 ) {
     let components: [Component; D] = std::array::from_fn(|d| components[d]);
-    let count = |strain| match strain {
-        Strain::Curvature(_) => strains.curvature,
-        Strain::Shear(_) => strains.shear,
-        Strain::Twist => strains.torsion,
-        Strain::Stretch => strains.axial,
-    };
     beam.clear();
-    beam.set_deformations(deformations(motions, &components, count));
+    beam.set_deformations(deformations(motions, &components, |strain| {
+        strains.count(strain)
+    }));
     stencil.add_element(beam, &components, slice);
 }
 
@@ -213,6 +221,11 @@ fn part_of<const D: usize>(
 ) -> MemberPart {
     MemberPart {
         planes,
+        strains: beam
+            .deformations()
+            .iter()
+            .map(|d| (d.strain, d.count))
+            .collect(),
         tips: beam.tip_rows(0).map(<[f64]>::to_vec).collect(),
         matrices: beam.matrices.clone(),
         shapes: sampled_m.iter().map(|at_m| shape_at(beam, *at_m)).collect(),

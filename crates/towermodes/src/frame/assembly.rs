@@ -112,7 +112,7 @@ fn made(
     tensions: &[(usize, Tension)],
 ) -> Result<Assembled, FrameSolveError> {
     assembly.recipe.check()?;
-    assembly.tensions = tensions.iter().copied().collect();
+    assembly = assembly.with_tensions(tensions);
     assembly.place_joints();
     assembly.place_members();
     let joints = assembly.joints.clone();
@@ -132,7 +132,7 @@ fn made(
     })
 }
 
-struct Assembly<'a> {
+pub(super) struct Assembly<'a> {
     frame: &'a Frame,
     recipe: FrameRecipe,
     purpose: Purpose,
@@ -153,7 +153,7 @@ struct Assembly<'a> {
 }
 
 impl<'a> Assembly<'a> {
-    fn new(frame: &'a Frame, recipe: FrameRecipe, purpose: Purpose) -> Self {
+    pub(super) fn new(frame: &'a Frame, recipe: FrameRecipe, purpose: Purpose) -> Self {
         Self {
             frame,
             recipe,
@@ -168,6 +168,12 @@ impl<'a> Assembly<'a> {
             tensions: HashMap::new(),
             samples: Vec::new(),
         }
+    }
+
+    /// The same with the tension in elements, by edge.
+    pub(super) fn with_tensions(mut self, tensions: &[(usize, Tension)]) -> Self {
+        self.tensions = tensions.iter().copied().collect();
+        self
     }
 
     /// Nodes of joints, supports and the transition piece.
@@ -532,6 +538,21 @@ impl<'a> Assembly<'a> {
         from: f64,
         to: f64,
     ) -> Option<(Element, [Vector; 3])> {
+        let mut memory = std::mem::take(&mut self.memory);
+        let (stretch, axes) = self.stretch(edge, index, from, to);
+        let element = self.recipe.element(&stretch, &mut memory);
+        self.memory = memory;
+        Some((element?, axes))
+    }
+
+    /// A stretch of a member between two fractions, and its axes.
+    pub(super) fn stretch(
+        &self,
+        edge: usize,
+        index: usize,
+        from: f64,
+        to: f64,
+    ) -> (Stretch<'_>, [Vector; 3]) {
         let member = &self.frame.description().members[index];
         let axes = axes_from(self.frame, member, to > from);
         // Their axes as rows of the transposed matrix: from global axes into those of the stretch.
@@ -555,8 +576,7 @@ impl<'a> Assembly<'a> {
             },
             is_at_rest: self.purpose == Purpose::Rest,
         };
-        let element = self.recipe.element(&stretch, &mut self.memory)?;
-        Some((element, axes))
+        (stretch, axes)
     }
 
     /// The link of a branch, whose coordinates begin at `first`.

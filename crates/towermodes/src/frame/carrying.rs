@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 
-use super::assembly::{Assembled, Purpose, assemble};
+use super::assembly::{Assembled, PlacedElement, assemble};
 use super::element::{ALL, Element, Part};
 use super::elimination::Factors;
 use super::equations::{ELASTIC, Equations, GEOMETRIC, GROUND, INERTIA, KINDS, Link};
 use super::error::FrameSolveError;
-use super::finer::Finer;
+use super::finer::{FinerElement, change_of_energy, finer_elements};
 use super::local::Local;
 use super::mechanism::mechanism;
 use super::order::Order;
@@ -43,8 +43,9 @@ pub(crate) struct BareFrame {
     places: Places,
     /// The tension in its elements, by edge.
     tensions: Vec<(usize, Tension)>,
-    /// The same frame with elements of a higher degree, when it was needed.
-    finer: Option<Equations>,
+    /// Its elements, and what those of a higher degree have more, when it was needed.
+    elements: Vec<PlacedElement>,
+    finer: Option<Vec<FinerElement>>,
     /// The joint of each of its nodes.
     joint_of_node: Vec<usize>,
     /// Where its joints and points of its members are in the equations.
@@ -61,7 +62,6 @@ struct Memory {
     counted: Factors,
     sweep: Sweep,
     product: Vec<f64>,
-    finer: Finer,
 }
 
 /// A tower of any kind of elements, in which all motions are coupled, on a frame.
@@ -101,6 +101,7 @@ impl BareFrame {
             tensions,
             joints,
             samples,
+            elements,
             ..
         } = with_tensions(
             &foundation.frame,
@@ -129,6 +130,7 @@ impl BareFrame {
             joint_of_node,
             tensions,
             shapes: ShapeReader { joints, samples },
+            elements,
             finer: None,
             local: None,
             memory: Memory::default(),
@@ -210,39 +212,25 @@ impl OnFrame {
 
     /// By how much the eigenvalue λ (rad²/s²) of a vector changes with elements of the frame of a
     /// degree higher by two.
-    ///
-    /// # Errors
-    /// [`FrameSolveError`].
-    pub(crate) fn change_on_finer(
-        &mut self,
-        lambda: f64,
-        x: &[f64],
-    ) -> Result<f64, FrameSolveError> {
+    pub(crate) fn change_on_finer(&mut self, lambda: f64, x: &[f64]) -> f64 {
         let BareFrame {
             tower,
             degree,
             equations,
             tensions,
+            elements,
             finer,
-            memory,
             ..
         } = &mut self.frame;
         let Some(foundation) = tower.frame() else {
-            return Ok(0.0);
+            return 0.0;
         };
-        let finer = match finer {
-            Some(finer) => finer,
-            None => {
-                let recipe = FrameRecipe::Spectral {
-                    degree: *degree + 2,
-                };
-                let purpose = Purpose::Frequencies;
-                let assembled = assemble(&foundation.frame, recipe, tensions, purpose)?;
-                finer.insert(assembled.equations)
-            }
-        };
-        let change = memory.finer.change((equations, finer), lambda, x);
-        Ok(change / self.energy(&Coefficients::MASS, x))
+        let finer = finer.get_or_insert_with(|| {
+            let degrees = [*degree, *degree + 2];
+            finer_elements(&foundation.frame, degrees, tensions, elements)
+        });
+        let change = change_of_energy(equations, finer, lambda, x);
+        change / self.energy(&Coefficients::MASS, x)
     }
 
     /// The inertia of the frame against motions of the base of the tower, with which all moves as
@@ -386,6 +374,7 @@ fn add_tower(
         let child = add_node(equations, &link.body);
         let made = MemberPart {
             planes: vec![&ALL],
+            strains: Vec::new(),
             tips: link.tips.to_vec(),
             matrices: link.matrices.clone(),
             shapes: Vec::new(),

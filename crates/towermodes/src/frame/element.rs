@@ -96,6 +96,7 @@ impl Part {
             mut tips,
             mut matrices,
             mut shapes,
+            ..
         } = made;
         let coordinates = tips.first().map_or(0, Vec::len);
         let own = tips.len();

@@ -3,7 +3,7 @@
 use super::element::Element;
 use super::error::FrameSolveError;
 use super::tension::{Tension, tension_at};
-use crate::beam::{MemberElement, MemberSlice, MemberStrains, SoilPart};
+use crate::beam::{MemberElement, MemberPart, MemberSlice, MemberStrains, SoilPart};
 use crate::space::SpatialMatrix;
 use crate::tower::frame::{FrameMember, FrameSoil, MemberKind};
 use crate::tower::{Section, SectionMasses, SoilStiffness};
@@ -84,38 +84,16 @@ impl FrameRecipe {
             return None;
         };
         let length_m = stretch.length_m();
-        let bare = |at: f64| ends.at(at, material);
-        let coated = |at: f64| {
-            let section = member.section_at(at, stretch.member_m);
-            section.unwrap_or_else(|| bare(at))
-        };
-        let compression = stretch.compression();
-        let (bodies, soil) = (stretch.bodies(), stretch.soil());
-        let sampled = stretch.sampled.iter();
-        let sampled_m: Vec<f64> = sampled.map(|at| stretch.distance_m(*at)).collect();
-        let is_uniform = ends.are_equal() && member.soil.is_empty();
-        let mut make = |strains, section_at: &dyn Fn(f64) -> Section| {
-            let slice = MemberSlice {
-                length_m,
-                is_uniform,
-                section_at,
-                compression_n: compression.as_deref(),
-                bodies: &bodies,
-                soil: &soil,
-                sampled_m: &sampled_m,
-            };
-            Element::of(memory.make(strains, &slice), length_m)
-        };
         match self {
             Self::Spectral { degree } => {
-                let degree = match stretch.is_at_rest && is_uniform {
-                    true => LEAST_DEGREE,
-                    false => degree,
-                };
-                let strains = MemberStrains::of_degree(degree, member.shears, is_uniform);
-                Some(make(strains, &|z| coated(stretch.fraction(z))))
+                Some(Element::of(stretch.spectral(degree, memory)?, length_m))
             }
             Self::Subdyn { .. } => {
+                let bare = |at: f64| ends.at(at, material);
+                let coated = |at: f64| {
+                    let section = member.section_at(at, stretch.member_m);
+                    section.unwrap_or_else(|| bare(at))
+                };
                 let section = bare(0.5 * (stretch.from + stretch.to));
                 let strains = MemberStrains {
                     curvature: 2,
@@ -138,7 +116,8 @@ impl FrameRecipe {
                     Section { masses, ..section }
                 };
                 let inertia = nodal_inertia(&section, length_m);
-                Some(make(strains, &carried).with_nodal_inertia(&inertia))
+                let parts = stretch.parts(strains, memory, &carried);
+                Some(Element::of(parts, length_m).with_nodal_inertia(&inertia))
             }
         }
     }
@@ -163,7 +142,64 @@ pub(super) struct Stretch<'a> {
 }
 
 impl Stretch<'_> {
-    fn length_m(&self) -> f64 {
+    /// Its spectral element of a degree in parts; none if it is no beam.
+    pub(super) fn spectral(
+        &self,
+        degree: usize,
+        memory: &mut MemberElement,
+    ) -> Option<Vec<MemberPart>> {
+        let MemberKind::Beam { ends, material } = &self.member.kind else {
+            return None;
+        };
+        let section = |z: f64| {
+            let at = self.fraction(z);
+            let section = self.member.section_at(at, self.member_m);
+            section.unwrap_or_else(|| ends.at(at, material))
+        };
+        Some(self.parts(self.strains(degree), memory, &section))
+    }
+
+    /// The strains of its spectral element of a degree.
+    pub(super) fn strains(&self, degree: usize) -> MemberStrains {
+        let is_uniform = self.is_uniform();
+        let degree = match self.is_at_rest && is_uniform {
+            true => LEAST_DEGREE,
+            false => degree,
+        };
+        MemberStrains::of_degree(degree, self.member.shears, is_uniform)
+    }
+
+    /// An element with these strains in parts.
+    fn parts(
+        &self,
+        strains: MemberStrains,
+        memory: &mut MemberElement,
+        section_at: &dyn Fn(f64) -> Section,
+    ) -> Vec<MemberPart> {
+        let compression = self.compression();
+        let sampled = self.sampled.iter();
+        let sampled_m: Vec<f64> = sampled.map(|at| self.distance_m(*at)).collect();
+        let slice = MemberSlice {
+            length_m: self.length_m(),
+            is_uniform: self.is_uniform(),
+            section_at,
+            compression_n: compression.as_deref(),
+            bodies: &self.bodies(),
+            soil: &self.soil(),
+            sampled_m: &sampled_m,
+        };
+        memory.make(strains, &slice)
+    }
+
+    /// Whether the section is the same along its member, and no soil is around it.
+    fn is_uniform(&self) -> bool {
+        match &self.member.kind {
+            MemberKind::Beam { ends, .. } => ends.are_equal() && self.member.soil.is_empty(),
+            MemberKind::Cable { .. } | MemberKind::Rigid { .. } | MemberKind::Spring(_) => false,
+        }
+    }
+
+    pub(super) fn length_m(&self) -> f64 {
         self.member_m * (self.to - self.from).abs()
     }
 

@@ -48,7 +48,7 @@ pub(crate) fn estimate_errors(
     workspace: &mut Workspace,
 ) -> Result<Estimates, SolveError> {
     workspace.errors.irregular.clear();
-    let of_frame_hz = frame_errors_hz(tower, workspace)?;
+    let of_frame_hz = frame_errors_hz(tower, workspace);
     let add_frame_error = |modes: &mut [Estimated]| {
         for (mode, error_hz) in modes.iter_mut().zip(&of_frame_hz) {
             mode.error_hz += error_hz;
@@ -98,9 +98,9 @@ pub(crate) fn estimate_errors(
 
 /// No mesh of the tower shows what the elements of a frame under it miss: what finer ones change,
 /// Hz a mode; none without a frame.
-fn frame_errors_hz(tower: &Tower, workspace: &mut Workspace) -> Result<Vec<f64>, SolveError> {
+fn frame_errors_hz(tower: &Tower, workspace: &mut Workspace) -> Vec<f64> {
     if tower.frame().is_none() {
-        return Ok(Vec::new());
+        return Vec::new();
     }
     let Workspace {
         model,
@@ -110,10 +110,10 @@ fn frame_errors_hz(tower: &Tower, workspace: &mut Workspace) -> Result<Vec<f64>,
     } = workspace;
     let error_hz = |mode: &Estimated| {
         let lambda = spectrum.eigenvalue(model, mode.key).lambda;
-        let change = model.change_on_finer_frame(lambda, spectrum.vector(mode.key))?;
+        let change = model.change_on_finer_frame(lambda, spectrum.vector(mode.key));
         // df = dλ/(8π² f), or the whole frequency where it is as small.
         let slope = 8.0 * PI * PI * mode.frequency_hz;
-        Ok((change.abs() / slope).min(change.abs().sqrt() / TAU))
+        (change.abs() / slope).min(change.abs().sqrt() / TAU)
     };
     errors.modes.iter().map(error_hz).collect()
 }

@@ -111,17 +111,10 @@ impl Model {
 
     /// By how much finer elements of the frame under the tower change the eigenvalue λ (rad²/s²)
     /// of a vector; 0 without a frame.
-    ///
-    /// # Errors
-    /// [`FrameSolveError`].
-    pub(crate) fn change_on_finer_frame(
-        &mut self,
-        lambda: f64,
-        vector: &[f64],
-    ) -> Result<f64, FrameSolveError> {
+    pub(crate) fn change_on_finer_frame(&mut self, lambda: f64, vector: &[f64]) -> f64 {
         match &mut self.on_frame {
             Some(on_frame) => on_frame.change_on_finer(lambda, vector),
-            None => Ok(0.0),
+            None => 0.0,
         }
     }
 
