@@ -22,8 +22,9 @@ pub struct FrameFoundation {
     pub weight_on_members: bool,
     /// Whether the buoyancy of members in water carries a part of that weight. Then the force in a
     /// member is its effective tension, that of its wall with the pressure of the water on its
-    /// cross section, which is what changes its stiffness. Off by default, as the weight of a tower in
-    /// water has no buoyancy either: a monopile has one frequency, as a member and as a tower.
+    /// cross section, which is what changes its stiffness. Off by default: the weight of a tower in
+    /// water has no buoyancy either, and a monopile then has one frequency as a member and as a
+    /// tower.
     pub buoyancy_on_members: bool,
     /// Of each member, which of the tower's materials it is made of; a member without one, or
     /// beyond the end of the list, has a material of its own.
