@@ -144,6 +144,13 @@ impl TowerInput {
     pub(crate) fn tower_mistake(&self, error: &TowerError) -> ReadError {
         let is_toml = self.format == FileFormat::Toml;
         let (file, mut diagnostic) = self.places.mistake(error, is_toml, self.sources.len());
+        if let Place::Mooring { item } = error.place
+            && let Some(name) = self.description.part_names.of_mooring(item)
+            && name != item.to_string()
+        {
+            let hint = diagnostic.hint.map_or(String::new(), |hint| hint + "; ");
+            diagnostic.hint = Some(format!("{hint}{item} is `{name}`"));
+        }
         if let Some(settings) = self.settings.last().filter(|_| file < self.sources.len()) {
             let hint = diagnostic.hint.map_or(String::new(), |hint| hint + "; ");
             let by = &settings.name;

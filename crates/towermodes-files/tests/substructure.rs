@@ -63,6 +63,7 @@ fn mistakes_in_a_substructure_have_a_place() {
         { name = "front1", position | { name = "back1", position = [0, 0, 0] }, { name = "front1", position | - | the name stands twice
         "a1", position = [-12.0,   | "a1", position = [         | [ -12        | 3
         flooded = ["leg a1"        | flooded = ["leg z1"        | "leg z1"     | leg z1
+        name = "leg b1"            | name = "leg a1"            | -            | member leg a1: the name stands twice
         [substructure]             | [foundation]\ntype = "clamped"\n[substructure] | - | keep one
         "#,
     );
@@ -75,7 +76,7 @@ fn mistakes_in_supports_and_pins_have_a_place() {
         r#"
         clamped = ["foot",   | clamped = ["feet",       | "feet"  | did you mean `foot`?
         interface = ["top"]  | interface = ["foot"]     | ["foot" | supported and belongs to the transition
-        clamped = ["foot", "anchor"] | clamped = ["foot", "pin"] | - | cannot carry a support
+        clamped = ["foot", "anchor"] | clamped = ["foot", "pin"] | - | ball joint cannot be supported; make the joint welded, and hold only its translations
         kind = "pin", axis = [0.0, 1.0, 0.0] | kind = "pin" | { name | has no `axis`
         kind = "pin", axis = [0.0, 1.0, 0.0] | kind = "pin", axis = [0, 0, 0] | { name | axis of the pin is zero
         kind = "pin", axis   | kind = "ball", axis      | [0.0, 1 | only a pin
@@ -129,6 +130,43 @@ fn coats_are_the_water_of_the_tower_file() {
     assert!(wet[0] < dry[0] * (1.0 - 1e-4), "{} {}", wet[0], dry[0]);
 }
 
+/// The first warning of a changed tower file.
+fn first_warning(text: &str, table: &str) {
+    for [from, to, message] in rows::<3>(table) {
+        assert!(text.contains(from), "no {from}");
+        let tower = tower_from_toml(&text.replacen(from, to, 1)).expect(to);
+        let said: Vec<String> = tower.warnings().iter().map(ToString::to_string).collect();
+        let first = said.first().map_or("", String::as_str);
+        assert!(first.contains(message), "{to}: {said:?}");
+    }
+}
+
+/// Lines and members of a tower file have the warnings of those of OpenFAST.
+#[test]
+fn slips_of_lines_and_members_are_warned_of() {
+    first_warning(
+        SPAR,
+        r#"
+        length = 880.0          | length = 1200.0        | line 1 is slack
+        depth = 300.0           | depth = 301.0          | `anchor 1`: the anchor point 1 is at z = -300 m, 1 m above the seabed
+        axial_stiffness = 3.8e8 | axial_stiffness = 3.8e5 | line 1 is stretched by
+        "#,
+    );
+    first_warning(
+        JACKET,
+        r#"
+        wall_thickness = 0.045 | wall_thickness = 0.00045 | 1/3111.11 of the diameter 1.4 m
+        "#,
+    );
+    let negative = JACKET.replace("mass = 400e3", "mass = -400e3");
+    let mistakes = tower_from_toml(&negative).expect_err("a negative mass");
+    let said = mistakes[0].to_string();
+    assert!(
+        said.contains("the mass of the transition piece is -"),
+        "{said}"
+    );
+}
+
 #[test]
 fn numbers_have_the_names_of_their_parts() {
     let jacket = description(JACKET);
@@ -137,6 +175,9 @@ fn numbers_have_the_names_of_their_parts() {
     assert_eq!(by_name.expect("a number"), by_index.expect("a number"));
     let foot = Parameter::parse("substructure.joint[a1].position[2]", &jacket).expect("a number");
     assert_eq!(foot.value(&jacket), -45.0);
+    let wrong = Parameter::parse("substructure.member[leg x1].outer_diameter", &jacket);
+    let message = wrong.expect_err("no such member").to_string();
+    assert!(message.contains("names: pile a, pile b, "), "{message}");
     let spar = description(SPAR);
     let length = Parameter::parse("mooring.line[line 2].length", &spar).expect("a number");
     assert_eq!(length.value(&spar), 880.0);

@@ -406,6 +406,109 @@ fn a_frame_reduced_to_its_transition_piece_has_the_counts_of_the_whole() {
     }
 }
 
+/// Members that are too soft are no mechanism: no joint is free.
+#[test]
+fn a_frame_that_is_too_soft_is_refused() {
+    let mut soft = frame(&HALVES, &IN_LINE, &[0]);
+    for member in &mut soft.members {
+        if let MemberKind::Beam { material, .. } = &mut member.kind {
+            *material = Material::from_shear_modulus(7850.0, 0.021, 0.0081);
+        }
+    }
+    let soft = Frame::new(soft).expect("a frame");
+    let refused = solve_frame(&soft, &FrameOptions::default()).expect_err("too soft");
+    let refused = refused.to_string();
+    assert!(
+        refused.starts_with("the members of the frame are too soft for their mass"),
+        "{refused}"
+    );
+}
+
+/// Each warning on both sides of its limit; the one frame that is furthest off is named.
+#[test]
+fn members_that_are_probably_mistakes_are_warned_of() {
+    let said = |change: &dyn Fn(&mut FrameDescription)| {
+        let mut description = frame(&HALVES, &IN_LINE, &[0]);
+        change(&mut description);
+        let frame = Frame::new(description).expect("a frame");
+        let warnings = frame.warnings().into_iter();
+        warnings
+            .map(|warning| warning.to_string())
+            .collect::<Vec<_>>()
+    };
+    let tubes = |outer_diameter_m: f64, wall_thickness_m: f64| {
+        move |frame: &mut FrameDescription| {
+            for (k, name) in ["1", "2"].into_iter().enumerate() {
+                let ends = frame.members[k].joints;
+                frame.members[k] = of_section(name, ends, outer_diameter_m, wall_thickness_m);
+            }
+        }
+    };
+    let moduli = |e: f64, g: f64| {
+        move |frame: &mut FrameDescription| {
+            if let MemberKind::Beam { material, .. } = &mut frame.members[1].kind {
+                *material = Material::from_shear_modulus(7850.0, e, g);
+            }
+        }
+    };
+    let quiet: [&dyn Fn(&mut FrameDescription); 7] = [
+        &|_| {},
+        &tubes(3.0, 0.0101),
+        &tubes(3.0, 0.99),
+        &tubes(3.0, 1.5),
+        &tubes(29.0, 0.1),
+        &moduli(1e9, 4e8),
+        &|frame| frame.joints[2].position_m[0] += 190.0,
+    ];
+    for (k, change) in quiet.into_iter().enumerate() {
+        assert_eq!(said(change), [""; 0], "{k}");
+    }
+    let odd: [(&dyn Fn(&mut FrameDescription), &str); 8] = [
+        (
+            &tubes(3.0, 0.0099),
+            "member 1 (and another one): wall 0.0099 m is 1/303.03 of the diameter 3 m; expected 1/3 to 1/300",
+        ),
+        (
+            &tubes(3.0, 1.1),
+            "member 1 (and another one): wall 1.1 m is 1/2.72727 of the diameter 3 m",
+        ),
+        (
+            &tubes(31.0, 0.2),
+            "member 1 (and another one): outer diameter 31 m is larger than 30 m",
+        ),
+        (
+            &moduli(210.0, 81.0),
+            "member 2: Young's modulus is 210 Pa; expected 1e9 to 1e17 Pa",
+        ),
+        (
+            &moduli(8.08e10, 2.1e11),
+            "member 2: the shear modulus 2.1e11 Pa is larger than Young's modulus 8.08e10 Pa",
+        ),
+        (
+            &|frame| frame.joints[2].position_m[0] += 210.0,
+            "member 2 is 2",
+        ),
+        (
+            &|frame| frame.members.push(tube("again", [1, 0])),
+            "members 1 and again are between the same two joints",
+        ),
+        (
+            &|frame| {
+                frame
+                    .joints
+                    .iter_mut()
+                    .for_each(|joint| joint.position_m[1] = -2e3)
+            },
+            "joint 1 (and 2 others) is at -2000 m, more than 1 km from the origin",
+        ),
+    ];
+    for (change, expected) in odd {
+        let found = said(change);
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert!(found[0].starts_with(expected), "{found:?}");
+    }
+}
+
 #[test]
 fn a_mechanism_under_a_tower_is_refused_with_its_joint() {
     let pin = JointKind::Pin {
@@ -420,11 +523,11 @@ fn a_mechanism_under_a_tower_is_refused_with_its_joint() {
     let cases = [
         (
             pinned,
-            "the frame is a mechanism: 1 motion has no stiffness, in joint 2",
+            "the frame is a mechanism: 1 motion has no stiffness; the first moves joint 2 about y",
         ),
         (
             rotating,
-            "the frame is a mechanism: 1 motion has no stiffness, in joint 1",
+            "the frame is a mechanism: 1 motion has no stiffness; the first moves joint 1 about x",
         ),
         (loose, "nothing holds the frame"),
     ];

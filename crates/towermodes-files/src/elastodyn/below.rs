@@ -4,9 +4,9 @@
 use std::ops::Range;
 
 use towermodes::frame::FrameFoundation;
-use towermodes::{Foundation, Inertia, MissingPart, MooringLines, RigidBody};
+use towermodes::{Foundation, Inertia, MissingPart, MooringLines, Place, RigidBody};
 
-use super::fst::{STANDARD_M_PER_S2, gravity_of_fst, switch};
+use super::fst::{STANDARD_M_PER_S2, gravity_of_fst, is_on, switch};
 use super::main_input::main_file::MainFile;
 use super::names::line_of;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
@@ -29,12 +29,14 @@ pub(super) struct Below {
     pub(super) sources: Vec<Source>,
     /// The parts of the structure that were read.
     pub(super) parts: Vec<MissingPart>,
+    /// Places of its values: the file among `sources`, and the bytes there.
+    pub(super) places: Vec<(Place, usize, Range<usize>)>,
 }
 
-/// Reads what is below the tower, if its files are there.
+/// Reads what is below the tower.
 ///
 /// # Errors
-/// The first mistake in one of the files.
+/// The first mistake in one of the files, or that one of them cannot be read.
 pub(super) fn below(
     fst: &Source,
     main: &MainFile,
@@ -65,25 +67,39 @@ struct Found<'a> {
 }
 
 impl<'a> Model<'a> {
-    /// The file that one of some names of the `.fst` file gives, if it is there. Without it the
-    /// part is missing, which the result says.
-    fn file(&self, names: &[&str]) -> Option<Found<'a>> {
-        let named = names
-            .iter()
-            .find_map(|name| line_of(&self.fst.text, name)?.first())?;
+    /// The file that one of some names of the `.fst` file gives; none if it has no such line: then
+    /// the part is missing, which the result says.
+    ///
+    /// # Errors
+    /// That the file cannot be read: without it the model is another structure.
+    fn file(&self, module: &str, names: &[&str]) -> Result<Option<Found<'a>>, ReadError> {
+        let lines = names.iter();
+        let Some(named) = lines.clone().find_map(|name| {
+            let line = line_of(&self.fst.text, name)?;
+            line.first()
+        }) else {
+            return Ok(None);
+        };
         let path = named.text.trim();
-        Some(Found {
-            source: self.files.read(path).ok()?,
+        let source = self.files.read(path).map_err(|error| {
+            let kind = DiagnosticKind::unreadable(names[0], &error);
+            let hint = format!(
+                "files are searched beside the .fst file; {module} 0 leaves this part out of the model, --clamped clamps the tower at its base"
+            );
+            ReadError::mistake(self.fst, Diagnostic::new(named.span.clone(), kind).with_hint(hint))
+        })?;
+        Ok(Some(Found {
+            source,
             folder: path.rfind(['/', '\\']).map_or("", |slash| &path[..slash]),
             span: named.span,
-        })
+        }))
     }
 
     /// The substructure of SubDyn, with the platform of ElastoDyn as its transition piece, and the
     /// water on its members. If no reaction joint is held, it floats: water plane, buoyancy and
     /// mooring lines hold it.
     fn substructure(&self) -> Result<Below, ReadError> {
-        let Some(file) = self.file(&["SubFile", "SDFile"]) else {
+        let Some(file) = self.file("CompSub", &["SubFile", "SDFile"])? else {
             return Ok(Below::default());
         };
         let within = Within {
@@ -136,7 +152,13 @@ impl<'a> Model<'a> {
         })?;
         foundation.restoring = restoring;
         below.foundation = Foundation::Frame(Box::new(foundation));
-        below.notes.extend(held_note(self.main));
+        below.notes.extend(held_note(
+            self.main,
+            "the transition piece moves with the substructure",
+        ));
+        let places = subdyn.places();
+        let places = places.map(|(part, span)| (Place::Substructure { part }, 0, span));
+        below.places = places.collect();
         below.sources.splice(0..0, subdyn.sources);
         Ok(below)
     }
@@ -164,17 +186,21 @@ impl<'a> Model<'a> {
         let site = self.site(&water);
         below.sources.extend(water.sources);
         if let Some(lines) = self.mooring(&site)? {
-            let mooring = lines.mooring()?;
-            let state = lines.at_rest(&mooring)?;
+            lines.at_rest(&lines.mooring()?)?;
             platform.mooring_lines = Some(Box::new(MooringLines {
                 description: lines.description.clone(),
                 still_water_m: 0.0,
             }));
             below.notes.extend(lines.notes.iter().cloned());
-            below.notes.extend(lines.warnings(&mooring, &state));
+            let file = below.sources.len();
+            let places = lines.places();
+            below.places = places.map(|(place, span)| (place, file, span)).collect();
             below.sources.push(lines.source);
             below.parts.push(MissingPart::MooringLines);
         }
+        below
+            .notes
+            .extend(held_note(self.main, "the platform moves"));
         below.foundation = Foundation::Floating(Box::new(platform));
         Ok(below)
     }
@@ -208,14 +234,16 @@ impl<'a> Model<'a> {
 
     /// The content of the file of HydroDyn, if there is one.
     fn water(&self) -> Result<Option<HydrodynInput>, ReadError> {
-        if !matches!(switch(self.fst, "CompHydro"), Some((1.., _))) {
+        if !is_on(self.fst, "CompHydro") {
             return Ok(None);
         }
-        let Some(file) = self.file(&["HydroFile", "HDFile"]) else {
+        let Some(file) = self.file("CompHydro", &["HydroFile", "HDFile"])? else {
             return Ok(None);
         };
         let mut defaults = read_water(self.fst, WaterDefaults::default())?;
-        if let Some(sea) = self.file(&["SeaStFile"]) {
+        if is_on(self.fst, "CompSeaSt")
+            && let Some(sea) = self.file("CompSeaSt", &["SeaStFile"])?
+        {
             defaults = read_water(&sea.source, defaults)?;
         }
         read_hydrodyn(file.source, self.files, file.folder, defaults).map(Some)
@@ -223,10 +251,10 @@ impl<'a> Model<'a> {
 
     /// The content of the file of SoilDyn, if there is one.
     fn soil(&self) -> Result<Option<SoildynInput>, ReadError> {
-        if !matches!(switch(self.fst, "CompSoil"), Some((1.., _))) {
+        if !is_on(self.fst, "CompSoil") {
             return Ok(None);
         }
-        let file = self.file(&["SoilFile"]);
+        let file = self.file("CompSoil", &["SoilFile"])?;
         file.map(|file| read_soildyn(file.source)).transpose()
     }
 
@@ -237,7 +265,7 @@ impl<'a> Model<'a> {
             Some((3, _)) => false,
             _ => return Ok(None),
         };
-        let Some(file) = self.file(&["MooringFile"]) else {
+        let Some(file) = self.file("CompMooring", &["MooringFile"])? else {
             return Ok(None);
         };
         match is_map {
@@ -283,12 +311,13 @@ fn transition_piece(main: &MainFile) -> RigidBody {
 }
 
 /// The note that motions of the platform that the file holds are free here.
-fn held_note(main: &MainFile) -> Option<Note> {
+fn held_note(main: &MainFile, what_moves: &str) -> Option<Note> {
     let is_held = main.platform_dofs.contains(&false);
     is_held.then(|| {
-        Note::assumption(
-            "some motions of the platform are switched off in ElastoDyn (PtfmSgDOF to PtfmYDOF), but the transition piece moves with the substructure in all six",
-        )
+        let message = format!(
+            "some motions of the platform are switched off in ElastoDyn (PtfmSgDOF to PtfmYDOF), but {what_moves} in all six"
+        );
+        Note::assumption(message)
     })
 }
 

@@ -235,14 +235,15 @@ impl Model {
         let main = &self.main;
         let mut notes = self.found.notes.clone();
         if let Some(fst) = &self.found.fst {
-            notes.extend(fst::notes(fst, &self.below.parts));
+            notes.extend(fst::notes(fst, main, &self.below.parts, options.clamped));
         }
         notes.extend_from_slice(&self.below.notes);
         notes.extend_from_slice(&self.reading.notes);
         notes.extend(tuner_note(&self.reading.file));
         notes.push(Note::new(ONLY_BENDS));
         if self.below.foundation == Foundation::Clamped {
-            notes.extend(foundation_note(main));
+            let fst = self.found.fst.as_ref().filter(|_| !options.clamped);
+            notes.extend(foundation_note(main, fst));
         }
         notes.extend(main.tower_hangs().then(|| hanging_note(ends)));
         if !options.without_rna {
@@ -295,6 +296,10 @@ impl Model {
         remember(&mut places, main + 1, &self.reading.spans);
         for (place, name) in in_main {
             places.remember(place, main, self.main.place(name));
+        }
+        let below = main + 2 + self.blades.sources.len();
+        for (place, file, span) in &self.below.places {
+            places.remember(*place, below + file, span.clone());
         }
         if let Some(OperatingSpeeds::Known(controlled)) = &self.speeds {
             let last = self.sources().len() - 1;
@@ -379,15 +384,21 @@ fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, ReadError> {
 }
 
 /// The note on a foundation that is not in these files.
-fn foundation_note(main: &MainFile) -> Option<Note> {
+fn foundation_note(main: &MainFile, fst: Option<&Source>) -> Option<Note> {
     let moves = main.platform_dofs.contains(&true);
     let base_m = main.tower_base_m;
     if !moves && base_m == 0.0 {
         return None;
     }
-    let why = if moves { " (the platform moves)" } else { "" };
-    let message =
-        format!("the tower is clamped at z = {base_m} m{why}; its foundation is in other files");
+    let is_dry = fst.is_some_and(|fst| !fst::is_on(fst, "CompHydro"));
+    let why = match moves {
+        true if is_dry => {
+            " although the platform moves: CompHydro is 0, and without water nothing carries it"
+        }
+        true => " (the platform moves); its foundation is in other files",
+        false => "; its foundation is in other files",
+    };
+    let message = format!("the tower is clamped at z = {base_m} m{why}");
     Some(match moves {
         true => Note::missing_part(message),
         false => Note::assumption(message),

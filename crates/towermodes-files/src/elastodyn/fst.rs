@@ -86,14 +86,21 @@ fn ed_file(source: &Source) -> Result<Parameter<'_>, Diagnostic> {
 }
 
 /// The notes on modules that complete the model of ElastoDyn and are not among the parts that were
-/// read.
-pub(super) fn notes(source: &Source, read: &[MissingPart]) -> Vec<Note> {
+/// read. The main file says whether a platform moves.
+pub(super) fn notes(
+    source: &Source,
+    main: &MainFile,
+    read: &[MissingPart],
+    is_clamped: bool,
+) -> Vec<Note> {
     let mut notes: Vec<Note> = Vec::new();
     let mut named: Vec<MissingPart> = read.to_vec();
     for module in &MODULES {
         // The sea is part of the water.
         if !named.contains(&module.part)
-            && let Some(note) = left_out(source, module)
+            && let Some(note) = left_out(source, module, || {
+                why_not_read(source, main, module, is_clamped)
+            })
         {
             named.push(module.part);
             notes.push(note);
@@ -130,6 +137,8 @@ struct Module {
     what: &'static str,
     /// The same as a part of the structure.
     part: MissingPart,
+    /// Values of the switch for programs whose files are not read.
+    other_programs: &'static [(i64, &'static str)],
 }
 
 /// Those whose files are not read.
@@ -139,36 +148,48 @@ const MODULES: [Module; 6] = [
         files: &["HydroFile", "HDFile"],
         what: "the mass and stiffness of the water are",
         part: MissingPart::Water,
+        other_programs: &[],
     },
     Module {
         switch: "CompSeaSt",
         files: &["SeaStFile"],
         what: "the sea is",
         part: MissingPart::Water,
+        other_programs: &[],
     },
     Module {
         switch: "CompSub",
         files: &["SubFile", "SDFile"],
         what: "the substructure is",
         part: MissingPart::Substructure,
+        other_programs: &[(2, "ExtPtfm, which is not modelled; SubDyn is 1")],
     },
     Module {
         switch: "CompMooring",
         files: &["MooringFile"],
         what: "the mooring lines are",
         part: MissingPart::MooringLines,
+        other_programs: &[
+            (
+                2,
+                "FEAMooring, which is not modelled; MAP++ is 1, MoorDyn 3",
+            ),
+            (4, "OrcaFlex, which is not modelled; MAP++ is 1, MoorDyn 3"),
+        ],
     },
     Module {
         switch: "CompMAP",
         files: &["MAPFile"],
         what: "the mooring lines are",
         part: MissingPart::MooringLines,
+        other_programs: &[],
     },
     Module {
         switch: "CompSoil",
         files: &["SoilFile"],
         what: "the soil is",
         part: MissingPart::Soil,
+        other_programs: &[],
     },
 ];
 
@@ -176,7 +197,7 @@ const MODULES: [Module; 6] = [
 pub(super) fn missing_parts(source: &Source, read: &[MissingPart]) -> Vec<MissingPart> {
     let is_on = |module: &&Module| {
         let is_read = read.contains(&module.part);
-        !is_read && matches!(switch(source, module.switch), Some((1.., _)))
+        !is_read && is_on(source, module.switch)
     };
     let mut parts: Vec<MissingPart> = MODULES.iter().filter(is_on).map(|of| of.part).collect();
     parts.sort_unstable();
@@ -185,19 +206,60 @@ pub(super) fn missing_parts(source: &Source, read: &[MissingPart]) -> Vec<Missin
 }
 
 /// The note that a module is left out, if it is switched on.
-fn left_out(source: &Source, module: &Module) -> Option<Note> {
+fn left_out(source: &Source, module: &Module, why: impl Fn() -> String) -> Option<Note> {
     let (value, at) = switch(source, module.switch)?;
     if value < 1 {
         return None;
     }
-    let mut files = module.files.iter();
-    let file = files.find_map(|name| line_of(&source.text, name)?.first());
-    let file = file.map_or_else(String::new, |token| format!(" ({})", token.text));
+    let file = module.file(source);
+    let file = file.map_or_else(String::new, |name| format!(" ({name})"));
     let message = format!(
-        "{} is switched on, but its file{file} is not read: {} left out",
-        module.switch, module.what
+        "{} is switched on, but its file{file} is not read{}: {} left out",
+        module.switch,
+        why(),
+        module.what
     );
     Some(Note::missing_part(message).at(source, at))
+}
+
+impl Module {
+    /// The name of its file.
+    fn file(&self, source: &Source) -> Option<String> {
+        let mut names = self.files.iter();
+        let token = names.find_map(|name| line_of(&source.text, name)?.first())?;
+        Some(token.text.to_owned())
+    }
+}
+
+/// Why the file of a module that is switched on is not read, after a comma.
+fn why_not_read(source: &Source, main: &MainFile, module: &Module, is_clamped: bool) -> String {
+    let value = switch(source, module.switch).map_or(0, |(value, _)| value);
+    let has_substructure = matches!(switch(source, "CompSub"), Some((1, _)));
+    let others = module.other_programs.iter();
+    let other = others.clone().find(|(number, _)| *number == value);
+    let reason = if is_clamped {
+        "because of --clamped"
+    } else if let Some((_, program)) = other {
+        return format!(", because {} {value} is {program}", module.switch);
+    } else if module.file(source).is_none() {
+        "because the .fst file does not name it"
+    } else if module.part == MissingPart::Soil && !has_substructure {
+        "because CompSub is 0"
+    } else if has_substructure {
+        "because the substructure stands on the ground"
+    } else if !main.platform_dofs.contains(&true) {
+        "because CompSub is 0 and no motion of the platform is switched on (PtfmSgDOF to PtfmYDOF)"
+    } else if !is_on(source, "CompHydro") {
+        "because CompHydro is 0, and without water nothing carries the platform"
+    } else {
+        return String::new();
+    };
+    format!(", {reason}")
+}
+
+/// Whether a switch is there and on.
+pub(super) fn is_on(source: &Source, name: &str) -> bool {
+    matches!(switch(source, name), Some((1.., _)))
 }
 
 /// The value of a switch (a number or, in the first versions, true or false) and its byte.

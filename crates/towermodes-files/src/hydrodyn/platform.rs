@@ -92,6 +92,15 @@ impl HydrodynInput {
     }
 
     fn notes_on_stiffness(&self, weights: &SpatialMatrix) -> Vec<Note> {
+        let no_body = "there is no potential-flow body (PotMod 0): buoyancy, water plane and added mass of the platform are those of strip members and AddCLin alone";
+        let no_body = self.potential.is_none().then(|| Note::assumption(no_body));
+        let no_body = no_body.map(|note| note.at(&self.sources[0], 0));
+        let mut notes = self.notes_on_strips(weights);
+        notes.extend(no_body);
+        notes
+    }
+
+    fn notes_on_strips(&self, weights: &SpatialMatrix) -> Vec<Note> {
         let at = |note: Note| note.at(&self.sources[0], self.stiffness_at);
         let has_strips = self.members.iter().any(|member| !member.is_potential_flow);
         if self.is_static {

@@ -86,8 +86,10 @@ pub(super) fn read(
     let stiffness = read_hydrostatic(&stiffness_source)
         .map_err(|m| ReadError::mistake(&stiffness_source, m))?;
     let added_mass = symmetric_table(added, &added_source, &mut notes)
+        .map_err(|m| ReadError::mistake(&added_source, m))?
         .map(|matrix| frame.about_origin(matrix, 3, density_kg_per_m3));
-    let block = heave_block(&stiffness, &stiffness_source, &mut notes);
+    let block = heave_block(&stiffness, &stiffness_source, &mut notes)
+        .map_err(|m| ReadError::mistake(&stiffness_source, m))?;
     let mut hydrostatic = frame.about_origin(&block, 2, 1.0);
     let number = |name: &str| values.number(name).map_err(wrong);
     let volume_m3 = number("PtfmVol0")?;
@@ -187,15 +189,16 @@ fn symmetric_table(
     read: Read<AddedMassTable>,
     source: &Source,
     notes: &mut Vec<Note>,
-) -> AddedMassTable {
+) -> Result<AddedMassTable, Diagnostic> {
     let skews = read
         .content
         .matrices()
         .map(|matrix| symmetric_part(matrix).1);
     let skew = skews.fold(0.0, f64::max);
     notes.extend(on_triangle(read.is_upper_triangle, source));
-    notes.extend(on_skew(skew, "the added mass", source));
-    read.content.map(|matrix| symmetric_part(matrix).0)
+    notes.extend(on_skew(skew, "the added mass", source)?);
+    notes.extend(on_outlier(&read.content, source));
+    Ok(read.content.map(|matrix| symmetric_part(matrix).0))
 }
 
 /// Heave, roll and pitch of the stiffness, symmetric: HydroDyn uses no other rows and columns.
@@ -203,7 +206,7 @@ fn heave_block(
     read: &Read<SpatialMatrix>,
     source: &Source,
     notes: &mut Vec<Note>,
-) -> SpatialMatrix {
+) -> Result<SpatialMatrix, Diagnostic> {
     let used = 2..5;
     let mut block = NONE;
     let mut largest = 0.0_f64;
@@ -223,8 +226,8 @@ fn heave_block(
     }
     let (symmetric, skew) = symmetric_part(&block);
     notes.extend(on_triangle(read.is_upper_triangle, source));
-    notes.extend(on_skew(skew, "the hydrostatic stiffness", source));
-    symmetric
+    notes.extend(on_skew(skew, "the hydrostatic stiffness", source)?);
+    Ok(symmetric)
 }
 
 fn on_triangle(is_upper: bool, source: &Source) -> Option<Note> {
@@ -234,16 +237,42 @@ fn on_triangle(is_upper: bool, source: &Source) -> Option<Note> {
 
 /// Differences of single precision and of panels are small.
 const USUAL_SKEW: f64 = 0.01;
+/// A larger one is a wrong sign or a wrong entry.
+const LARGEST_SKEW: f64 = 0.1;
 
-fn on_skew(skew: f64, what: &str, source: &Source) -> Option<Note> {
+fn on_skew(skew: f64, what: &str, source: &Source) -> Result<Option<Note>, Diagnostic> {
     let message = format!(
-        "{what} is not symmetric: half the difference of opposite entries is up to {skew:.1e} of their size; the mean of both is used"
+        "{what} is not symmetric: half the difference of opposite entries is up to {skew:.1e} of their size"
     );
+    if skew > LARGEST_SKEW {
+        let hint = "entries (i, j) and (j, i) of each period must be equal; check their signs, for example (1, 5) and (5, 1)";
+        let kind = DiagnosticKind::Contradiction(message);
+        return Err(Diagnostic::new(0..0, kind).with_hint(hint));
+    }
+    let message = format!("{message}; the mean of both is used");
     let note = match skew > USUAL_SKEW {
         true => Note::suspicious(message),
         false => Note::approximation(message),
     };
-    (skew > 0.0).then(|| note.at(source, 0))
+    Ok((skew > 0.0).then(|| note.at(source, 0)))
+}
+
+/// At no frequency the added mass of a body is so many times its median.
+const OUTLIER: f64 = 100.0;
+
+/// An entry on the diagonal of which one is out of line, by its exponent for example.
+fn on_outlier(table: &AddedMassTable, source: &Source) -> Option<Note> {
+    let found = (0..6).find_map(|i| {
+        let mut sizes: Vec<f64> = table.matrices().map(|matrix| matrix[i][i].abs()).collect();
+        sizes.sort_by(f64::total_cmp);
+        let (median, largest) = (sizes[sizes.len() / 2], *sizes.last()?);
+        (largest > OUTLIER * median).then_some((i + 1, median, largest))
+    });
+    let (i, median, largest) = found?;
+    let message = format!(
+        "entry ({i}, {i}) of the added mass is up to {largest:e}, and {median:e} in the middle of its values: check the exponents of its lines"
+    );
+    Some(Note::suspicious(message).at(source, 0))
 }
 
 /// What changes no mode.

@@ -62,6 +62,7 @@ pub fn read_hydrodyn(
     let mut notes = added.notes;
     notes.append(&mut members.notes);
     notes.extend(on_strips(&members, &water, &source));
+    notes.extend(on_density(&water, &source));
     let mut sources = vec![source];
     let mut flow = None;
     if let Some(body) = body {
@@ -124,6 +125,18 @@ fn is_hydrodyn(values: &Values<'_>) -> bool {
     has("NMembers") && (has("PotMod") || has("HasWAMIT"))
 }
 
+/// The density of water, kg/m³, from fresh to the saltiest.
+const DENSITIES_KG_PER_M3: std::ops::RangeInclusive<f64> = 900.0..=1100.0;
+
+/// A density that no water has.
+fn on_density(water: &SeaWater, source: &Source) -> Option<Note> {
+    let density = water.density_kg_per_m3;
+    let message = format!(
+        "the density of the water (WtrDens) is {density} kg/m3; expected 900 to 1100 kg/m3; sea water has 1025"
+    );
+    (!DENSITIES_KG_PER_M3.contains(&density)).then(|| Note::suspicious(message).at(source, 0))
+}
+
 /// What strip theory leaves out of the modes.
 fn on_strips(members: &Members, water: &SeaWater, source: &Source) -> Vec<Note> {
     let mut notes = Vec::new();
@@ -136,8 +149,12 @@ fn on_strips(members: &Members, water: &SeaWater, source: &Source) -> Vec<Note> 
         .filter(|member| member.ends_m.iter().any(below))
         .count();
     if buried > 0 {
+        let (count, whose) = match buried {
+            1 => ("1 member reaches".to_owned(), "it has"),
+            _ => (format!("{buried} members reach"), "they have"),
+        };
         let message = format!(
-            "{buried} members reach below the seabed at {} m: they have no added mass, growth or filling there, as in HydroDyn",
+            "{count} below the seabed at {} m: {whose} no added mass, growth or filling there, as in HydroDyn",
             -water.depth_m
         );
         notes.push(Note::compatibility(message).at(source, 0));

@@ -57,6 +57,7 @@ pub(super) struct Read<T> {
 /// Reads a `.1` file: nondimensional added mass, not yet symmetric.
 pub(super) fn read_added_mass(source: &Source) -> Result<Read<AddedMassTable>, Diagnostic> {
     let periods = periods(&source.text)?;
+    check_diagonal(&periods)?;
     let is_upper_triangle = !periods.values().any(Entries::has_lower)
         && periods
             .values()
@@ -89,6 +90,28 @@ pub(super) fn read_added_mass(source: &Source) -> Result<Read<AddedMassTable>, D
         content,
         is_upper_triangle,
     })
+}
+
+/// An entry on the diagonal that the file has at some periods it has at all.
+fn check_diagonal(periods: &BTreeMap<Frequency, Entries>) -> Result<(), Diagnostic> {
+    for i in 0..6 {
+        let has = |entries: &Entries| entries.given[i][i];
+        let lacks = periods.iter().find(|(_, entries)| !has(entries));
+        let Some((frequency, _)) = lacks.filter(|_| periods.values().any(has)) else {
+            continue;
+        };
+        let at = match frequency {
+            Frequency::Zero => "zero frequency".to_owned(),
+            Frequency::Infinite => "infinite frequency".to_owned(),
+            Frequency::Finite(bits) => {
+                format!("{:.6} rad/s", f64::from_bits(*bits))
+            }
+        };
+        let what = format!("entry ({0}, {0}) of the added mass at {at}", i + 1);
+        let mistake = Diagnostic::new(0..0, DiagnosticKind::Missing { what });
+        return Err(mistake.with_hint("the file has this entry at other periods: add the line"));
+    }
+    Ok(())
 }
 
 /// A frequency in rising order; positive numbers are in the order of their bits.

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
+use towermodes::Place;
 use towermodes::mooring::{
-    Mooring, MooringDescription, MooringError, MooringItem, MooringState, MooringWarning, Pose,
+    Mooring, MooringDescription, MooringError, MooringItem, MooringState, Pose,
 };
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
@@ -93,17 +94,29 @@ impl MooringInput {
     pub fn warnings(&self, mooring: &Mooring, state: &MooringState) -> Vec<Note> {
         let warnings = mooring.warnings(state).into_iter();
         let notes = warnings.map(|warning| {
-            let item = match warning {
-                MooringWarning::AnchorAboveSeabed { point, .. } => MooringItem::Point(point),
-                MooringWarning::Slack { line, .. } | MooringWarning::AboveWater { line, .. } => {
-                    MooringItem::Line(line)
-                }
-                _ => MooringItem::Site,
-            };
-            let place = self.row(item).unwrap_or(0..0);
+            let place = self.row(warning.item()).unwrap_or(0..0);
             Note::suspicious(warning.to_string()).at(&self.source, place.start)
         });
         notes.collect()
+    }
+
+    /// The bytes of each part, for a tower that has these lines.
+    pub(crate) fn places(&self) -> impl Iterator<Item = (Place, Range<usize>)> {
+        let spans = &self.spans;
+        let kinds: [(fn(usize) -> MooringItem, &Vec<Range<usize>>); 5] = [
+            (MooringItem::LineType, &spans.line_types),
+            (MooringItem::Point, &spans.points),
+            (MooringItem::Line, &spans.lines),
+            (MooringItem::Body, &spans.bodies),
+            (MooringItem::Rod, &spans.rods),
+        ];
+        let parts = kinds.into_iter().flat_map(|(item, rows)| {
+            let rows = rows.iter().enumerate();
+            rows.map(move |(index, span)| (item(index), span.clone()))
+        });
+        let site = std::iter::once((MooringItem::Site, spans.site.clone()));
+        site.chain(parts)
+            .map(|(item, span)| (Place::Mooring { item }, span))
     }
 
     /// The file it was read from.

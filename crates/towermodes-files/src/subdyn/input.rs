@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use towermodes::frame::{Frame, FrameDescription, FrameError, FramePlace, FrameRecipe, Transition};
+use towermodes::frame::{Frame, FrameDescription, FrameError, FramePart, FrameRecipe, Transition};
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
@@ -90,18 +90,43 @@ impl SubdynInput {
 
     /// What no frame can have, at its line.
     fn mistake(&self, error: FrameError) -> ReadError {
-        let spans = &self.spans;
-        let span = match &error.place {
-            FramePlace::Joint(index, _) => spans.joints.get(*index),
-            FramePlace::Member(index, _) => spans.members.get(*index),
-            FramePlace::Support(index, _) => spans.supports.get(*index),
-            FramePlace::Mass(index, _) => spans.masses.get(*index),
-            FramePlace::Transition => spans.interfaces.first(),
-            _ => None,
-        };
+        let part = error.place.part();
+        let span = self.places().find(|(place, _)| *place == part);
+        let span = span.map_or(0..0, |(_, span)| span);
         let kind = DiagnosticKind::Frame(Box::new(error));
-        let mistake = Diagnostic::new(span.cloned().unwrap_or(0..0), kind);
+        let mistake = Diagnostic::new(span, kind);
         ReadError::mistake(&self.sources[0], mistake)
+    }
+
+    /// What is possible in this frame but probably a mistake, at its line of the file.
+    pub fn warnings(&self, frame: &Frame) -> Vec<Note> {
+        let warnings = frame.warnings().into_iter();
+        let notes = warnings.map(|warning| {
+            let note = Note::suspicious(warning.to_string());
+            let place = self.places().find(|(part, _)| *part == warning.part());
+            match place {
+                Some((_, span)) => note.at(&self.sources[0], span.start),
+                None => note,
+            }
+        });
+        notes.collect()
+    }
+
+    /// The bytes of each part in the main file, for a tower on this frame.
+    pub(crate) fn places(&self) -> impl Iterator<Item = (FramePart, Range<usize>)> {
+        let spans = &self.spans;
+        let kinds: [(fn(usize) -> FramePart, &Vec<Range<usize>>); 4] = [
+            (FramePart::Joint, &spans.joints),
+            (FramePart::Member, &spans.members),
+            (FramePart::Support, &spans.supports),
+            (FramePart::Mass, &spans.masses),
+        ];
+        let parts = kinds.into_iter().flat_map(|(part, rows)| {
+            let rows = rows.iter().enumerate();
+            rows.map(move |(index, span)| (part(index), span.clone()))
+        });
+        let transition = spans.interfaces.first().cloned();
+        parts.chain(transition.map(|span| (FramePart::Transition, span)))
     }
 
     /// The files it was read from, the main one first.

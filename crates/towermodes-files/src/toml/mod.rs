@@ -19,7 +19,7 @@ mod write;
 
 use ::toml::de::DeTable;
 use towermodes::turbine::TurbineDescription;
-use towermodes::{Tower, TowerDescription};
+use towermodes::{Place, Tower, TowerDescription};
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
@@ -183,6 +183,11 @@ fn describe(text: &str, files: Option<&dyn FileResolver>) -> Result<Described, R
     };
     let root = Table::root(document.get_ref(), text.len(), &FILE, &mut reading);
     let description = file::description(&root, &mut reading);
+    let others = others(reading.others, reading.profiles, reading.blade_source);
+    for (part, span) in reading.substructure_places {
+        let place = Place::Substructure { part };
+        reading.places.remember(place, 1 + others.len(), span);
+    }
     // They are found table by table; people read the file line by line.
     reading.mistakes.sort_by_key(|mistake| mistake.span.start);
     match (description, reading.in_other_file) {
@@ -191,10 +196,7 @@ fn describe(text: &str, files: Option<&dyn FileResolver>) -> Result<Described, R
             places: reading.places,
             notes: reading.notes,
             other_notes: reading.substructure_notes,
-            others: others(reading.others, reading.profiles, reading.blade_source)
-                .into_iter()
-                .chain(reading.substructure_sources)
-                .collect(),
+            others: [others, reading.substructure_sources].concat(),
             turbine: reading.turbine,
         }),
         (_, Some((file, mistakes))) if reading.mistakes.is_empty() => {

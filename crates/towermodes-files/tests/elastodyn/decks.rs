@@ -159,8 +159,8 @@ fn modules_under_the_tower_are_left_out_with_a_note() {
     assert_eq!(
         left_out,
         [
-            "a.fst:4: CompHydro is switched on, but its file (hd.dat) is not read: the mass and stiffness of the water are left out",
-            "a.fst:6: CompMooring is switched on, but its file (moor.dat) is not read: the mooring lines are left out",
+            "a.fst:4: CompHydro is switched on, but its file (hd.dat) is not read, because CompSub is 0 and no motion of the platform is switched on (PtfmSgDOF to PtfmYDOF): the mass and stiffness of the water are left out",
+            "a.fst:6: CompMooring is switched on, but its file (moor.dat) is not read, because CompSub is 0 and no motion of the platform is switched on (PtfmSgDOF to PtfmYDOF): the mooring lines are left out",
         ]
     );
     assert!(
@@ -169,10 +169,38 @@ fn modules_under_the_tower_are_left_out_with_a_note() {
             .iter()
             .any(|note| note.is_on_missing_part())
     );
-    // The first versions of FAST 8 have flags.
-    let flags = "True CompSub\nFalse CompHydro\n\"sub.dat\" SDFile\n";
-    let said = messages(&by_fst(flags, 1, &options).expect("a deck"));
-    said[0].says("CompSub is switched on, but its file (sub.dat)");
+}
+
+/// A file that is switched on and not there is a mistake: the tower without it is another
+/// structure. The first versions of FAST 8 have flags.
+#[test]
+fn a_file_that_is_not_there_is_refused() {
+    let options = ReadOptions::default();
+    for (lines, key, switch) in [
+        ("1 CompSub\n\"sub.dat\" SubFile\n", "SubFile", "CompSub"),
+        (
+            "True CompSub\nFalse CompHydro\n\"sub.dat\" SDFile\n",
+            "SubFile",
+            "CompSub",
+        ),
+    ] {
+        let error = by_fst(lines, 5, &options).expect_err("no such file");
+        error.says(key);
+        error.says("sub.dat");
+        let ReadError::Mistakes { mistakes, .. } = &error else {
+            panic!("{error}");
+        };
+        let hint = mistakes[0].hint.clone().expect("a hint");
+        hint.says(&format!(
+            "{switch} 0 leaves this part out of the model, --clamped clamps"
+        ));
+        let clamped = with!(ReadOptions, clamped = true);
+        let said = messages(&by_fst(lines, 5, &clamped).expect("a tower"));
+        said[0].says("(sub.dat) is not read, because of --clamped: the substructure is left out");
+    }
+    let other = "2 CompSub\n\"x.dat\" SubFile\n";
+    let said = messages(&by_fst(other, 5, &options).expect("a tower"));
+    said[0].says("(x.dat) is not read, because CompSub 2 is ExtPtfm, which is not modelled");
 }
 
 /// The tower of a floating turbine in a current: TowerHt −24 m, TowerBsHt −9 m, the nacelle below

@@ -85,6 +85,11 @@ fn a_wrong_file_of_wamit_is_refused_at_its_line() {
         (with("-1 1 1"), "at least 4"),
         (with("-1 1 1 x"), "a number"),
         (with("-1 3 3 2.0"), "entry (3, 3)"),
+        (
+            without("-1 3 3"),
+            "entry (3, 3) of the added mass at zero frequency",
+        ),
+        (with("-1 1 5 9.0\n-1 5 1 -9.0\n-1 1 1 2.0"), "not symmetric"),
     ];
     for (text, message) in added {
         let (file, _, found) = refusal(&[("PotMod", "1")], [&text, WAMIT_HST]);

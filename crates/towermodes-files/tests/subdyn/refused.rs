@@ -57,7 +57,7 @@ fn wrong_rows_are_refused_with_their_place() {
         NPropSetsCyl | 1 2.1e11 0 7850 2.0 0.03 | - | member 1: shear modulus is 0 Pa; it must be positive
         NMembers | 1 1 2 1 1 1c 0\n2 2 2 1 1 1c 0 | 2:1 | member 2: its joints are 0 m apart
         NMembers | 1 1 2 1 1 1c 0 | - | joint 3: no member ends at this joint
-        NInterf  | 1 1 1 1 1 1 1 | 1:1 | the joint is supported and belongs to the transition piece
+        NInterf  | 1 1 1 1 1 1 1 | 1:1 | joint 1 is supported and belongs to the transition piece
         NJoints  | 1 0 0 -20 1 0 0 0 0\n2 0 0 -10 3 0 0 0 0\n3 0 0 0 1 0 0 0 0 | 2:1 | the axis of the pin is zero
         "#,
     ) {

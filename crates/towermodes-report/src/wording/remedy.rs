@@ -15,12 +15,12 @@ pub fn remedy(error: &SolveError) -> Option<&'static str> {
             "reduce the mass, increase the diameter or the wall thickness (of a substructure check supports, sections and marine growth), or use --no-gravity to omit gravity",
         ),
         SolveError::Eigen(EigenError::TooStiff) => Some(
-            "check the units: foundation, soil and guy wires are not a million times stiffer than the tower",
+            "check the units: foundation, soil, guy wires and members are not a million times stiffer than the tower",
         ),
         SolveError::Unstable {
             motion: Family::Roll | Family::Pitch,
         } => Some(
-            "hydrostatic must not contain the gravity terms of the masses, which [gravity] adds; without gravity (--no-gravity, or a file without [gravity]) the masses do not keep the platform upright; check also the acceleration and the height of the centre of mass",
+            "check the height of the centre of mass (center; PtfmCMzt in OpenFAST) and the stiffness of water plane and buoyancy (hydrostatic; the .hst file, PtfmVol0 and AddCLin), which must not contain the gravity terms of the masses: they are added where there is gravity ([gravity]; Gravity); without gravity the masses do not keep the platform upright; check also that no mooring line pulls it over",
         ),
         SolveError::Unstable { .. } => Some(
             "check the signs of the hydrostatic and mooring stiffness for this motion, and the masses",

@@ -10,7 +10,7 @@ use crate::eigen::EigenError;
 pub enum FrameSolveError {
     /// A frame that moves without resistance.
     #[error(
-        "the frame is a mechanism: {modes} {} no stiffness, in joint {joint}. Add a support, a member or a stiffness there",
+        "the frame is a mechanism: {modes} {} no stiffness; the first moves joint {joint} {motion}. Hold this motion by a support or a member, or give it a stiffness",
         if *.modes == 1 { "motion has" } else { "motions have" }
     )]
     Mechanism {
@@ -18,6 +18,17 @@ pub enum FrameSolveError {
         modes: usize,
         /// The joint in which the first is free.
         joint: String,
+        /// Its largest motion there, "along z" or "about x".
+        motion: &'static str,
+    },
+    /// A frame whose members have nearly no stiffness beside their mass.
+    #[error(
+        "the members of the frame are too soft for their mass: {modes} {} below 2e-5 Hz; check the positions of the joints and the sections (m) and Young's modulus (Pa)",
+        if *.modes == 1 { "mode is" } else { "modes are" }
+    )]
+    TooSoft {
+        /// How many modes are nearly without stiffness.
+        modes: usize,
     },
     /// A frame under a tower that no support resists.
     #[error(
@@ -26,7 +37,8 @@ pub enum FrameSolveError {
     NothingHolds,
     /// A stiffness with negative eigenvalues.
     #[error(
-        "the frame is unstable: its stiffness has {negative} negative eigenvalues; check the stiffness matrices of supports and springs"
+        "the frame is unstable: its stiffness has {negative} negative {}; check the stiffness matrices of supports and springs",
+        if *.negative == 1 { "eigenvalue" } else { "eigenvalues" }
     )]
     Unstable {
         /// Number of negative eigenvalues.

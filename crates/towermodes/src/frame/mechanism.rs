@@ -3,6 +3,7 @@
 //! The coordinates of elements have the stiffness 1: what moves without stiffness moves in a hinge,
 //! in a support, or in a joint that cables alone hold.
 
+use std::array::from_fn;
 use std::f64::consts::TAU;
 
 use super::elimination::Factors;
@@ -10,6 +11,7 @@ use super::equations::{ELASTIC, Equations, GROUND, INERTIA, KINDS, Link};
 use super::error::FrameSolveError;
 use super::order::Order;
 use super::product::Sweep;
+use super::rigid::Motion;
 use crate::tower::frame::Frame;
 
 /// A mode below this frequency, Hz, has no stiffness: a hundredth of the slowest floater's.
@@ -56,20 +58,31 @@ pub(super) fn mechanism(
         std::mem::swap(&mut x, &mut out);
     }
     equations.solve(order, &mut factors, &mut x);
-    let free = equations.links.iter().filter(|link| link.own == 0.0);
-    let size = |link: &Link| -> f64 {
+    let moved = |link: &Link| -> Motion {
         let own = link.tip.iter().zip(&x[link.first..]);
-        own.map(|(column, y)| column.iter().map(|t| (t * y) * (t * y)).sum::<f64>())
-            .sum()
+        own.fold([0.0; 6], |sum, (column, y)| {
+            from_fn(|i| sum[i] + column[i] * y)
+        })
     };
+    let size = |link: &Link| moved(link).iter().map(|u| u * u).sum::<f64>();
+    let free = equations.links.iter().filter(|link| link.own == 0.0);
     let widest = free.max_by(|a, b| size(a).total_cmp(&size(b)));
-    let joint = widest.and_then(|link| joints.get(link.child)).copied();
-    let joint = &frame.description().joints[joint.unwrap_or(0)];
+    let Some(link) = widest.filter(|link| size(link) > 0.0) else {
+        return Some(FrameSolveError::TooSoft { modes });
+    };
+    let joint = joints.get(link.child).copied().unwrap_or(0);
+    let largest = moved(link).map(f64::abs).into_iter().enumerate();
+    let largest = largest.max_by(|a, b| a.1.total_cmp(&b.1));
     Some(FrameSolveError::Mechanism {
         modes,
-        joint: joint.name.clone(),
+        joint: frame.description().joints[joint].name.clone(),
+        motion: MOTIONS[largest.map_or(0, |(i, _)| i)],
     })
 }
+
+const MOTIONS: [&str; 6] = [
+    "along x", "along y", "along z", "about x", "about y", "about z",
+];
 
 /// Whether no support holds anything.
 fn is_loose(frame: &Frame) -> bool {

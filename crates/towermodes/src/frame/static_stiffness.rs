@@ -33,8 +33,7 @@ pub fn static_stiffness(frame: &Frame, joint: usize) -> Result<[[f64; 6]; 6], Fr
     if modes > 0 {
         let joints = (&assembled.joints[..], &assembled.joint_of_node[..]);
         check_stiffness(frame, joints, &mut pencil)?;
-        let joint = frame.description().joints[joint].name.clone();
-        return Err(FrameSolveError::Mechanism { modes, joint });
+        return Err(FrameSolveError::TooSoft { modes });
     }
     pencil.factorize();
     let nodes = pencil.equations.nodes.len();

@@ -77,12 +77,14 @@ pub enum ParameterError {
         noun: &'static str,
     },
     /// The brackets contain neither a number nor `*`.
-    #[error("`{name}`: `{found}` is not an index; an index is a number from 0, or * for all")]
+    #[error("`{name}`: `{found}` is not an index; an index is a number from 0, or * for all{}", or_name(.names))]
     WrongIndex {
         /// The name.
         name: String,
         /// The text in brackets.
         found: String,
+        /// The names of the entries, if they have names.
+        names: Box<[String]>,
     },
     /// One number is needed.
     #[error("`{name}` is the name of {count} numbers, but one number is needed")]
@@ -249,4 +251,15 @@ fn without_indices(name: &str) -> (String, Vec<&str>) {
     }
     plain.push_str(rest);
     (plain, indices)
+}
+
+/// ", or one of the names: a, b, ...", at most a dozen.
+fn or_name(names: &[String]) -> String {
+    const MOST: usize = 12;
+    let shown: Vec<&str> = names.iter().take(MOST).map(String::as_str).collect();
+    match names.len() {
+        0 => String::new(),
+        count if count > MOST => format!(", or one of {count} names: {}, ...", shown.join(", ")),
+        _ => format!(", or one of the names: {}", shown.join(", ")),
+    }
 }

@@ -105,8 +105,10 @@ impl<'n> Name<'n> {
         let one = Index::One(0);
         let (first, second) = (given.first().unwrap_or(&one), given.get(1).unwrap_or(&one));
         let mut all = Vec::new();
-        for i in self.selected(first, part.count(description), part.noun())? {
-            for j in self.selected(second, part.rows(description, i), "rows")? {
+        let selected =
+            |index: &Index, count, noun| self.selected(index, (count, noun), description);
+        for i in selected(first, part.count(description), part.noun())? {
+            for j in selected(second, part.rows(description, i), "rows")? {
                 match part.is_symmetric() && i > j {
                     // With both indices free the lower triangle is the upper one again.
                     true if first == second => {}
@@ -127,8 +129,8 @@ impl<'n> Name<'n> {
     fn selected(
         &self,
         index: &Index,
-        count: usize,
-        noun: &'static str,
+        (count, noun): (usize, &'static str),
+        description: &TowerDescription,
     ) -> Result<std::ops::Range<usize>, ParameterError> {
         let name = || self.written.to_owned();
         match index {
@@ -140,10 +142,15 @@ impl<'n> Name<'n> {
                 count,
                 noun,
             }),
-            Index::Wrong(found) => Err(ParameterError::WrongIndex {
-                name: name(),
-                found: found.clone(),
-            }),
+            Index::Wrong(found) => {
+                let list = self.plain.split_once('[').map_or("", |(list, _)| list);
+                let names = names_of(list, description).map(str::to_owned);
+                Err(ParameterError::WrongIndex {
+                    name: name(),
+                    found: found.clone(),
+                    names: names.collect(),
+                })
+            }
         }
     }
 }

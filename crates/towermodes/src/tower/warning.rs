@@ -11,9 +11,11 @@ use std::fmt;
 use thiserror::Error;
 
 use super::error::Place;
+use super::frame::FrameWarning;
 use super::parts::missing::MissingParts;
 use crate::inputs::Quantity;
 use crate::method::Method;
+use crate::mooring::{MooringItem, MooringWarning};
 use crate::number::{Apart, Plain, Rounded, significant};
 
 /// A fact that a user should check; the computation continues.
@@ -328,6 +330,21 @@ pub enum Warning {
         /// Closer piles are a group.
         least: f64,
     },
+    /// A pile of a frame that hardly reaches into the ground.
+    #[error(
+        "the pile of member {member} reaches {} m into the ground, less than its diameter of {} m; piles of jackets reach down by ten diameters and more: check the heights of its joints and the surface of the ground",
+        Rounded(*.length_m), Plain(*.diameter_m)
+    )]
+    ShortPile {
+        /// The ground.
+        site: Site,
+        /// Name of the uppermost member of the pile.
+        member: String,
+        /// Its length below the surface, m.
+        length_m: f64,
+        /// Its diameter there, m.
+        diameter_m: f64,
+    },
     /// A member of a frame in the ground that has no springs.
     #[error(
         "member {member} is below the surface of the ground, but has no springs of the soil: {why}"
@@ -380,6 +397,52 @@ pub enum Warning {
         level_m: f64,
         /// Height of the ground's surface before scour, m.
         surface_m: f64,
+    },
+    /// Mooring lines at rest.
+    #[error("{}{warning}", named(.name, .warning.item()))]
+    Mooring {
+        /// The part of the moorings.
+        site: Site,
+        /// Its name; empty if it has none.
+        name: String,
+        /// What is doubtful.
+        #[source]
+        warning: MooringWarning,
+    },
+    /// Members and joints of the frame under the tower.
+    #[error("{warning}")]
+    Frame {
+        /// The part of the frame.
+        site: Site,
+        /// What is doubtful.
+        #[source]
+        warning: FrameWarning,
+    },
+    /// A tower that begins far above or below the joints that carry it.
+    #[error(
+        "the tower begins at z = {} m, {} m from the highest joint of the transition piece at z = {} m, and everything between them is rigid; all heights use one datum: check the lowest station and the joints",
+        Plain(*.base_m), Plain((.base_m - .joints_m).abs()), Plain(*.joints_m)
+    )]
+    HighTransition {
+        /// The transition piece.
+        site: Site,
+        /// Where the tower begins, m.
+        base_m: f64,
+        /// Height of the highest joint of the transition piece, m.
+        joints_m: f64,
+    },
+    /// A transition piece whose reference point is far from the tower.
+    #[error(
+        "the reference point of the transition piece is at z = {} m, but the tower begins at z = {} m; the body of the transition piece is placed from this point: give the height of the lowest station",
+        Plain(*.reference_m), Plain(*.base_m)
+    )]
+    FarReference {
+        /// The transition piece.
+        site: Site,
+        /// Height of the reference point, m.
+        reference_m: f64,
+        /// Where the tower begins, m.
+        base_m: f64,
     },
     /// A matrix of a floating platform was not symmetric.
     #[error(
@@ -599,6 +662,7 @@ impl Warning {
             | Self::SoilTwice { site }
             | Self::PisaWithoutShear { site }
             | Self::PileGroup { site, .. }
+            | Self::ShortPile { site, .. }
             | Self::NoSpringsOfSoil { site, .. }
             | Self::JointNearSurface { site, .. }
             | Self::NoCoupling { site }
@@ -606,6 +670,10 @@ impl Warning {
             | Self::BedOffSurface { site, .. }
             | Self::DryUnderWater { site, .. }
             | Self::OutOfBalance { site, .. }
+            | Self::Mooring { site, .. }
+            | Self::Frame { site, .. }
+            | Self::HighTransition { site, .. }
+            | Self::FarReference { site, .. }
             | Self::TriangleInequality { site, .. } => Some(site),
             Self::SoilUnresolved { .. }
             | Self::SoilAndClamp
@@ -653,6 +721,14 @@ impl fmt::Display for Range {
             (true, false) => write!(f, "at least {low}{unit}"),
             _ => write!(f, "at most {high}{unit}"),
         }
+    }
+}
+
+/// "`north`: ", unless the name is what the part is called without one.
+fn named(name: &str, item: MooringItem) -> String {
+    match name.is_empty() || name == item.to_string() {
+        true => String::new(),
+        false => format!("`{name}`: "),
     }
 }
 

@@ -1,7 +1,9 @@
 //! What is possible but probably a mistake is told.
 
 use super::decks::{at_rest, buoyant, hywind, iea_22};
-use towermodes::mooring::{LineType, Mooring, MooringDescription};
+use towermodes::mooring::{
+    Attachment, LineType, Mooring, MooringDescription, MooringLine, MooringPoint,
+};
 use towermodes_testing::{Close, Says};
 
 fn warnings(mooring: &MooringDescription) -> Vec<String> {
@@ -38,6 +40,58 @@ fn slack_lines_are_told() {
     let warnings = warnings(&slack);
     assert_eq!(warnings.len(), 1, "{warnings:?}");
     warnings[0].begins("line 2 is slack: its length of 1200 m is more than");
+}
+
+/// Each warning with the numbers: a change of the lines of Hywind and what is said of it first.
+#[test]
+fn slips_of_lines_are_told() {
+    let changes: [(fn(&mut MooringDescription), &str); 5] = [
+        (
+            |hywind| hywind.line_types[0].mass_kg_per_m = 0.0777,
+            "line type 1 has a mass of 0.0777 kg/m and displaces 6.52",
+        ),
+        (
+            |hywind| hywind.line_types[0].axial_stiffness_n /= 1e3,
+            "line 1 is stretched by ",
+        ),
+        (
+            |hywind| hywind.lines[0].length_m = 820.0,
+            "line 1 is stretched by ",
+        ),
+        (
+            |hywind| {
+                let fairlead = hywind.lines[1].points.map(|point| hywind.points[point]);
+                let on_platform = |point: &MooringPoint| point.attachment == Attachment::Platform;
+                let other = fairlead.into_iter().find(on_platform).expect("a fairlead");
+                hywind.points.push(MooringPoint {
+                    position_m: [0.0, 0.0, -70.0],
+                    ..other
+                });
+                let end = hywind.points.len() - 1;
+                let old = hywind.lines[0];
+                hywind.lines.push(MooringLine {
+                    points: [end, old.points[1]],
+                    length_m: 10.0,
+                    ..old
+                });
+            },
+            "both ends of line 4 are on the platform",
+        ),
+        (
+            |hywind| {
+                let anchor = hywind.lines[0].points[0];
+                hywind.points[anchor].position_m[2] = 320.0;
+            },
+            "the anchor point 1 is at z = 320 m, above still water",
+        ),
+    ];
+    for (change, expected) in changes {
+        let mut changed = hywind();
+        change(&mut changed);
+        let found = warnings(&changed);
+        assert!(!found.is_empty(), "{expected}");
+        found[0].begins(expected);
+    }
 }
 
 #[test]

@@ -474,7 +474,16 @@ fn mistakes_about_piles_of_a_frame_are_refused_or_warned_of() {
         let texts = tower.warnings().iter().map(ToString::to_string);
         texts.collect::<Vec<String>>().join("\n")
     };
-    assert_eq!(warned(site()), "");
+    // The tower stands on the heads of the piles without members between them.
+    let rigid = warned(site());
+    rigid.begins("the tower begins at z = 10 m, 28 m from the highest joint");
+    assert_eq!(rigid.lines().count(), 1, "{rigid}");
+    let short = with_frame(&|frame| {
+        for joint in &mut frame.joints {
+            joint.position_m[2] = joint.position_m[2].max(-22.5);
+        }
+    });
+    warned(short).says("reaches 1 m into the ground, less than its diameter");
     let close = with_frame(&|frame| {
         for joint in &mut frame.joints {
             (0..2).for_each(|i| joint.position_m[i] *= 0.3);

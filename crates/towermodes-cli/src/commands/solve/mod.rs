@@ -129,6 +129,7 @@ fn of_substructure(
     let frame = input.frame(interface)?;
     let mut notes = input.notes.clone();
     notes.push(input.note_on_parts());
+    notes.extend(input.warnings(&frame));
     let solution = solve_frame(&frame, &options).map_err(|error| {
         note(&notes);
         Failure::from(error)

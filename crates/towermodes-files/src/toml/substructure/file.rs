@@ -67,6 +67,7 @@ pub(super) fn frame(table: &Table<'_>, path: &Value<'_>, reading: &mut Reading) 
             return None;
         }
     };
+    reading.substructure_places = input.places().collect();
     reading.substructure_notes.extend(input.notes);
     reading.substructure_sources = input.sources;
     let mut description = input.description;

@@ -1,8 +1,11 @@
 //! `member` of `[substructure]`.
 
+use std::collections::HashSet;
 use towermodes::Material;
+
 use towermodes::frame::{
-    FrameMember, FramePart, FrameSpring, GivenSection, MemberKind, Rectangle, SectionEnds,
+    FrameError, FrameMember, FramePart, FramePlace, FrameProblem, FrameSpring, GivenSection,
+    MemberKind, Rectangle, SectionEnds,
 };
 use towermodes::tower::Tube;
 
@@ -15,7 +18,7 @@ use super::super::text::reading::Reading;
 use super::super::text::table::{Table, every_table};
 use super::super::text::values::{Value, every_row, list, number, text, truth};
 use super::coats::coats;
-use super::{at, ends, numbers};
+use super::{at, ends, numbers, refuse};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 const WORDS: ChoiceWords = ChoiceWords {
@@ -84,13 +87,24 @@ pub(super) fn members(
 ) -> Option<Vec<(FrameMember, Option<usize>)>> {
     let hint = "member = [{ name = \"...\", joints = [\"a\", \"b\"], outer_diameter = 1.2, wall_thickness = 0.04 }, ...]";
     table.require("member", hint, reading)?;
-    every_table(
+    let members = every_table(
         table,
         "member",
         "member",
         reading,
         |index, value, reading| member(index, value, joints, materials, reading),
-    )
+    )?;
+    // `--set` and results call members by their names.
+    let mut names = HashSet::new();
+    let twice = members
+        .iter()
+        .position(|(member, _)| !names.insert(&*member.name));
+    if let Some(index) = twice {
+        let place = FramePlace::Member(index, members[index].0.name.clone());
+        let problem = FrameProblem::NameTwice;
+        return refuse(FrameError { place, problem }, reading);
+    }
+    Some(members)
 }
 
 fn member(

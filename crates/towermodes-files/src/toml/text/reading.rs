@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use towermodes::Place;
+use towermodes::frame::FramePart;
 use towermodes::turbine::TurbineDescription;
 
 use crate::diagnostic::Diagnostic;
@@ -49,6 +50,8 @@ pub(crate) struct Reading {
     pub(crate) substructure_file: Option<Result<SubdynInput, ReadError>>,
     /// The files of that substructure, and the notes on it.
     pub(crate) substructure_sources: Vec<Source>,
+    /// Places in the first of these files.
+    pub(crate) substructure_places: Vec<(FramePart, Range<usize>)>,
     pub(crate) substructure_notes: Vec<Note>,
     /// The turbine.
     pub(crate) turbine: Option<TurbineDescription>,

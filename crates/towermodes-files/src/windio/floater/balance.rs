@@ -160,7 +160,8 @@ fn sea(
     })
 }
 
-/// The vertical force of the lines on the platform, N.
+/// The vertical force of the lines on the platform, N. The tower's checks find the lines in the
+/// file.
 fn pull(input: &MooringInput, reading: &mut Reading<'_>) -> Result<f64, Diagnostic> {
     let first = |error: ReadError| match error {
         ReadError::Mistakes { mut mistakes, .. } if !mistakes.is_empty() => mistakes.swap_remove(0),
@@ -170,8 +171,8 @@ fn pull(input: &MooringInput, reading: &mut Reading<'_>) -> Result<f64, Diagnost
     let state = mooring
         .at(&Pose::default())
         .map_err(|error| first(input.mistake(error)))?;
-    for note in input.warnings(&mooring, &state) {
-        reading.note(note);
+    for (place, span) in input.places() {
+        reading.remember(place, &span);
     }
     Ok(state.load.force[2])
 }

@@ -94,8 +94,8 @@ pub enum FrameProblem {
         /// How many there are.
         members: usize,
     },
-    /// Two joints with the same name.
-    #[error("the name stands twice; each joint needs its own")]
+    /// Two joints, or two members, with the same name.
+    #[error("the name stands twice; each joint and each member needs its own")]
     NameTwice,
     /// A member from a joint to itself, or between two joints at one point.
     #[error(
@@ -146,6 +146,11 @@ pub enum FrameProblem {
         /// How many members end here.
         members: usize,
     },
+    /// A support of a joint with a hinge.
+    #[error(
+        "a pin, universal or ball joint cannot be supported; make the joint welded, and hold only its translations for a pinned foot: fixed = [\"x\", \"y\", \"z\"]"
+    )]
+    SupportOnHinge,
     /// A joint that must be welded.
     #[error(
         "a pin, universal or ball joint cannot carry {what}; put it on a welded joint, connected by a rigid link"
@@ -159,11 +164,14 @@ pub enum FrameProblem {
     SupportedTwice,
     /// A support and the transition piece on one joint.
     #[error(
-        "the joint is supported and belongs to the transition piece; it can be only one of them"
+        "joint {joint} is supported and belongs to the transition piece, which moves; remove one of both"
     )]
-    SupportedAndMoved,
+    SupportedAndMoved {
+        /// Name of the joint.
+        joint: String,
+    },
     /// A joint of the transition piece that is listed twice, or none.
-    #[error("the transition piece needs at least one joint, each listed once")]
+    #[error("it needs at least one joint, each listed once")]
     TransitionJoints,
     /// A frame that should carry a tower.
     #[error(

@@ -13,6 +13,7 @@ mod removal;
 mod restoring;
 mod soil;
 mod validate;
+mod warning;
 
 pub use axes::spin_of_axes;
 pub(in crate::tower) use axes::{difference, norm};
@@ -30,3 +31,4 @@ pub use part::FramePart;
 pub use restoring::Restoring;
 pub use soil::{FrameSoil, FrameSoilRow};
 pub use validate::Frame;
+pub use warning::FrameWarning;

@@ -14,6 +14,9 @@ use crate::space::SpatialMatrix;
 
 /// The largest size of a coordinate, m: beyond it no digit of a wall's thickness is left.
 const FARTHEST_M: f64 = 1e5;
+/// The largest modulus, Pa: a thousand million times that of steel, beyond which no digit of the
+/// tower's stiffness is left.
+const STIFFEST_PA: f64 = 1e20;
 /// Relative difference of the entries of a matrix that is symmetric but for rounding.
 const SYMMETRIC: f64 = 1e-6;
 
@@ -390,8 +393,23 @@ fn check_material(material: &Material) -> Result<(), FrameProblem> {
     let (youngs_modulus_pa, shear_modulus_pa) =
         (material.youngs_modulus_pa, material.shear_modulus_pa);
     not_negative("density", " kg/m³", material.density_kg_per_m3)?;
-    positive("Young's modulus", " Pa", youngs_modulus_pa)?;
-    positive("shear modulus", " Pa", shear_modulus_pa)
+    modulus("Young's modulus", youngs_modulus_pa)?;
+    modulus("shear modulus", shear_modulus_pa)
+}
+
+fn modulus(quantity: &'static str, value: f64) -> Result<(), FrameProblem> {
+    positive(quantity, " Pa", value)?;
+    match value <= STIFFEST_PA {
+        true => Ok(()),
+        false => Err(Problem::OutOfScale {
+            quantity,
+            value,
+            unit: " Pa",
+            least: 0.0,
+            most: STIFFEST_PA,
+        }
+        .into()),
+    }
 }
 
 fn check_section(ends: &SectionEnds) -> Result<(), FrameProblem> {
@@ -489,11 +507,16 @@ fn welded(
     what: &'static str,
 ) -> Result<(), FrameProblem> {
     existing(description, joint)?;
+    match is_welded(description, joint) {
+        true => Ok(()),
+        false => Err(FrameProblem::MustBeWelded { what }),
+    }
+}
+
+fn is_welded(description: &FrameDescription, joint: usize) -> bool {
     match description.joints[joint].kind {
-        JointKind::Cantilever => Ok(()),
-        JointKind::Pin { .. } | JointKind::Universal { .. } | JointKind::Ball { .. } => {
-            Err(FrameProblem::MustBeWelded { what })
-        }
+        JointKind::Cantilever => true,
+        JointKind::Pin { .. } | JointKind::Universal { .. } | JointKind::Ball { .. } => false,
     }
 }
 
@@ -503,7 +526,11 @@ fn check_support(
     support: &FrameSupport,
 ) -> Result<(), FrameError> {
     let place = || FramePlace::Support(index, joint_name(description, support.joint));
-    let checked = welded(description, support.joint, "a support")
+    let checked = existing(description, support.joint)
+        .and_then(|()| match is_welded(description, support.joint) {
+            true => Ok(()),
+            false => Err(FrameProblem::SupportOnHinge),
+        })
         .and_then(|()| check_matrix("stiffness", &support.stiffness))
         .and_then(|()| check_matrix("inertia", &support.inertia));
     checked.map_err(|problem| at(place(), problem))?;
@@ -545,7 +572,8 @@ fn check_transition(description: &FrameDescription) -> Result<(), FrameProblem> 
     for joint in joints {
         welded(description, *joint, "the transition piece")?;
         if description.supports.iter().any(|s| s.joint == *joint) {
-            return Err(FrameProblem::SupportedAndMoved);
+            let joint = joint_name(description, *joint);
+            return Err(FrameProblem::SupportedAndMoved { joint });
         }
     }
     Ok(())

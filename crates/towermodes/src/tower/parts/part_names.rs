@@ -1,5 +1,7 @@
 //! The names of the parts of a tower.
 
+use crate::mooring::MooringItem;
+
 /// The names of the parts of a tower, for messages and reports only.
 ///
 /// Each list belongs to the list of the same name in the
@@ -25,4 +27,18 @@ pub struct PartNames {
     pub mooring_lines: Vec<String>,
     /// Of the sets of wires.
     pub wires: Vec<String>,
+}
+
+impl PartNames {
+    /// The name of a part of the mooring lines that has one.
+    pub fn of_mooring(&self, item: MooringItem) -> Option<&str> {
+        let (names, index) = match item {
+            MooringItem::LineType(index) => (&self.mooring_line_types, index),
+            MooringItem::Point(index) => (&self.mooring_points, index),
+            MooringItem::Line(index) => (&self.mooring_lines, index),
+            MooringItem::Site | MooringItem::Body(_) | MooringItem::Rod(_) => return None,
+        };
+        let name = names.get(index).map(String::as_str);
+        name.filter(|name| !name.is_empty())
+    }
 }

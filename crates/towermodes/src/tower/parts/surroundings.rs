@@ -123,11 +123,12 @@ pub struct Water {
         .hint("height of the surface in m, in the datum of the stations")
         .also("water_level sea_level msl swl surface waterline"))]
     pub level_m: f64,
-    /// Height of the ground, m; `None` is the lowest station, or the surface of
+    /// Height of the ground, m; `None` is the lowest station, the lowest joint of a substructure,
+    /// or the surface of
     /// [`TowerDescription::ground`](crate::TowerDescription::ground), with whose scour it goes
     /// down.
     #[input(Input::height("bed", "the height of the seabed")
-        .otherwise("the lowest station")
+        .otherwise("the lowest station, or the lowest joint of a substructure")
         .also("mudline seabed ground sea_bed depth water_depth"))]
     pub bed_m: Option<f64>,
     /// Density ρ, kg/m³.

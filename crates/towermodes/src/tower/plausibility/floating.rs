@@ -2,7 +2,8 @@
 
 use super::couplings::{self, Named};
 use super::usual::Usual;
-use super::{bodies, frequency_hz};
+use super::{Given, bodies, frequency_hz};
+use crate::mooring::Pose;
 use crate::space::SpatialMatrix;
 use crate::tower::foundation::{FloatingPlatform, ReferredMatrix};
 use crate::tower::validate::largest_asymmetry;
@@ -27,7 +28,13 @@ const ABOVE: f64 = 0.05;
 /// weight: published models have up to 0.8 %.
 const OUT_OF_BALANCE: f64 = 0.01;
 
-pub(super) fn check(tower: &Tower, given: &FloatingPlatform, warnings: &mut Vec<Warning>) {
+pub(super) fn check(
+    tower: &Tower,
+    given: &Given<'_>,
+    own: &FloatingPlatform,
+    warnings: &mut Vec<Warning>,
+) {
+    lines(given, own, warnings);
     // The lines were checked.
     let Some(platform) = &tower.linear_platform() else {
         return;
@@ -39,7 +46,8 @@ pub(super) fn check(tower: &Tower, given: &FloatingPlatform, warnings: &mut Vec<
             "platform's hydrostatic stiffness",
             &platform.hydrostatic,
         ),
-        ("mooring", "platform's mooring stiffness", &platform.mooring),
+        // The stiffness of lines is computed: nobody can change its signs.
+        ("mooring", "platform's mooring stiffness", &own.mooring),
     ];
     let is_far = depths(tower, platform, warnings);
     for (key, what, referred) in matrices {
@@ -63,7 +71,7 @@ pub(super) fn check(tower: &Tower, given: &FloatingPlatform, warnings: &mut Vec<
     body(tower, platform, warnings);
     frequencies(tower, platform, warnings);
     balance(tower, warnings);
-    if given.at_equilibrium && given.mooring_lines.is_none() {
+    if own.at_equilibrium && own.mooring_lines.is_none() {
         let what = Ineffective::Without {
             key: "at_equilibrium",
             needed: "[mooring]",
@@ -85,6 +93,28 @@ fn balance(tower: &Tower, warnings: &mut Vec<Warning>) {
             share: balance.residual_share(),
         });
     }
+}
+
+/// Mooring lines at rest.
+fn lines(given: &Given<'_>, platform: &FloatingPlatform, warnings: &mut Vec<Warning>) {
+    let mooring = platform.mooring_lines.as_ref().map(|lines| lines.mooring());
+    let Some(Ok(mooring)) = mooring else {
+        return;
+    };
+    let Ok(state) = mooring.at(&Pose::default()) else {
+        return;
+    };
+    let found = mooring.warnings(&state).into_iter();
+    warnings.extend(found.map(|warning| {
+        let item = warning.item();
+        let site = Site::at(Place::Mooring { item });
+        let name = given.part_names.of_mooring(item).unwrap_or_default();
+        Warning::Mooring {
+            site,
+            name: name.to_owned(),
+            warning,
+        }
+    }));
 }
 
 fn at(key: &'static str) -> Site {

@@ -2,7 +2,7 @@
 
 use super::couplings::{self, Named};
 use super::usual::{Usual, check_inputs};
-use super::{Given, floating, frequency_hz};
+use super::{Given, floating, frame, frequency_hz};
 use crate::tower::Warning;
 use crate::tower::foundation::Support;
 use crate::tower::{Place, Tower};
@@ -27,7 +27,8 @@ const ABOVE: f64 = 0.005;
 
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
     match given.foundation.support() {
-        Support::Clamped | Support::Frame(_) => {}
+        Support::Clamped => {}
+        Support::Frame(foundation) => frame::check(tower, given, foundation, warnings),
         Support::Form(form) => {
             if form.kind().contains_soil && has_soil(given) {
                 warnings.push(Warning::SoilTwice { site: at("type") });
@@ -36,7 +37,7 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
             let base = tower.stations().first();
             form.doubt(base.map(|station| station.outer_diameter_m), warnings);
         }
-        Support::Floating(platform) => floating::check(tower, platform, warnings),
+        Support::Floating(platform) => floating::check(tower, given, platform, warnings),
         Support::Springs(own) => {
             check_inputs(own, |key| Place::Foundation { key }, warnings);
             let keys = ["lateral", "rocking", "vertical", "torsion"];

@@ -8,6 +8,8 @@ use crate::tower::{Place, Site, Warning};
 /// Piles closer than this, in diameters, soften each other: in tests of groups the springs across
 /// a pile lose a fifth at four diameters.
 const GROUP_DIAMETERS: f64 = 3.0;
+/// Suction buckets of jackets reach down by about one diameter, piles by ten and more.
+const SHORT_DIAMETERS: f64 = 1.0;
 /// A joint nearer to the surface than this, m, was probably meant to be at it.
 const NEAR_M: f64 = 0.05;
 
@@ -15,6 +17,7 @@ pub(super) fn check(frame: &FrameDescription, ground: &Ground, warnings: &mut Ve
     let piles = FramePile::all(frame, ground).unwrap_or_default();
     let site = Site::at(Place::Ground { key: "surface" });
     warnings.extend(group(frame, ground, &piles, site));
+    short(frame, ground, &piles, site, warnings);
     without_springs(frame, ground, site, warnings);
     near_surface(frame, ground, &piles, site, warnings);
 }
@@ -45,6 +48,30 @@ fn group(
         diameters,
         least: GROUP_DIAMETERS,
     })
+}
+
+/// Piles that end just below the surface.
+fn short(
+    frame: &FrameDescription,
+    ground: &Ground,
+    piles: &[FramePile],
+    site: Site,
+    warnings: &mut Vec<Warning>,
+) {
+    let lengths = piles.iter().filter_map(|pile| {
+        let head = head(frame, ground, pile)?;
+        let [_, tip] = pile.members.last()?.ends_m(frame);
+        let length_m = norm(difference(head.position_m, tip));
+        Some((length_m / head.diameter_m, length_m, head))
+    });
+    let shortest = lengths.min_by(|a, b| a.0.total_cmp(&b.0));
+    let found = shortest.filter(|(slenderness, ..)| *slenderness < SHORT_DIAMETERS);
+    warnings.extend(found.map(|(_, length_m, head)| Warning::ShortPile {
+        site,
+        member: frame.members[head.member].name.clone(),
+        length_m,
+        diameter_m: head.diameter_m,
+    }));
 }
 
 /// A pile at the surface of the ground, or at its upper end if that is below the surface.

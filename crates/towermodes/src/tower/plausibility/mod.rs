@@ -9,6 +9,7 @@ mod bodies;
 mod couplings;
 mod floating;
 mod foundation;
+mod frame;
 mod frame_piles;
 mod geometry;
 mod ground;
@@ -29,6 +30,7 @@ use super::ground::Ground;
 use super::parts::damping::Damping;
 use super::parts::drivetrain::Drivetrain;
 use super::parts::material::Material;
+use super::parts::part_names::PartNames;
 use super::{AddedMassRow, SoilRow, Tower, TowerDescription, Water, Wires};
 use crate::tower::Rotor;
 use crate::tower::Warning;
@@ -46,6 +48,7 @@ pub(super) struct Given<'a> {
     pub(super) wires: &'a [Wires],
     pub(super) damping: &'a Damping,
     pub(super) drivetrain: Option<&'a Drivetrain>,
+    pub(super) part_names: &'a PartNames,
     /// Whether the user confirmed that the rotor-nacelle assembly has no inertia.
     pub(super) rna_is_point: bool,
 }
@@ -62,6 +65,7 @@ impl<'a> Given<'a> {
             wires: &description.wires,
             damping: &description.damping,
             drivetrain: description.drivetrain.as_ref(),
+            part_names: &description.part_names,
             rna_is_point: description.rna_is_point,
         }
     }

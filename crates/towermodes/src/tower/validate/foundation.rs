@@ -5,7 +5,7 @@ use super::super::parts::mooring_lines::MooringLines;
 use super::super::support::base::Base;
 use super::inertia::check_inertia;
 use super::inputs::check_inputs;
-use super::scale::{coordinate, error, positive};
+use super::scale::{coordinate, error, not_negative, positive};
 use crate::mooring::MooringItem;
 use crate::space::SpatialMatrix;
 use crate::symmetric::eigenpairs;
@@ -189,6 +189,9 @@ fn check_frame(foundation: &FrameFoundation) -> Result<(), TowerError> {
             return error(place, Problem::LayerUpsideDown { bottom_m, top_m });
         }
     }
+    let quantity = "the mass of the transition piece";
+    let mass_kg = foundation.platform.mass_kg;
+    not_negative(site(FramePart::Transition), quantity, mass_kg, " kg")?;
     check_restoring(foundation)?;
     match foundation.frame.check() {
         Ok(()) => Ok(()),

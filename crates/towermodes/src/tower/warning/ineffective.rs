@@ -41,6 +41,8 @@ pub enum Ineffective {
     FactorOfMatlock,
     /// A table of added mass that is all zero.
     AddedMassOfZeros,
+    /// Water inside a tower that stands on a frame above it.
+    FloodedBesideFrame,
     /// Water that adds no mass outside and is not inside.
     WaterOfZeros,
     /// Water whose level is below the surface of the ground.
@@ -93,6 +95,9 @@ impl fmt::Display for Ineffective {
                 "the strength factor J is of Matlock's resistance and has no effect on reese-stiff-clay, which has a resistance of its own"
             }
             Self::AddedMassOfZeros => "all masses of this table are zero, so it has no effect",
+            Self::FloodedBesideFrame => {
+                "flooded is about the stations of the tower, none of which is under water, so it has no effect; members with water inside are listed in flooded of [substructure]"
+            }
             Self::WaterOfZeros => {
                 "the added mass coefficient is zero and the tower is not flooded, so the water has no effect"
             }
