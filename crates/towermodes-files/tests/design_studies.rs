@@ -71,7 +71,7 @@ fn every_mistake_has_its_place() {
     let cases = r#"
         segments = 40 | segmnts = 40 | 2 | 1 | `segmnts` is not a key of [design] | did you mean `segments`?
         [0.012, 0.060] | [0.060, 0.012] | 6 | 34 |  | write { between
-        [0.012, 0.060] | [0.060] | 6 | 34 | between has 1 values instead of 2 | write { between
+        [0.012, 0.060] | [0.060] | 6 | 34 | between has 1 value instead of 2 | write { between
         each = "can" | each = "cam" | 6 | 57 |  | did you mean `can`?
         each = "can",␣ |  | 6 | 58 | `order` has no effect without `each` | add each
         step = 0.001 | step = 0 | 6 | 90 | step is 0, but must be positive |

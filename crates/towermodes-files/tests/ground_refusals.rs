@@ -274,7 +274,7 @@ fn platforms_that_do_not_float() {
         hydrostatic_height = -5.0\n |  | 7:1 | has no `hydrostatic_height` | of the reference point of the matrix
         hydrostatic_height | mooring_height = -70.0\nhydrostatic_height | 12:18 | `mooring_height` has no effect without `mooring` | add the matrix
         [0.0, 0.0, -90.0] | -90.0 | 10:10 | center must be a list
-        [0.0, 0.0, -90.0] | [-90.0] | 10:10 | center has 1 values instead of 3 | z in the datum of the stations
+        [0.0, 0.0, -90.0] | [-90.0] | 10:10 | center has 1 value instead of 3 | z in the datum of the stations
         yy = 4e9,␣ |  | 11:11 | inertia has no `yy` | about the centre of mass
         xx = 4e9 | xx = -4e9 | 11:11 | moments of inertia are -4e9, 1.6e8 and 4e9 kg m2
         7.5e6 | 0 | 9:8 | the platform's mass is 0 kg

@@ -234,7 +234,7 @@ fn texts_where_numbers_belong_and_the_other_way_round() {
         "good" | 5 | 1:8 | name must be a text in quotation marks, found a number
         shear = true | shear = "yes" | 12:9 | true, false or a shear coefficient
         center = [0.0, 0.0, 2.0] | center = 2.0 | 21:10 | center must be a list
-        center = [0.0, 0.0, 2.0] | center = [2.0] | 21:10 | center has 1 values instead of 3
+        center = [0.0, 0.0, 2.0] | center = [2.0] | 21:10 | center has 1 value instead of 3
         [[point_mass]] | [point_mass] | 23:1 | point_mass must be a list of tables | [[point_mass]]
         "#,
     );
@@ -293,7 +293,7 @@ fn a_rotor_has_blades_and_speeds() {
     };
     let table = r#"
         [12.1, 6.9] | 28:7 | 12.1 rpm, is above the highest, 6.9 rpm | [lowest, highest]
-        [6.9] | 28:7 | rpm has 1 values instead of 2 | one number
+        [6.9] | 28:7 | rpm has 1 value instead of 2 | one number
         [6.9, 9.0, 12.1] | 28:7 | rpm has 3 values instead of 2 |
         [] | 28:7 | rpm has 0 values instead of 2 |
         ["a", 12.1] | 28:8 | the lowest rpm |

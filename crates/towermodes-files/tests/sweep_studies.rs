@@ -253,7 +253,7 @@ fn keys_and_types() {
         "spectral" | "spectrl" | 21:10 | did you mean `spectral`?
         inputs = false | inputs = 0 | 23:10 | inputs must be true or false
         part = "tower" | part = "nacelle" | 29:8 | there is no part `nacelle`
-        [1, 2] | [1] | 32:10 | subset has 1 values instead of 2
+        [1, 2] | [1] | 32:10 | subset has 1 value instead of 2
         [sweep.reading] | [sweep.readin] | 24:8 | did you mean `reading`?
         [sweep] | [swep] | 1:2 | did you mean `sweep`?
         "#,
@@ -292,7 +292,7 @@ fn distributions() {
     all_refused(
         r#"
         [3.3e5, 3.7e5] | [3.7e5, 3.3e5] | 7:26 | is not below the upper limit
-        [3.3e5, 3.7e5] | [3.3e5] | 7:26 | uniform has 1 values instead of 2
+        [3.3e5, 3.7e5] | [3.3e5] | 7:26 | uniform has 1 value instead of 2
         [3.3e5, 3.7e5] | [3.3e5, "x"] | 7:34 | uniform must be a number, found a text
         [3.3e5, 3.7e5] | [nan, 1] | 7:27 | uniform is NaN
         [2.1e11, 3e9] | [2.1e11, -1] | 8:40 | the standard deviation is -1

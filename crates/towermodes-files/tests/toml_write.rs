@@ -492,7 +492,7 @@ fn added_mass_is_read_with_its_mistakes() {
     let table = r#"
          | has no `rows` | rows = [[height, mass per length], ...] | 7:1
         row = [] | `row` is not a key | did you mean `rows`? | 8:1
-        rows = [[0, 1], [2]] | row 2 of the added mass has 1 values | [height in m | 8:17
+        rows = [[0, 1], [2]] | row 2 of the added mass has 1 value | [height in m | 8:17
         rows = [[0, 1, 2]] | row 1 of the added mass has 3 values | kg/m | 8:9
         rows = [5] | row 1 of the added mass must be a list | [height in m | 8:9
         rows = [[0, nan]] | added mass is NaN |  | 8:13
