@@ -197,7 +197,7 @@ fn counts_are_bounded_by_the_rows_that_are_there() {
         $1 4 | $1 -4 | 5:4 | must be at least 1
         $1 4 | $1 | 5:4 | a whole number, found `Flexible`
         $1 4 Flexible | $1 | 5:3 | the number of rows of the subset is missing
-        $1 4 | $1 1 | 5:1 | the subset has 1 rows instead of at least 2
+        $1 4 | $1 1 | 5:1 | the subset has 1 row instead of at least 2
         $2 2 | $1 2 | 11:1 | set 1, subset 1 occurs 2 times
         #1 Test | # Test | 1:1 | not a structural file of HAWC2 | `#1 name`
         "#,

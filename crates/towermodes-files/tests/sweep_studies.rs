@@ -158,7 +158,7 @@ fn correlations_that_are_wrong() {
     let table = r#"
         between = ["rna.mas", "material.density"] | 12:1 | `rna.mas` is not among the varied numbers (did you mean `rna.mass`?)
         between = "rna.mass" | 13:11 | between must be a list
-        between = ["rna.mass"] | 13:11 | between has 1 names instead of 2
+        between = ["rna.mass"] | 13:11 | between has 1 name instead of 2
         between = ["rna.mass", 3] | 13:24 | must be a text
          | 12:1 | has no `between`
         "#;
