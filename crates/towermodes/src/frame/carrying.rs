@@ -28,6 +28,9 @@ use crate::subsystem::{
 use crate::tower::frame::FrameFoundation;
 use crate::tower::{Motions, Tower, spatial_inertia};
 
+/// Work of the tower on the frame below this fraction of the frame's energy is taken for rounding.
+const NO_WORK: f64 = 1e-6;
+
 /// The equations of a frame under a tower, with the platform and the stiffness of the weight of
 /// all, but without the tower: the same on every mesh of the tower.
 #[derive(Debug)]
@@ -297,9 +300,22 @@ impl OnFrame {
         own
     }
 
-    /// xᵀ A x of the frame alone, given to components by the motions of its nodes: translations
-    /// along the axes, but for a common rotation about the axis of the tower.
-    fn energy_of_frame(&mut self, of_all: f64, of_tower: f64, x: &[f64]) -> [f64; 6] {
+    /// xᵀ A x of the frame alone, given to components as the inertia of the tower does work on the
+    /// frame in each motion of its base. How joints lie in members does not matter then. Where the
+    /// tower does no work, as members vibrate by themselves, by the motions of the nodes.
+    fn energy_of_frame(&mut self, of_frame: f64, work: &[f64; 6], x: &[f64]) -> [f64; 6] {
+        let work = work.map(f64::abs);
+        let sum: f64 = work.iter().sum();
+        let shares = match sum > NO_WORK * of_frame.abs() {
+            true => work.map(|work| work / sum),
+            false => self.shares_of_nodes(x),
+        };
+        shares.map(|share| share * of_frame)
+    }
+
+    /// The shares of components in the motions of the nodes: translations along the axes, but for a
+    /// common rotation about the axis of the tower.
+    fn shares_of_nodes(&mut self, x: &[f64]) -> [f64; 6] {
         let mut motions = std::mem::take(&mut self.frame.memory.sweep.motions);
         self.frame.equations.set_motions(x, &mut motions);
         let (mut turned, mut squares) = (0.0, 0.0);
@@ -316,12 +332,7 @@ impl OnFrame {
         }
         self.frame.memory.sweep.motions = motions;
         let sum: f64 = shares.iter().sum();
-        let scale = if sum > 0.0 {
-            (of_all - of_tower) / sum
-        } else {
-            0.0
-        };
-        shares.map(|share| share * scale)
+        shares.map(|share| if sum > 0.0 { share / sum } else { 0.0 })
     }
 }
 
@@ -568,9 +579,14 @@ impl Subsystem for OnFrame {
         let own = self.tower_vector(x);
         let mut resultant = self.tower.resultant(a, &own, base_m);
         let of_tower: f64 = resultant.energy.iter().sum();
+        // The inertia of the tower on its base, in a mode of λ = xᵀ K x/xᵀ M x.
+        let inertia = self.tower.resultant(&Coefficients::MASS, &own, base_m);
+        let lambda = of_all / self.energy(&Coefficients::MASS, x);
         let mut motions = std::mem::take(&mut self.frame.memory.sweep.motions);
         let equations = &self.frame.equations;
         equations.set_motions(x, &mut motions);
+        let base = motions[self.foot];
+        let work = std::array::from_fn(|i| lambda * inertia.force[i] * base[i]);
         let (factors, _) = factors_of(a);
         let force = self
             .frame
@@ -583,7 +599,7 @@ impl Subsystem for OnFrame {
         self.frame.memory.sweep.motions = motions;
         (0..6).for_each(|i| resultant.force[i] += force[i]);
         let known = of_tower + of_rigid.iter().sum::<f64>();
-        let of_frame = self.energy_of_frame(of_all, known, x);
+        let of_frame = self.energy_of_frame(of_all - known, &work, x);
         (0..6).for_each(|i| resultant.energy[i] += of_rigid[i] + of_frame[i]);
         resultant
     }
