@@ -152,6 +152,15 @@ fn a_vertical_member_has_the_effective_masses_of_the_lower_part_of_a_tower() {
             assert!(error.abs() < 1e-9, "{i}: {own:?}, {expected:?}");
         }
     }
+    for (own, expected) in own.modes.iter().zip(&expected.modes) {
+        assert_eq!(own.label(), expected.label());
+        let [own, whole] = [own, expected].map(|mode| mode.shares.of(mode.family));
+        assert!(
+            (own - whole).abs() < 0.05,
+            "{}: {own}, {whole}",
+            expected.label()
+        );
+    }
     // About the base of the tower, which is 20 m above the ground, its own mass counts alike.
     let (i, h) = (&expected.rigid_inertia, 20.0);
     let about = i[4][4] - 2.0 * h * i[0][4] + h * h * i[0][0];
