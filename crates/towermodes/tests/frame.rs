@@ -463,7 +463,8 @@ fn members_that_are_probably_mistakes_are_warned_of() {
     for (k, change) in quiet.into_iter().enumerate() {
         assert_eq!(said(change), [""; 0], "{k}");
     }
-    let odd: [(&dyn Fn(&mut FrameDescription), &str); 8] = [
+    type Odd<'a> = (&'a dyn Fn(&mut FrameDescription), &'a str);
+    let odd: [Odd<'_>; 8] = [
         (
             &tubes(3.0, 0.0099),
             "member 1 (and another one): wall 0.0099 m is 1/303.03 of the diameter 3 m; expected 1/3 to 1/300",
@@ -497,7 +498,7 @@ fn members_that_are_probably_mistakes_are_warned_of() {
                 frame
                     .joints
                     .iter_mut()
-                    .for_each(|joint| joint.position_m[1] = -2e3)
+                    .for_each(|joint| joint.position_m[1] = -2e3);
             },
             "joint 1 (and 2 others) is at -2000 m, more than 1 km from the origin",
         ),

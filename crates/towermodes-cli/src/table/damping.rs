@@ -77,7 +77,8 @@ fn energy(
 
 /// The parts of the kinetic energy of which any mode has some.
 fn kinetic(modes: &[ModeDamping]) -> String {
-    let parts: [(&str, fn(&KineticParts) -> f64); 8] = [
+    type Part<'a> = (&'a str, fn(&KineticParts) -> f64);
+    let parts: [Part<'_>; 8] = [
         ("tower", |of| of.tower),
         ("RNA", |of| of.rna),
         ("point masses", |of| of.point_masses),

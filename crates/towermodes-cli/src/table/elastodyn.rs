@@ -19,7 +19,7 @@ pub(crate) fn fits(tower: &Tower, made: &MadeTower) -> String {
         "largest",
         "largest / top",
         "condition",
-        "ElastoDyn Hz (no RNA, no gravity)",
+        "ElastoDyn Hz",
         "damping %",
     ];
     let row = |(index, shape): (usize, &TowerShape)| {
@@ -37,7 +37,7 @@ pub(crate) fn fits(tower: &Tower, made: &MadeTower) -> String {
         ]
     };
     format!(
-        "{}{}\n\n{} rows | residuals are relative to the maximum deflection of the shape; largest / top is this maximum divided by the top deflection\n",
+        "{}{}\n\n{} rows | residuals are relative to the maximum deflection of the shape; largest / top is this maximum divided by the top deflection; ElastoDyn Hz is without RNA and gravity\n",
         title(tower),
         text_table(
             header,

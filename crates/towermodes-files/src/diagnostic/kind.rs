@@ -352,6 +352,14 @@ impl DiagnosticKind {
     }
 }
 
+/// "value" of one, "values" of several.
+fn counted(count: usize, items: &'static str) -> &'static str {
+    match count {
+        1 => items.strip_suffix('s').unwrap_or(items),
+        _ => items,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::Exact;
@@ -360,13 +368,5 @@ mod tests {
     fn numbers_have_all_their_digits() {
         let shown = [350e3, 1.000_000_2, -0.5, 1e300, 2.5e-9].map(|x| Exact(x).to_string());
         assert_eq!(shown, ["350000", "1.0000002", "-0.5", "1e300", "2.5e-9"]);
-    }
-}
-
-/// "value" of one, "values" of several.
-fn counted(count: usize, items: &'static str) -> &'static str {
-    match count {
-        1 => items.strip_suffix('s').unwrap_or(items),
-        _ => items,
     }
 }

@@ -103,7 +103,8 @@ impl MooringInput {
     /// The bytes of each part, for a tower that has these lines.
     pub(crate) fn places(&self) -> impl Iterator<Item = (Place, Range<usize>)> {
         let spans = &self.spans;
-        let kinds: [(fn(usize) -> MooringItem, &Vec<Range<usize>>); 5] = [
+        type Kind<'a> = (fn(usize) -> MooringItem, &'a Vec<Range<usize>>);
+        let kinds: [Kind<'_>; 5] = [
             (MooringItem::LineType, &spans.line_types),
             (MooringItem::Point, &spans.points),
             (MooringItem::Line, &spans.lines),

@@ -115,7 +115,8 @@ impl SubdynInput {
     /// The bytes of each part in the main file, for a tower on this frame.
     pub(crate) fn places(&self) -> impl Iterator<Item = (FramePart, Range<usize>)> {
         let spans = &self.spans;
-        let kinds: [(fn(usize) -> FramePart, &Vec<Range<usize>>); 4] = [
+        type Kind<'a> = (fn(usize) -> FramePart, &'a Vec<Range<usize>>);
+        let kinds: [Kind<'_>; 4] = [
             (FramePart::Joint, &spans.joints),
             (FramePart::Member, &spans.members),
             (FramePart::Support, &spans.supports),

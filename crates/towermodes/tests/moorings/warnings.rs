@@ -45,7 +45,8 @@ fn slack_lines_are_told() {
 /// Each warning with the numbers: a change of the lines of Hywind and what is said of it first.
 #[test]
 fn slips_of_lines_are_told() {
-    let changes: [(fn(&mut MooringDescription), &str); 5] = [
+    type Change<'a> = (fn(&mut MooringDescription), &'a str);
+    let changes: [Change<'_>; 5] = [
         (
             |hywind| hywind.line_types[0].mass_kg_per_m = 0.0777,
             "line type 1 has a mass of 0.0777 kg/m and displaces 6.52",
