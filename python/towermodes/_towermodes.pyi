@@ -152,9 +152,9 @@ class Solution:
         Effective modal masses: (modes, 6).
         """
     @property
-    def effective_mass_shares(self, /) -> Incomplete:
+    def effective_mass_shares(self, /) -> Incomplete | None:
         """
-        Sums of the effective masses as fractions of the whole: (6).
+        Sums of the effective masses as fractions of the whole: (6). None if they do not add up.
         """
     @property
     def error_hz(self, /) -> Incomplete:

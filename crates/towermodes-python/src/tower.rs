@@ -322,6 +322,9 @@ fn of_balance<'py>(py: Python<'py>, balance: &StaticBalance) -> PyResult<Bound<'
         Err(_) => None,
     };
     dict.set_item("equilibrium", equilibrium)?;
-    dict.set_item("linearized_at_equilibrium", balance.linearized_at_equilibrium)?;
+    dict.set_item(
+        "linearized_at_equilibrium",
+        balance.linearized_at_equilibrium,
+    )?;
     Ok(dict)
 }
