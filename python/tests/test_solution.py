@@ -58,7 +58,9 @@ def test_arrays_have_their_shapes_and_types(nrel: tm.Tower) -> None:
     assert solution.station_height_m.tolist() == [0.0, 87.6]
     assert solution.shape_at_heights.shape == (5, 2, 6)
     assert solution.effective_mass.shape == (5, 6)
-    assert solution.effective_mass_shares.shape == (6,)
+    shares = solution.effective_mass_shares
+    assert shares is not None
+    assert shares.shape == (6,)
     assert solution.rigid_inertia.shape == (6, 6)
     # What they are: the errors add up, the shapes are 1 at the top, the sums are those of modes.
     total = solution.algebraic_error_hz + solution.discretization_error_hz
