@@ -12,7 +12,10 @@ use towers::rich;
 
 fn solution(description: &TowerDescription, modes: usize) -> Solution {
     let tower = Tower::new(description.clone()).expect("a valid tower");
-    let options = with!(Options, segments = Some(40), modes);
+    // A shape has a kink at each point mass, and may peak there.
+    let masses = description.point_masses.iter();
+    let heights_m = masses.map(|mass| mass.height_m).collect();
+    let options = with!(Options, segments = Some(40), modes, heights_m);
     solve(&tower, &options).expect("solvable")
 }
 
@@ -195,9 +198,10 @@ proptest! {
             } else {
                 p.translation.iter().sum()
             };
-            let largest = mode.shape.iter().map(|p| motion(p).abs()).fold(0.0, f64::max);
-            // Between sampled heights a straight line can peak; a hundredth of the height holds at
-            // most this much of a mode.
+            let points = mode.shape.iter().chain(&mode.shape_there);
+            let largest = points.map(|p| motion(p).abs()).fold(0.0, f64::max);
+            // Between sampled heights a shape can peak; a hundredth of the height holds at most
+            // this much of a mode.
             prop_assert!(largest <= 1.0 && largest > 0.95, "{}: {largest}", mode.label());
             prop_assert!(motion(&mode.shape[100]) >= 0.0);
             prop_assert!(motion(&mode.shape[0]) == 0.0);
