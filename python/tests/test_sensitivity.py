@@ -105,3 +105,15 @@ def test_a_solution_has_the_derivatives_of_its_modes(nrel: tm.Tower, method: str
     finer = nrel.solve(3, segments=60, rotary_inertia=False).sensitivities(NAMES)
     expected = nrel.sensitivities(NAMES, modes=finer.modes, segments=60, rotary_inertia=False)
     assert np.array_equal(finer.hz_per_unit, expected.hz_per_unit, equal_nan=True)
+
+
+def test_the_mass_of_a_sweep_has_the_derivative_that_is_given() -> None:
+    """Walls of the members of a substructure count in both."""
+    jacket = tm.read("examples/jacket.toml")
+    walls = "scale(substructure.member[*].wall_thickness)"
+    found = jacket.sensitivities([walls], modes=1)
+    swept = jacket.sweep({walls: [0.999, 1.0, 1.001]}, modes=1)
+    below, own, above = swept.mass_kg
+    assert own == pytest.approx(jacket.structure_mass_kg, rel=1e-12)
+    # A tube's area is quadratic in its wall.
+    assert (above - below) / 0.002 == pytest.approx(found.mass_kg_per_unit[0], rel=1e-9)

@@ -88,7 +88,7 @@ class Design(Found):
 
     @property
     def mass_kg(self) -> float:
-        """The mass of the tower found, without the rotor-nacelle assembly, kg."""
+        """`Tower.structure_mass_kg` of the tower found, kg."""
         mass: float = self.data["mass_kg"]
         return mass
 

@@ -131,7 +131,7 @@ class Sensitivities:
 
     @property
     def mass_kg_per_unit(self) -> Array:
-        """Derivatives of the mass without the rotor-nacelle assembly, kg per unit: (numbers,)."""
+        """Derivatives of `Tower.structure_mass_kg`, kg per unit: (numbers,)."""
         return self._mass
 
     def mode(self, family: Family | str, order: int | None = None) -> Array:

@@ -228,7 +228,7 @@ class SweepResult:
 
     @property
     def mass_kg(self) -> Array:
-        """Masses of the towers without the rotor-nacelle assembly, kg: (rows,)."""
+        """`Tower.structure_mass_kg` of the towers, kg: (rows,)."""
         return self._mass_kg
 
     @property

@@ -192,6 +192,11 @@ class Tower:
         return self._core.mass_kg
 
     @property
+    def structure_mass_kg(self) -> float:
+        """This mass and the mass of the members of a substructure, kg."""
+        return self._core.structure_mass_kg
+
+    @property
     def rna_mass_kg(self) -> float:
         """Mass of the rotor-nacelle assembly, kg; 0 if there is none."""
         return self._core.rna_mass_kg
@@ -215,7 +220,9 @@ class Tower:
         >>> balance["buoyancy_n"], round(balance["residual_force_n"][2])
         (81000000.0, -28868)
         """
-        balance: dict[str, object] | None = self._core.static_balance
+        import json
+
+        balance: dict[str, object] | None = json.loads(self._core.static_balance())
         return balance
 
     @property

@@ -348,15 +348,19 @@ class Tower:
         """
         All that [`restore`](Self::restore) needs.
         """
-    @property
-    def static_balance(self, /) -> Any:
+    def static_balance(self, /) -> str:
         """
-        Weights, buoyancy and lines of a floating tower, by the keys of JSON.
+        Weights, buoyancy and lines of a floating tower as JSON.
         """
     @property
     def stations(self, /) -> Incomplete:
         """
         Height, outer diameter and wall thickness of the stations, m.
+        """
+    @property
+    def structure_mass_kg(self, /) -> float:
+        """
+        This mass and the mass of the members of a substructure, kg.
         """
     @property
     def substructure_masses_kg(self, /) -> list[tuple[str, float]]:

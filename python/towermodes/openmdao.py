@@ -20,7 +20,7 @@ from towermodes._names import EXAMPLE, mode_name
 class TowerModes(om.ExplicitComponent):  # type: ignore[misc]
     """Mass and natural frequencies of a tower as functions of its numbers.
 
-    Outputs are `mass_kg`, the mass of the tower without the rotor-nacelle assembly, and a
+    Outputs are `mass_kg`, `Tower.structure_mass_kg` of the tower, and a
     frequency for each mode, with the name of its column in a sweep: `fore_aft_1_hz`, `surge_hz`.
     The frequencies are extrapolated, as `SweepResult.frequency_hz`. Partial derivatives are those
     of `Tower.sensitivities`, computed from the modes and not from differences of solved towers.
@@ -72,7 +72,7 @@ class TowerModes(om.ExplicitComponent):  # type: ignore[misc]
         # Refuses changes that contradict each other.
         tower.with_({varied.change: varied.initial() for varied in self._varied.values()})
         self._frequencies = {}
-        self.add_output("mass_kg", val=tower.mass_kg, units="kg")
+        self.add_output("mass_kg", val=tower.structure_mass_kg, units="kg")
         for mode in self.options["modes"]:
             family, order, column = mode_name(mode)
             self._frequencies[f"{column}_hz"] = (family, order)

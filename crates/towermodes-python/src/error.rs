@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyType;
 use towermodes::turbine::TurbineError;
-use towermodes::{EigenError, Family, Parameter, SolveError, TowerError};
+use towermodes::{EigenError, Parameter, SolveError, TowerError};
 use towermodes_analysis::agreement::AgreementError;
 use towermodes_analysis::elastodyn::{MakeError, ShapesError};
 use towermodes_analysis::resonance::CampbellError;
@@ -15,6 +15,7 @@ use towermodes_analysis::whirl::CoupledError;
 use towermodes_files::{
     ConvertError, Diagnostic, FileError, ReadError, ResultError, Source, TowerInput, entry_at,
 };
+use towermodes_report::wording::remedy;
 use towermodes_sweep::{Remedy, SliceError, TableError, TableProblem, number_at};
 
 use crate::lock::attached;
@@ -247,7 +248,7 @@ pub fn unsolved(message: &str, hint: Option<&str>) -> PyErr {
     attached(|py| raised(class(py, &CLASS, "SolveError"), (message, hint)))
 }
 
-/// What the user can do about it.
+/// What the user can do about it, in the words of Python where the program names options.
 fn hint(error: &SolveError) -> Option<&'static str> {
     match error {
         SolveError::TooManyModes { .. } => {
@@ -259,20 +260,9 @@ fn hint(error: &SolveError) -> Option<&'static str> {
         SolveError::Buckles { .. } => Some(
             "reduce the mass, increase the diameter or the wall thickness (of a substructure check supports, sections and marine growth), or leave out gravity",
         ),
-        SolveError::Eigen(EigenError::TooStiff) => Some(
-            "check the units: foundation, soil and guy wires are not a million times stiffer than the tower",
-        ),
-        SolveError::Unstable {
-            motion: Family::Roll | Family::Pitch,
-        } => Some(
-            "hydrostatic must not contain the gravity terms of the masses, which gravity adds; without gravity (no_gravity=True, or no acceleration of gravity) the masses do not keep the platform upright; check also the acceleration and the height of the centre of mass",
-        ),
-        SolveError::Unstable { .. } => Some(
-            "check the signs of the hydrostatic and mooring stiffness for this motion, and the masses",
-        ),
-        SolveError::Eigen(EigenError::NotFinite) => Some("check the units of all values"),
+        SolveError::Eigen(EigenError::TooStiff | EigenError::NotFinite) => remedy(error),
         SolveError::Eigen(_) => Some("reduce modes, or check the units of all values"),
-        _ => None,
+        error => remedy(error),
     }
 }
 

@@ -4,14 +4,13 @@ use std::sync::Arc;
 
 use numpy::PyArray2;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
-use towermodes::{
-    Change, DEFAULT_SEGMENTS, Operation, Parameter, Solver, StaticBalance, Tower as CheckedTower,
-};
-use towermodes_files::{Setting, TowerInput};
+use pyo3::types::PyTuple;
+use towermodes::{Change, DEFAULT_SEGMENTS, Operation, Parameter, Solver, Tower as CheckedTower};
+use towermodes_files::{Setting, TowerInput, write_result_json};
 use towermodes_report::figures::{self};
 use towermodes_report::svg::Look;
 
+use crate::answer::text;
 use crate::array;
 use crate::error::{of_numbers, of_read, usage};
 use crate::interrupt::interruptible;
@@ -90,6 +89,12 @@ impl Tower {
         self.model.tower.mass_kg()
     }
 
+    /// This mass and the mass of the members of a substructure, kg.
+    #[getter]
+    fn structure_mass_kg(&self) -> f64 {
+        self.model.tower.structure_mass_kg()
+    }
+
     /// Mass of the rotor-nacelle assembly, kg.
     #[getter]
     fn rna_mass_kg(&self) -> f64 {
@@ -102,13 +107,9 @@ impl Tower {
         self.model.tower.gravity_m_per_s2()
     }
 
-    /// Weights, buoyancy and lines of a floating tower, by the keys of JSON.
-    #[getter]
-    fn static_balance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        match self.model.tower.static_balance() {
-            Some(balance) => Ok(of_balance(py, &balance)?.into_any()),
-            None => Ok(py.None().into_bound(py)),
-        }
+    /// Weights, buoyancy and lines of a floating tower as JSON.
+    fn static_balance(&self) -> PyResult<String> {
+        text(|out| write_result_json(&self.model.tower.static_balance(), out))
     }
 
     /// Number of blades of its turbine; none without a turbine.
@@ -287,44 +288,4 @@ impl Tower {
     fn restore(state: &Bound<'_, PyTuple>) -> PyResult<Self> {
         Self::of_changed(restored(state)?)
     }
-}
-
-/// Forces in N, the equilibrium in m and degrees.
-fn of_balance<'py>(py: Python<'py>, balance: &StaticBalance) -> PyResult<Bound<'py, PyDict>> {
-    let dict = PyDict::new(py);
-    for (key, value) in [
-        ("reference_height_m", balance.reference_height_m),
-        ("platform_weight_n", balance.platform_weight_n),
-        ("tower_weight_n", balance.tower_weight_n),
-        ("rna_weight_n", balance.rna_weight_n),
-        ("buoyancy_n", balance.buoyancy_n),
-        ("lines_n", balance.lines_n),
-    ] {
-        dict.set_item(key, value)?;
-    }
-    dict.set_item("residual_force_n", balance.residual_force_n)?;
-    dict.set_item("residual_moment_n_m", balance.residual_moment_n_m)?;
-    let equilibrium = match &balance.equilibrium {
-        Ok(pose) => {
-            let place = PyDict::new(py);
-            for (key, value) in [
-                ("surge_m", pose.surge_m),
-                ("sway_m", pose.sway_m),
-                ("heave_m", pose.heave_m),
-                ("roll_deg", pose.roll_deg),
-                ("pitch_deg", pose.pitch_deg),
-                ("yaw_deg", pose.yaw_deg),
-            ] {
-                place.set_item(key, value)?;
-            }
-            Some(place)
-        }
-        Err(_) => None,
-    };
-    dict.set_item("equilibrium", equilibrium)?;
-    dict.set_item(
-        "linearized_at_equilibrium",
-        balance.linearized_at_equilibrium,
-    )?;
-    Ok(dict)
 }

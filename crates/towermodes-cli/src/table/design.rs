@@ -2,6 +2,7 @@
 
 use towermodes::number::{Plain, digits};
 use towermodes_design::design::{Design, DesignProblem, Goal, OtherHolder, Reached, Steps};
+use towermodes_report::wording::structure_mass;
 
 use super::text::{name_line, text_table, tonnes, wrapped};
 
@@ -51,11 +52,7 @@ fn results(found: &Design) -> String {
     let mass = |kg: f64| tonnes(kg).trim_end_matches(" t").to_owned();
     let [before, after] = found.mass_kg;
     let first = [
-        match found.tower.foundation.frame() {
-            Some(_) => "mass of tower and substructure, t",
-            None => "tower mass, t",
-        }
-        .to_owned(),
+        format!("{}, t", structure_mass(found.tower.foundation.frame())),
         mass(before),
         mass(after),
         "least".to_owned(),

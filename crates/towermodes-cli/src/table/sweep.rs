@@ -2,6 +2,7 @@
 
 use towermodes::number::{Rounded, digits};
 use towermodes::{Tower, printable};
+use towermodes_report::wording::structure_mass;
 use towermodes_sweep::{MarginCheck, ModeSummary, QUANTILES, Statistics, Summary};
 
 use super::text::{align_right, plain_table, title};
@@ -17,7 +18,7 @@ pub(crate) fn sweep_summary(
     check: Option<&MarginCheck>,
 ) -> String {
     let mut text = title(tower);
-    text.push_str(&statistics(summary));
+    text.push_str(&statistics(tower, summary));
     text.push('\n');
     if let Some(check) = check {
         text.push('\n');
@@ -29,7 +30,7 @@ pub(crate) fn sweep_summary(
 }
 
 /// A row for the mass and each mode.
-fn statistics(summary: &Summary) -> String {
+fn statistics(tower: &Tower, summary: &Summary) -> String {
     let mut table = plain_table();
     let quantiles = QUANTILES.map(|share| format!("{} %", Rounded(100.0 * share)));
     let mut header = vec!["".to_owned()];
@@ -39,7 +40,7 @@ fn statistics(summary: &Summary) -> String {
     let columns = header.len();
     table.set_header(header);
     let mass = cells(summary.mass_kg.as_ref(), 1e-3, 4);
-    let first = std::iter::once("tower mass, t".to_owned());
+    let first = std::iter::once(format!("{}, t", structure_mass(tower.frame())));
     table.add_row(first.chain(mass).chain([String::new()]));
     for mode in &summary.modes {
         let error = match mode.frequency_hz {

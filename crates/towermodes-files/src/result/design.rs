@@ -14,7 +14,8 @@ pub struct DesignDocument {
     pub tower: String,
     /// What was chosen.
     pub variables: Vec<DesignedVariable>,
-    /// Mass of the original tower with outfitting and point masses, without RNA, kg.
+    /// Mass of the original tower with outfitting and point masses, without RNA, and of the members
+    /// of a substructure, kg.
     pub mass_before_kg: f64,
     /// Mass of the tower found, kg.
     pub mass_kg: f64,

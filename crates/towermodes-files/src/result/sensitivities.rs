@@ -60,8 +60,8 @@ struct NumberJson<'a> {
     unit: &'static str,
     /// What a percent is of.
     percent_of: Basis,
-    /// Derivative of the mass of the tower with respect to the value, kg per unit; null if the
-    /// tower cannot be changed in both directions.
+    /// Derivative of the mass of the tower and of the members of a substructure with respect to the
+    /// value, kg per unit; null if the tower cannot be changed in both directions.
     mass_kg_per_unit: Option<f64>,
     /// What the number does to each mode, in the order of the modes.
     modes: Vec<InfluenceJson>,

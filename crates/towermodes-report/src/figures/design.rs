@@ -9,6 +9,7 @@ use crate::svg::{
     Anchor, Axes, Colour, Dash, DataTable, Drawing, Figure, Frame, Marker, Stroke, TextStyle,
     extent, widest,
 };
+use crate::wording::structure_mass;
 
 const TOP: f64 = 14.0;
 /// Height of the fields of diameters and walls.
@@ -67,7 +68,7 @@ pub fn design(
         title: format!("Design: {} t before, {} t after", mass[0], mass[1]),
         description: format!("{profile}The frequencies in their bands.{goals}"),
         drawing: drawing([before, after], has_stations, modes),
-        table: table(mass_kg, modes),
+        table: table((structure_mass(after.foundation.frame()), mass_kg), modes),
     }
 }
 
@@ -204,14 +205,14 @@ fn entries(has_stations: bool, modes: &[DesignedMode<'_>]) -> Vec<Entry> {
     entries
 }
 
-fn table(mass_kg: [f64; 2], modes: &[DesignedMode<'_>]) -> DataTable {
+fn table((mass, mass_kg): (&str, [f64; 2]), modes: &[DesignedMode<'_>]) -> DataTable {
     let header = ["", "lowest", "highest", "before", "after"];
     let limit = |hz: f64| match hz > 0.0 && hz.is_finite() {
         true => digits(hz, 6),
         false => String::new(),
     };
     let mut rows = vec![vec![
-        "tower mass (kg)".to_owned(),
+        format!("{mass} (kg)"),
         String::new(),
         String::new(),
         digits(mass_kg[0], 6),

@@ -14,7 +14,9 @@ mod turbine;
 pub use balance::static_balance;
 pub use completeness::{completeness, proof_of_completeness};
 pub use mode::{blade_mode_shape, coupled_shape, mode_shape};
-pub use model::{buckling_load_factor, compared_segments, computed_by, levels, mesh};
+pub use model::{
+    buckling_load_factor, compared_segments, computed_by, levels, mesh, structure_mass,
+};
 pub use remedy::remedy;
 pub use rotor::{operation, operation_of, speed_range, verdict_counts, verdict_word};
 pub use text::{counted, listed, printable};

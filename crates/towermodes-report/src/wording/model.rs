@@ -1,5 +1,6 @@
 //! The computed model in words: method, mesh, buckling load factor.
 
+use towermodes::frame::FrameFoundation;
 use towermodes::number::four_digits;
 use towermodes::{Method, Solution};
 use towermodes_analysis::study::{Comparison, Convergence, Fineness, Level};
@@ -10,6 +11,15 @@ use super::text::counted;
 pub fn mesh(method: Method, segments: usize, degree: Option<usize>) -> String {
     let degree = degree.map(|degree| format!(" of degree {degree}"));
     counted(segments, method.unit()) + &degree.unwrap_or_default()
+}
+
+/// What [`Tower::structure_mass_kg`](towermodes::Tower::structure_mass_kg) is the mass of, for a
+/// tower on a substructure or on none.
+pub fn structure_mass(substructure: Option<&FrameFoundation>) -> &'static str {
+    match substructure {
+        Some(_) => "mass of tower and substructure",
+        None => "tower mass",
+    }
 }
 
 /// The method and the mesh of a solution: "rmje-exact, 100 segments", "spectral, degree 17".

@@ -17,7 +17,7 @@ pub struct Results {
     pub first_row: u64,
     /// The modes that have columns.
     pub modes: Vec<ModeName>,
-    /// Mass of the tower with its point masses, without the rotor-nacelle assembly, kg; by row.
+    /// [`Tower::structure_mass_kg`](towermodes::Tower::structure_mass_kg), kg; by row.
     pub mass_kg: Vec<f64>,
     /// Whether the list of modes is proved to be complete; by row.
     pub certified: Vec<bool>,

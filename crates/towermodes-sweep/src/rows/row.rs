@@ -63,7 +63,7 @@ impl<'a> RowSolver<'a> {
 
     fn try_solve(&mut self, values: &[f64], mut cells: Cells<'_>) -> Result<(), String> {
         let tower = self.tower(values)?;
-        *cells.mass_kg = tower.mass_kg();
+        *cells.mass_kg = tower.structure_mass_kg();
         self.warning = self.sweep.new_warning(&tower).cloned();
         let asked = self.sweep.options().modes;
         self.solver.options.modes = asked;

@@ -74,7 +74,7 @@ pub struct Summary {
     pub failures: Vec<FailureKind>,
     /// Number of failed rows of further kinds, of which there are too many to count.
     pub other_failures: u64,
-    /// Mass of the tower, kg.
+    /// Mass of the tower and of the members of a substructure, kg.
     pub mass_kg: Option<Statistics>,
     /// The modes.
     pub modes: Vec<ModeSummary>,
