@@ -3,10 +3,9 @@
 use crate::towers;
 
 use towermodes::frame::*;
-use towermodes::tower::Tube;
 use towermodes::{
-    BladeFamily, Family, Foundation, Material, Options, Place, Problem, RigidBody, Rotor, Solution,
-    Station, Tower, TowerDescription, solve,
+    BladeFamily, Family, Options, Place, Problem, Rotor, Solution, Station, Tower,
+    TowerDescription, solve,
 };
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{
@@ -14,7 +13,7 @@ use towermodes_analysis::resonance::{
     Margin, ModeClass, StiffnessClass, campbell, reach_hz, tower_margin,
 };
 use towermodes_testing::{Says, assert_matches, changed, rotor, with};
-use towers::reference_350t;
+use towers::{on_legs, reference_350t};
 
 /// The NREL 5 MW machine: 1P 0.115 to 0.201667 Hz, 3P 0.345 to 0.605 Hz, 6P 0.69 to 1.21 Hz, 9P
 /// 1.035 to 1.815 Hz.
@@ -687,36 +686,20 @@ fn the_error_of_a_frequency_counts_for_the_margin() {
 
 /// A tower on two legs whose slender brace vibrates by itself.
 fn with_brace() -> TowerDescription {
-    let steel = Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10);
-    let points = [[-6.0, 1.0, -20.0], [6.0, 0.0, -20.0], [0.0, 0.0, 0.0]];
-    let joint = |(k, point): (usize, &[f64; 3])| FrameJoint::new(k.to_string(), *point);
-    let tube = |joints: [usize; 2], outer_diameter_m| {
-        let section = Tube {
-            outer_diameter_m,
-            wall_thickness_m: 0.02,
-        };
-        FrameMember::tube(format!("{joints:?}"), joints, [section; 2], steel)
-    };
-    let brace = FrameSupport {
+    let pinned = FrameSupport {
         fixed: [true, true, true, false, false, false],
         ..FrameSupport::clamped(0)
     };
-    let frame = Frame::new(FrameDescription {
-        joints: points.iter().enumerate().map(joint).collect(),
-        members: vec![tube([0, 2], 2.0), tube([2, 1], 2.0), tube([0, 1], 0.2)],
-        supports: vec![brace, FrameSupport::clamped(1)],
-        transition: Some(Transition {
-            position_m: [0.0; 3],
-            joints: vec![2],
-            is_held: false,
-        }),
-        ..FrameDescription::default()
-    });
-    let foundation = FrameFoundation::new(frame.expect("a frame"), RigidBody::default());
+    let TowerDescription {
+        foundation,
+        stations,
+        materials,
+        ..
+    } = on_legs(0.2, pinned);
     TowerDescription {
-        foundation: Foundation::Frame(Box::new(foundation.expect("a foundation"))),
-        stations: vec![Station::new(0.0, 3.0, 0.03), Station::new(60.0, 2.0, 0.02)],
-        materials: vec![steel],
+        foundation,
+        stations,
+        materials,
         ..reference_350t()
     }
 }

@@ -4,15 +4,14 @@
 use std::f64::consts::{PI, TAU};
 
 use towermodes::frame::*;
-use towermodes::tower::Tube;
 use towermodes::{
     Damping, Foundation, FoundationSprings, LossFactors, Material, Options, Planes, Properties,
-    PropertyStation, RigidBody, Rna, Rotor, RotorAerodynamics, Station, Tower, TowerDescription,
-    solve,
+    PropertyStation, Rna, Rotor, RotorAerodynamics, Station, Tower, TowerDescription, solve,
 };
 use towermodes_analysis::damping::{DampingError, DampingRemark, ModalDamping, damping};
 use towermodes_testing::{changed, parts, rna, rotor, tube, with};
-use towermodes_verify::towers::floater;
+
+use crate::towers::{floater, on_legs};
 
 const ROTOR: Rotor = rotor(3, 6.9, 12.1);
 
@@ -255,39 +254,6 @@ fn a_floating_platform_has_no_loss_factor() {
     }
 }
 
-/// A tower on two legs with a brace, all of steel, on ground that holds the feet.
-fn on_legs() -> TowerDescription {
-    let steel = Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10);
-    let points = [[-6.0, 1.0, -20.0], [6.0, 0.0, -20.0], [0.0, 0.0, 0.0]];
-    let joint = |(k, point): (usize, &[f64; 3])| FrameJoint::new(k.to_string(), *point);
-    let section = Tube {
-        outer_diameter_m: 2.0,
-        wall_thickness_m: 0.02,
-    };
-    let leg = |joints: [usize; 2]| {
-        FrameMember::tube(format!("leg {joints:?}"), joints, [section; 2], steel)
-    };
-    let frame = Frame::new(FrameDescription {
-        joints: points.iter().enumerate().map(joint).collect(),
-        members: [[0, 2], [2, 1], [0, 1]].map(leg).to_vec(),
-        supports: [0, 1].map(FrameSupport::clamped).to_vec(),
-        transition: Some(Transition {
-            position_m: [0.0; 3],
-            joints: vec![2],
-            is_held: false,
-        }),
-        ..FrameDescription::default()
-    });
-    let foundation = FrameFoundation::new(frame.expect("a frame"), RigidBody::default());
-    TowerDescription {
-        materials: vec![steel],
-        stations: vec![Station::new(0.0, 3.0, 0.03), Station::new(60.0, 2.0, 0.02)],
-        rna: Rna::point(60e3),
-        foundation: Foundation::Frame(Box::new(foundation.expect("a foundation"))),
-        ..TowerDescription::default()
-    }
-}
-
 /// The steel of tower and substructure has all the energy, so every mode has half its loss factor;
 /// with that of the substructure alone it has the fraction of its energy there.
 #[test]
@@ -298,7 +264,10 @@ fn tower_and_substructure_of_one_steel_have_half_its_loss_factor_in_every_mode()
             substructure,
             ..LossFactors::default()
         };
-        damped_by(&with_loss_factors(factors, on_legs()), 6)
+        damped_by(
+            &with_loss_factors(factors, on_legs(2.0, FrameSupport::clamped(0))),
+            6,
+        )
     };
     let (both, below) = (with(Some(0.004), Some(0.004)), with(None, Some(0.01)));
     for mode in 0..6 {

@@ -12,6 +12,19 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 /// contain.
 pub(crate) const TABLE: &str = "";
 
+/// A kind of parts by their indices, and the bytes of each in a file.
+pub(crate) type Rows<'a, P> = (fn(usize) -> P, &'a [Range<usize>]);
+
+/// The bytes of each part of some kinds.
+pub(crate) fn of_rows<'a, P: 'a>(
+    kinds: impl IntoIterator<Item = Rows<'a, P>>,
+) -> impl Iterator<Item = (P, Range<usize>)> {
+    kinds.into_iter().flat_map(|(part, rows)| {
+        let rows = rows.iter().enumerate();
+        rows.map(move |(index, span)| (part(index), span.clone()))
+    })
+}
+
 /// The place of each value of a tower: file and byte range.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Places {

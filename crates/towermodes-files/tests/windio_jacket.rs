@@ -194,3 +194,11 @@ fn what_is_assumed_is_noted() {
             .any(|note| note.contains("the jacket is left out"))
     );
 }
+
+#[test]
+fn a_clamp_by_request_is_known() {
+    let clamped = read(FILE.to_owned(), true).expect("the tower");
+    let tower = Tower::new(clamped.description).expect("a tower");
+    let missing = tower.missing_parts().expect("the jacket");
+    missing.says("clamped at the tower base by request");
+}

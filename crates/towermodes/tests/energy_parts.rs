@@ -7,7 +7,7 @@ use towermodes::frame::*;
 use towermodes::tower::Tube;
 use towermodes::{
     EnergyParts, FloatingPlatform, Foundation, FoundationSprings, Material, Method, Mode, Options,
-    Planes, Properties, PropertyStation, RigidBody, Rna, Shear, SoilRow, SoilStiffness, Station,
+    Planes, Properties, PropertyStation, Rna, Shear, SoilRow, SoilStiffness, Station,
     TowerDescription,
 };
 use towermodes_testing::{Close, changed, parts};
@@ -269,13 +269,6 @@ fn uncoupled_motions_have_the_same_fractions() {
 /// on a joint and a transition piece.
 fn on_frame() -> TowerDescription {
     let steel = Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10);
-    let points = [
-        [-9.0, 0.0, -30.0],
-        [6.0, 7.0, -30.0],
-        [6.0, -8.0, -32.0],
-        [0.0, 0.0, 0.0],
-    ];
-    let joint = |(k, point): (usize, &[f64; 3])| FrameJoint::new(k.to_string(), *point);
     let tube = |joints| {
         let section = Tube {
             outer_diameter_m: 2.0,
@@ -322,31 +315,10 @@ fn on_frame() -> TowerDescription {
         inertia: std::array::from_fn(|i| std::array::from_fn(|j| if i == j { 3e3 } else { 0.0 })),
         ..FrameSupport::clamped(joint)
     };
-    let frame = FrameDescription {
-        joints: points.iter().enumerate().map(joint).collect(),
-        members: [[0, 3], [3, 1], [2, 3], [0, 1]].map(tube).to_vec(),
-        supports: [0, 1, 2].map(support).to_vec(),
-        masses: vec![(
-            1,
-            RigidBody {
-                mass_kg: 5e3,
-                ..RigidBody::default()
-            },
-        )],
-        ..FrameDescription::default()
-    };
+    let frame = towers::tripod(tube, support);
     let mut foundation = towers::carried(frame, &[3], [0.5, 0.0, 1.0]);
     frame_of(&mut foundation).platform.mass_kg = 30e3;
-    TowerDescription {
-        foundation,
-        stations: vec![Station::new(3.0, 2.0, 0.03), Station::new(60.0, 1.5, 0.02)],
-        materials: vec![steel],
-        rna: Rna {
-            center_m: [0.4, 0.0, 1.0],
-            ..Rna::point(20e3)
-        },
-        ..TowerDescription::default()
-    }
+    towers::on_foundation(foundation, 3.0)
 }
 
 fn frame_of(foundation: &mut Foundation) -> &mut FrameFoundation {

@@ -1,13 +1,13 @@
 //! Space frames: counts, invariances, limits under a tower, mechanisms, names of local modes. Their
 //! frequencies by an independent program are cases of the verification manual.
 
-use crate::towers::carried;
+use crate::towers::{carried, on_foundation};
 use towermodes::frame::*;
 use towermodes::internal::frame::FrameBelow;
 use towermodes::tower::Tube;
 use towermodes::{
-    Foundation, Inertia, Material, Method, Options, RigidBody, Rna, Station, Tower,
-    TowerDescription, solve,
+    Foundation, Inertia, Material, Method, Options, RigidBody, Station, Tower, TowerDescription,
+    solve,
 };
 
 /// A tube of steel between two joints.
@@ -173,20 +173,9 @@ fn a_member_of_a_millimetre_costs_no_digit() {
 
 /// A tower of 60 m with a nacelle, on a foundation.
 fn tower_on(foundation: Foundation, base_m: f64, gravity_m_per_s2: f64) -> Tower {
-    let steel = Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10);
     Tower::new(TowerDescription {
-        materials: vec![steel],
-        stations: vec![
-            Station::new(base_m, 2.0, 0.03),
-            Station::new(60.0, 1.5, 0.02),
-        ],
-        rna: Rna {
-            center_m: [0.4, 0.0, 1.0],
-            ..Rna::point(20e3)
-        },
-        foundation,
         gravity_m_per_s2,
-        ..TowerDescription::default()
+        ..on_foundation(foundation, base_m)
     })
     .expect("a tower")
 }

@@ -1,11 +1,11 @@
 //! Effective masses of towers on frames and of floaters: sums, limits, and no share above 1.
 
-use crate::towers::{assert_close, carried};
+use crate::towers::{self, assert_close, carried, on_foundation};
 use towermodes::frame::*;
 use towermodes::tower::{Tube, Water};
 use towermodes::{
     AddedMassAt, AddedMassTable, Family, FloatingPlatform, Foundation, Material, Method, Options,
-    RigidBody, Rna, Solution, Station, Tower, TowerDescription, solve,
+    RigidBody, Solution, Station, Tower, TowerDescription, solve,
 };
 use towermodes_testing::with;
 
@@ -24,12 +24,6 @@ fn tube(joints: [usize; 2]) -> FrameMember {
 /// Three legs and a brace between their feet, whose motions springs resist; one leg ends on a
 /// joint that is held.
 fn tripod(spring: f64) -> FrameDescription {
-    let points = [
-        [-9.0, 0.0, -30.0],
-        [6.0, 7.0, -30.0],
-        [6.0, -8.0, -32.0],
-        [0.0, 0.0, 0.0],
-    ];
     let support = |joint| FrameSupport {
         fixed: [false; 6],
         stiffness: std::array::from_fn(|i| {
@@ -37,38 +31,13 @@ fn tripod(spring: f64) -> FrameDescription {
         }),
         ..FrameSupport::clamped(joint)
     };
-    let joints = points.iter().enumerate();
-    FrameDescription {
-        joints: joints
-            .map(|(k, point)| FrameJoint::new((k + 1).to_string(), *point))
-            .collect(),
-        members: [[0, 3], [3, 1], [2, 3], [0, 1]].map(tube).to_vec(),
-        supports: [0, 1, 2].map(support).to_vec(),
-        masses: vec![(
-            1,
-            RigidBody {
-                mass_kg: 5e3,
-                ..RigidBody::default()
-            },
-        )],
-        ..FrameDescription::default()
-    }
+    towers::tripod(tube, support)
 }
 
 fn tower_on(foundation: Foundation, base_m: f64, water: Option<Water>) -> TowerDescription {
     TowerDescription {
-        materials: vec![steel()],
-        stations: vec![
-            Station::new(base_m, 2.0, 0.03),
-            Station::new(60.0, 1.5, 0.02),
-        ],
-        rna: Rna {
-            center_m: [0.4, 0.0, 1.0],
-            ..Rna::point(20e3)
-        },
-        foundation,
         water,
-        ..TowerDescription::default()
+        ..on_foundation(foundation, base_m)
     }
 }
 

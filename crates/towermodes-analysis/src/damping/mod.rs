@@ -58,8 +58,8 @@ pub struct ModeDamping {
     pub label: String,
     /// Its frequency, extrapolated, Hz.
     pub frequency_hz: f64,
-    /// What each part of the tower contributes: materials, substructure,
-    /// foundation, soil, guy wires, water.
+    /// What each part of the tower contributes: materials, substructure, foundation, soil, guy
+    /// wires, water.
     pub parts: Vec<PartDamping>,
     /// The fractions of its energy, also of what dissipates nothing: self-weight and masses.
     pub energy_parts: EnergyParts,

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use towermodes::frame::{CoatKind, FrameFoundation, FrameMember};
+use towermodes::space::SpatialMatrix;
 use towermodes::tower::Support;
 use towermodes::{EnergyParts, TowerDescription, printable};
 
@@ -139,12 +140,12 @@ pub(super) fn has(description: &TowerDescription, part: DampedPart) -> bool {
             description.water.is_some()
                 || !description.added_mass.is_empty()
                 || frame.is_some_and(has_water)
-                || platform.is_some_and(|platform| platform.added_mass_at(0.0).matrix != NONE)
+                || platform.is_some_and(|platform| {
+                    platform.added_mass_at(0.0).matrix != SpatialMatrix::default()
+                })
         }
     }
 }
-
-const NONE: [[f64; 6]; 6] = [[0.0; 6]; 6];
 
 fn members(frame: Option<&FrameFoundation>) -> impl Iterator<Item = &FrameMember> {
     frame
@@ -155,7 +156,7 @@ fn members(frame: Option<&FrameFoundation>) -> impl Iterator<Item = &FrameMember
 /// Whether springs hold a support.
 fn has_springs(foundation: &FrameFoundation) -> bool {
     let mut supports = foundation.frame.description().supports.iter();
-    supports.any(|support| support.stiffness != NONE)
+    supports.any(|support| support.stiffness != SpatialMatrix::default())
 }
 
 /// Whether water moves with members or joints.

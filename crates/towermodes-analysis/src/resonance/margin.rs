@@ -6,9 +6,9 @@ use towermodes::tower::Rotor;
 
 /// The distance of a line from a multiple of the rotor speed, at the operating speed where both
 /// are closest; none for a frequency of 0, for a mode that is not judged, and for a line that has
-/// no operating speeds. A line that
-/// is lost within the operating speeds does not pass, because the rest is unknown; one that begins
-/// or ends there without being lost is beyond the frequencies of the diagram at the other speeds.
+/// no operating speeds. A line that is lost within the operating speeds does not pass, because the
+/// rest is unknown; one that begins or ends there without being lost is beyond the frequencies of
+/// the diagram at the other speeds.
 ///
 /// Between neighbouring points of a line f² is linear in Ω²: constant for a tower mode, Southwell's
 /// rule for a blade mode. So n Ω/f is monotonic between two points and closest to 1 at one of them

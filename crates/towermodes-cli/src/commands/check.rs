@@ -104,7 +104,7 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     deliver(&result, None)?;
     match agreement.verdict {
         Verdict::Fail => Err(Failure::failed("the two models do not agree")
-            .hint("see the lines with fail above; the heights of the towers count as a line")),
+            .hint("see `fail` above, in the line of the compared heights or in the table")),
         _ => Ok(()),
     }
 }

@@ -97,10 +97,8 @@ fn period(mode: &Mode) -> String {
 
 /// The mass of the members of a substructure.
 fn below(tower: &Tower) -> String {
-    let members_kg = tower.structure_mass_kg() - tower.mass_kg();
-    let text = tower
-        .frame()
-        .map(|_| format!(", substructure {}", tonnes(members_kg)));
+    let members_kg = tower.frame().map(|below| below.frame.masses().members_kg);
+    let text = members_kg.map(|kg| format!(", substructure {}", tonnes(kg)));
     text.unwrap_or_default()
 }
 

@@ -91,7 +91,7 @@ impl HydrodynInput {
                 "the stiffness of water planes of strip members and of mooring lines acts on the nearest joints"
             }
             None => {
-                "the stiffness of water planes of strip members acts on the nearest joints, that of the moorings on the transition piece"
+                "the stiffness of water planes of strip members acts on the nearest joints, and the stiffness of the moorings on the transition piece"
             }
         };
         let flow = match self.potential {

@@ -10,6 +10,7 @@ use towermodes::mooring::{
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::note::Note;
+use crate::places::{Rows, of_rows};
 use crate::source::Source;
 
 /// Depth, density of the water and gravity where a file of a mooring system does not give them: a
@@ -102,22 +103,21 @@ impl MooringInput {
 
     /// The bytes of each part, for a tower that has these lines.
     pub(crate) fn places(&self) -> impl Iterator<Item = (Place, Range<usize>)> {
+        self.items()
+            .map(|(item, span)| (Place::Mooring { item }, span))
+    }
+
+    fn items(&self) -> impl Iterator<Item = (MooringItem, Range<usize>)> {
         let spans = &self.spans;
-        type Kind<'a> = (fn(usize) -> MooringItem, &'a Vec<Range<usize>>);
-        let kinds: [Kind<'_>; 5] = [
+        let kinds: [Rows<'_, MooringItem>; 5] = [
             (MooringItem::LineType, &spans.line_types),
             (MooringItem::Point, &spans.points),
             (MooringItem::Line, &spans.lines),
             (MooringItem::Body, &spans.bodies),
             (MooringItem::Rod, &spans.rods),
         ];
-        let parts = kinds.into_iter().flat_map(|(item, rows)| {
-            let rows = rows.iter().enumerate();
-            rows.map(move |(index, span)| (item(index), span.clone()))
-        });
         let site = std::iter::once((MooringItem::Site, spans.site.clone()));
-        site.chain(parts)
-            .map(|(item, span)| (Place::Mooring { item }, span))
+        site.chain(of_rows(kinds))
     }
 
     /// The file it was read from.
@@ -135,15 +135,7 @@ impl MooringInput {
 
     /// The bytes of the row of a part.
     fn row(&self, item: MooringItem) -> Option<Range<usize>> {
-        let spans = &self.spans;
-        let (rows, index) = match item {
-            MooringItem::Site => return Some(spans.site.clone()),
-            MooringItem::LineType(index) => (&spans.line_types, index),
-            MooringItem::Point(index) => (&spans.points, index),
-            MooringItem::Line(index) => (&spans.lines, index),
-            MooringItem::Body(index) => (&spans.bodies, index),
-            MooringItem::Rod(index) => (&spans.rods, index),
-        };
-        rows.get(index).cloned()
+        let found = self.items().find(|(own, _)| *own == item);
+        found.map(|(_, span)| span)
     }
 }

@@ -7,6 +7,7 @@ use towermodes::frame::{Frame, FrameDescription, FrameError, FramePart, FrameRec
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::note::Note;
+use crate::places::{Rows, of_rows};
 use crate::source::Source;
 
 /// How the interface joints of a substructure are held.
@@ -90,9 +91,7 @@ impl SubdynInput {
 
     /// What no frame can have, at its line.
     fn mistake(&self, error: FrameError) -> ReadError {
-        let part = error.place.part();
-        let span = self.places().find(|(place, _)| *place == part);
-        let span = span.map_or(0..0, |(_, span)| span);
+        let span = self.row(error.place.part()).unwrap_or(0..0);
         let kind = DiagnosticKind::Frame(Box::new(error));
         let mistake = Diagnostic::new(span, kind);
         ReadError::mistake(&self.sources[0], mistake)
@@ -103,31 +102,30 @@ impl SubdynInput {
         let warnings = frame.warnings().into_iter();
         let notes = warnings.map(|warning| {
             let note = Note::suspicious(warning.to_string());
-            let place = self.places().find(|(part, _)| *part == warning.part());
-            match place {
-                Some((_, span)) => note.at(&self.sources[0], span.start),
+            match self.row(warning.part()) {
+                Some(span) => note.at(&self.sources[0], span.start),
                 None => note,
             }
         });
         notes.collect()
     }
 
+    fn row(&self, part: FramePart) -> Option<Range<usize>> {
+        let found = self.places().find(|(own, _)| *own == part);
+        found.map(|(_, span)| span)
+    }
+
     /// The bytes of each part in the main file, for a tower on this frame.
     pub(crate) fn places(&self) -> impl Iterator<Item = (FramePart, Range<usize>)> {
         let spans = &self.spans;
-        type Kind<'a> = (fn(usize) -> FramePart, &'a Vec<Range<usize>>);
-        let kinds: [Kind<'_>; 4] = [
+        let kinds: [Rows<'_, FramePart>; 4] = [
             (FramePart::Joint, &spans.joints),
             (FramePart::Member, &spans.members),
             (FramePart::Support, &spans.supports),
             (FramePart::Mass, &spans.masses),
         ];
-        let parts = kinds.into_iter().flat_map(|(part, rows)| {
-            let rows = rows.iter().enumerate();
-            rows.map(move |(index, span)| (part(index), span.clone()))
-        });
         let transition = spans.interfaces.first().cloned();
-        parts.chain(transition.map(|span| (FramePart::Transition, span)))
+        of_rows(kinds).chain(transition.map(|span| (FramePart::Transition, span)))
     }
 
     /// The files it was read from, the main one first.

@@ -9,6 +9,7 @@ use towermodes::frame::{
 use towermodes::{Foundation, Material, RigidBody, TowerDescription, tower::Tube};
 
 use super::support::materials::Materials;
+use super::support::water::in_air;
 use super::text::known_keys::note_jacket;
 use super::text::outline::Outline;
 use super::text::reading::Reading;
@@ -50,7 +51,9 @@ pub(super) fn stand(
     }
     note_jacket(node, reading);
     let jacket = Jacket::read(node, base_m, outline, reading)?;
-    let transition = transition_piece(node)?;
+    let mass = node.get("transition_piece_mass");
+    let mass_kg = mass.map(|mass| mass.mass_kg("mass of the transition piece"));
+    let transition = RigidBody::point(mass_kg.transpose()?.unwrap_or_default(), [0.0; 3]);
     let wrong = |error| {
         let kind = DiagnosticKind::Frame(Box::new(error));
         Diagnostic::new(node.span.clone(), kind)
@@ -194,22 +197,6 @@ impl Jacket {
     fn add(&self, frame: &mut FrameDescription, name: String, joints: [usize; 2], tube: Tube) {
         let member = FrameMember::tube(name, joints, [tube; 2], self.material);
         frame.members.push(member);
-    }
-}
-
-/// The transition piece, a point mass at the base of the tower.
-fn transition_piece(node: &Node) -> Result<RigidBody, Diagnostic> {
-    let Some(mass) = node.get("transition_piece_mass") else {
-        return Ok(RigidBody::default());
-    };
-    let what = "mass of the transition piece";
-    let mass_kg = mass.number(what)?;
-    match mass_kg >= 0.0 {
-        true => Ok(RigidBody::point(mass_kg, [0.0; 3])),
-        false => {
-            let kind = DiagnosticKind::out_of_range_in(what, mass_kg, "kg", "0 or positive");
-            Err(Diagnostic::new(mass.span.clone(), kind))
-        }
     }
 }
 
@@ -358,13 +345,7 @@ fn note_place(
             );
         }
         if depth_m > 0.0 {
-            reading.note_at(
-                at,
-                Note::left_out(format!(
-                    "the frequencies are those in air: for the mass of the water add [water] with level = 0.0 and bed = {:?} after `convert --to toml`",
-                    0.0 - depth_m
-                )),
-            );
+            reading.note_at(at, in_air(0.0 - depth_m));
         }
     }
     if let Some(mass) = node.get("gravity_foundation_mass")

@@ -119,6 +119,7 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
         },
         rotor: rotor?,
         missing_parts,
+        is_clamped_by_request: options.clamped,
         ..description
     };
     if is_whole {

@@ -300,6 +300,43 @@ impl OnFrame {
         own
     }
 
+    /// The resultant of the whole from that of the tower by itself, whose inertia has a force on
+    /// its base, in a mode with xᵀ M x = `mass`.
+    fn with_frame(
+        &mut self,
+        a: &Coefficients,
+        x: &[f64],
+        mut resultant: Resultant,
+        (inertia, mass): (&Motion, f64),
+    ) -> Resultant {
+        let of_all = match *a == Coefficients::MASS {
+            true => mass,
+            false => self.energy(a, x),
+        };
+        let of_tower: f64 = resultant.energy.iter().sum();
+        let mut motions = std::mem::take(&mut self.frame.memory.sweep.motions);
+        let equations = &self.frame.equations;
+        equations.set_motions(x, &mut motions);
+        let base = motions[self.foot];
+        // λ = xᵀ K x/xᵀ M x.
+        let work = std::array::from_fn(|i| of_all / mass * inertia[i] * base[i]);
+        let (factors, _) = factors_of(a);
+        let places = &self.frame.places;
+        let force = places.resultant(equations, &factors, (&motions, x));
+        let of_rigid: Motion = match self.floats() {
+            true => std::array::from_fn(|i| base[i] * force[i]),
+            false => Motion::default(),
+        };
+        self.frame.memory.sweep.motions = motions;
+        let known = of_tower + of_rigid.iter().sum::<f64>();
+        let of_frame = self.energy_of_frame(of_all - known, &work, x);
+        for i in 0..6 {
+            resultant.force[i] += force[i];
+            resultant.energy[i] += of_rigid[i] + of_frame[i];
+        }
+        resultant
+    }
+
     /// xᵀ A x of the frame alone, given to components as the inertia of the tower does work on the
     /// frame in each motion of its base. How joints lie in members does not matter then. Where the
     /// tower does no work, as members vibrate by themselves, by the motions of the nodes.
@@ -575,33 +612,25 @@ impl Subsystem for OnFrame {
     }
 
     fn resultant(&mut self, a: &Coefficients, x: &[f64], base_m: f64) -> Resultant {
-        let of_all = self.energy(a, x);
         let own = self.tower_vector(x);
-        let mut resultant = self.tower.resultant(a, &own, base_m);
-        let of_tower: f64 = resultant.energy.iter().sum();
-        // The inertia of the tower on its base, in a mode of λ = xᵀ K x/xᵀ M x.
         let inertia = self.tower.resultant(&Coefficients::MASS, &own, base_m);
-        let lambda = of_all / self.energy(&Coefficients::MASS, x);
-        let mut motions = std::mem::take(&mut self.frame.memory.sweep.motions);
-        let equations = &self.frame.equations;
-        equations.set_motions(x, &mut motions);
-        let base = motions[self.foot];
-        let work = std::array::from_fn(|i| lambda * inertia.force[i] * base[i]);
-        let (factors, _) = factors_of(a);
-        let force = self
-            .frame
-            .places
-            .resultant(equations, &factors, (&motions, x));
-        let of_rigid: [f64; 6] = match self.floats() {
-            true => std::array::from_fn(|i| motions[self.foot][i] * force[i]),
-            false => [0.0; 6],
+        let mass = self.energy(&Coefficients::MASS, x);
+        let of_tower = match *a == Coefficients::MASS {
+            true => inertia,
+            false => self.tower.resultant(a, &own, base_m),
         };
-        self.frame.memory.sweep.motions = motions;
-        (0..6).for_each(|i| resultant.force[i] += force[i]);
-        let known = of_tower + of_rigid.iter().sum::<f64>();
-        let of_frame = self.energy_of_frame(of_all - known, &work, x);
-        (0..6).for_each(|i| resultant.energy[i] += of_rigid[i] + of_frame[i]);
-        resultant
+        self.with_frame(a, x, of_tower, (&inertia.force, mass))
+    }
+
+    fn modal_resultant(&mut self, x: &[f64], base_m: f64) -> (Resultant, [f64; 6]) {
+        let own = self.tower_vector(x);
+        let [inertia, stiffness] = [Coefficients::MASS, Coefficients::STIFFNESS]
+            .map(|a| self.tower.resultant(&a, &own, base_m));
+        let mass = self.energy(&Coefficients::MASS, x);
+        let force = inertia.force;
+        let inertia = self.with_frame(&Coefficients::MASS, x, inertia, (&force, mass));
+        let strain = self.with_frame(&Coefficients::STIFFNESS, x, stiffness, (&force, mass));
+        (inertia, strain.energy)
     }
 
     fn start(&mut self, out: &mut [f64]) {

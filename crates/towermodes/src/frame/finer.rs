@@ -13,6 +13,7 @@
 use super::assembly::{Assembly, Carrier, PlacedElement, Purpose};
 use super::element::Part;
 use super::equations::{Equations, motion_of};
+use super::local::dot;
 use super::parts::inverse_tip;
 use super::recipe::FrameRecipe;
 use super::rigid::{Motion, Vector, into_axes, moved};
@@ -237,8 +238,4 @@ fn split_off<'a>(rest: &mut &'a [f64], count: usize) -> &'a [f64] {
     let (taken, left) = rest.split_at(count);
     *rest = left;
     taken
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

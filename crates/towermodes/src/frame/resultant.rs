@@ -7,6 +7,7 @@ use super::rigid::{
     Motion, NONE, Vector, add_transposed, identity, moved, rigid_transfer, transposed,
 };
 use crate::space::{SpatialMatrix, add_scaled};
+use crate::tower::frame::difference;
 
 /// The nodes of a frame, without what stands on it, from the point that resultants are about.
 #[derive(Debug)]
@@ -21,7 +22,7 @@ pub(super) struct Places {
 impl Places {
     /// Of nodes at these positions, of equations that have nothing else yet.
     pub(super) fn new(equations: &Equations, positions_m: &[Vector], about_m: Vector) -> Self {
-        let lever = |position_m: &Vector| difference(position_m, &about_m);
+        let lever = |position_m: &Vector| difference(*position_m, about_m);
         Self {
             about_m,
             levers_m: positions_m.iter().map(lever).collect(),
@@ -81,14 +82,14 @@ impl Places {
         for link in &equations.links[..self.links] {
             let lever_m = match link.parent {
                 Some(parent) => self.levers_m[parent],
-                None => difference(&self.levers_m[link.child], &lever_of(&link.transfer)),
+                None => difference(self.levers_m[link.child], lever_of(&link.transfer)),
             };
             let side = link.side(x, &motion_of(link.parent, &lever_m));
             let forces = forces_of(&link.parts, side);
             add(&lever_m, &link.parts.out_of_axes(&forces[..6]));
         }
         for chord in &equations.chords {
-            let levers_m = chord.ends_m.map(|end_m| difference(&end_m, &self.about_m));
+            let levers_m = chord.ends_m.map(|end_m| difference(end_m, self.about_m));
             let motions = std::array::from_fn(|i| motion_of(chord.ends[i], &levers_m[i]));
             let forces = forces_of(&chord.parts, chord.side(x, motions));
             add(&levers_m[0], &chord.parts.out_of_axes(&forces[..6]));
@@ -101,8 +102,4 @@ impl Places {
 /// The lever (m) of a [`rigid_transfer`].
 fn lever_of(transfer: &SpatialMatrix) -> Vector {
     [transfer[1][5], transfer[2][3], transfer[0][4]]
-}
-
-fn difference(to_m: &Vector, from_m: &Vector) -> Vector {
-    std::array::from_fn(|i| to_m[i] - from_m[i])
 }

@@ -34,4 +34,5 @@ pub use error::{MooringError, MooringItem};
 pub use pose::Pose;
 pub use state::{BodyState, LineState, MooringLoad, MooringState, MooringWorkspace};
 pub use system::Mooring;
+pub(crate) use vector::cross;
 pub use warning::MooringWarning;

@@ -26,7 +26,7 @@ pub(super) fn length(a: Vector) -> f64 {
     a[0].hypot(a[1]).hypot(a[2])
 }
 
-pub(super) fn cross(a: Vector, b: Vector) -> Vector {
+pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],

@@ -46,7 +46,7 @@ pub enum MooringWarning {
     },
     /// A line that floats.
     #[error(
-        "line type {} has a mass of {} kg/m and displaces {} kg/m of water with its diameter of {} m, so that it floats; the mass is that in air in kg/m, the diameter is in m",
+        "line type {} has a mass of {} kg/m and displaces {} kg/m of water with its diameter of {} m, so that it floats; give the mass in air in kg/m and the diameter in m",
         .line_type + 1, Plain(*.mass_kg_per_m), Rounded(*.water_kg_per_m), Plain(*.diameter_m)
     )]
     Floats {

@@ -95,13 +95,12 @@ impl Tower {
         let mass_kg = above.tower_kg + masses.map(|m| m.mass_kg).sum::<f64>();
         let carried_kg = mass_kg + description.rna.mass_kg;
         let afloat = Afloat::at_rest(description, &pieces);
-        // The lines were checked; a neighbour beyond the last that they can reach has none.
-        let linear = afloat.as_ref().and_then(|afloat| afloat.linear().ok());
-        let base = match &linear {
+        let linear = afloat.as_ref().and_then(|afloat| afloat.linear.as_ref());
+        let base = match linear {
             Some(platform) => Base::afloat(platform, base_m, carried_kg),
             None => Base::new(&description.foundation, base_m, carried_kg),
         };
-        let platform = linear.as_ref().or(description.foundation.platform());
+        let platform = linear.or(description.foundation.platform());
         let inertia_by_frequency = platform
             .and_then(|platform| InertiaByFrequency::of(platform, base_m))
             .map(Box::new);

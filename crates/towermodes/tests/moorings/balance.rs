@@ -2,12 +2,13 @@
 
 use towermodes::mooring::{LineType, MooringDescription, MooringError, MooringLine, MooringPoint};
 use towermodes::{
-    Buoyancy, EquilibriumError, EquilibriumPose, FloatingPlatform, Foundation, MooringLines,
-    Options, Place, PointMass, Problem, ReferredMatrix, Rna, StaticBalance, Tower,
-    TowerDescription, Warning, solve,
+    Buoyancy, EquilibriumError, EquilibriumPose, FloatingPlatform, MooringLines, Options, Place,
+    PointMass, Problem, ReferredMatrix, Rna, StaticBalance, Tower, TowerDescription, Warning,
+    solve,
 };
 use towermodes_testing::Close;
 
+use super::platform_of;
 use crate::towers::floater;
 
 const GRAVITY: f64 = 9.81;
@@ -33,13 +34,6 @@ fn spar() -> TowerDescription {
         center_m: [0.0, 0.0],
     });
     description
-}
-
-fn platform_of(description: &mut TowerDescription) -> &mut FloatingPlatform {
-    match &mut description.foundation {
-        Foundation::Floating(platform) => platform,
-        _ => panic!("no platform"),
-    }
 }
 
 fn with(change: impl FnOnce(&mut FloatingPlatform)) -> TowerDescription {

@@ -4,10 +4,11 @@ use towermodes::mooring::{
     LineType, MooringDescription, MooringError, MooringItem, MooringLine, MooringPoint,
 };
 use towermodes::{
-    FloatingPlatform, Foundation, MooringLines, Options, Place, Problem, ReferredMatrix, Tower,
+    FloatingPlatform, MooringLines, Options, Place, Problem, ReferredMatrix, Tower,
     TowerDescription, solve,
 };
 
+use super::platform_of;
 use crate::towers::floater;
 
 /// Three lines from fairleads at a depth to the seabed.
@@ -32,13 +33,6 @@ fn lines(length_m: f64) -> MooringLines {
     MooringLines {
         description: spar,
         still_water_m: 1.5,
-    }
-}
-
-fn platform_of(description: &mut TowerDescription) -> &mut FloatingPlatform {
-    match &mut description.foundation {
-        Foundation::Floating(platform) => platform,
-        _ => panic!("no platform"),
     }
 }
 

@@ -14,3 +14,12 @@ mod random_parts;
 mod refusals;
 mod single_lines;
 mod warnings;
+
+use towermodes::{FloatingPlatform, Foundation, TowerDescription};
+
+fn platform_of(description: &mut TowerDescription) -> &mut FloatingPlatform {
+    match &mut description.foundation {
+        Foundation::Floating(platform) => platform,
+        _ => panic!("no platform"),
+    }
+}

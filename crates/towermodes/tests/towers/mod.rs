@@ -5,9 +5,12 @@
     reason = "each test file uses its own part of the library"
 )]
 
-use towermodes::frame::{Frame, FrameDescription, FrameFoundation, Transition};
+use towermodes::frame::{
+    Frame, FrameDescription, FrameFoundation, FrameJoint, FrameMember, FrameSupport, Transition,
+};
 use towermodes::{
-    Family, Foundation, Options, RigidBody, Solution, Tower, TowerDescription, solve,
+    Family, Foundation, Material, Options, RigidBody, Rna, Solution, Station, Tower,
+    TowerDescription, solve,
 };
 pub use towermodes_verify::towers::*;
 
@@ -28,6 +31,44 @@ pub fn carried(mut frame: FrameDescription, joints: &[usize], position_m: [f64; 
     let frame = Frame::new(frame).expect("a frame");
     let foundation = FrameFoundation::new(frame, RigidBody::default()).expect("a foundation");
     Foundation::Frame(Box::new(foundation))
+}
+
+/// Three legs under a joint and a brace between two of their feet, with a mass on one foot.
+pub fn tripod(
+    member: impl Fn([usize; 2]) -> FrameMember,
+    support: impl Fn(usize) -> FrameSupport,
+) -> FrameDescription {
+    let points = [
+        [-9.0, 0.0, -30.0],
+        [6.0, 7.0, -30.0],
+        [6.0, -8.0, -32.0],
+        [0.0, 0.0, 0.0],
+    ];
+    let joint = |(k, point): (usize, &[f64; 3])| FrameJoint::new((k + 1).to_string(), *point);
+    FrameDescription {
+        joints: points.iter().enumerate().map(joint).collect(),
+        members: [[0, 3], [3, 1], [2, 3], [0, 1]].map(member).to_vec(),
+        supports: [0, 1, 2].map(support).to_vec(),
+        masses: vec![(1, RigidBody::point(5e3, [0.0; 3]))],
+        ..FrameDescription::default()
+    }
+}
+
+/// A steel tower up to 60 m with a nacelle, on a foundation at a height, m.
+pub fn on_foundation(foundation: Foundation, base_m: f64) -> TowerDescription {
+    TowerDescription {
+        materials: vec![Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10)],
+        stations: vec![
+            Station::new(base_m, 2.0, 0.03),
+            Station::new(60.0, 1.5, 0.02),
+        ],
+        rna: Rna {
+            center_m: [0.4, 0.0, 1.0],
+            ..Rna::point(20e3)
+        },
+        foundation,
+        ..TowerDescription::default()
+    }
 }
 
 /// The frequencies of a family, rising, Hz.

@@ -268,7 +268,7 @@ impl Platform<'_> {
     fn others(&self, reading: &Reading<'_>) -> Result<RigidBody, Diagnostic> {
         let mut bodies = Vec::new();
         if let Some(node) = self.node.get("transition_piece_mass") {
-            let mass_kg = not_negative(node, "mass of the transition piece")?;
+            let mass_kg = node.mass_kg("mass of the transition piece")?;
             let joint = self
                 .joints
                 .transition
@@ -280,7 +280,9 @@ impl Platform<'_> {
         for node in list {
             let what = "a rigid body of the floating platform";
             let joint = self.joints.find(node.require("joint1", what)?, reading)?;
-            let mass_kg = not_negative(node.require("mass", what)?, "mass of a rigid body")?;
+            let mass_kg = node
+                .require("mass", what)?
+                .mass_kg("mass of a rigid body")?;
             let three = |key: &str| node.get(key).map_or(Ok([0.0; 3]), |node| vector(node, key));
             let offset = three("cm_offset")?;
             let [xx, yy, zz] = three("moments_of_inertia")?;
@@ -297,17 +299,6 @@ impl Platform<'_> {
             });
         }
         Ok(RigidBody::combined(&bodies))
-    }
-}
-
-fn not_negative(node: &Node, what: &str) -> Result<f64, Diagnostic> {
-    let value = node.number(what)?;
-    match value >= 0.0 {
-        true => Ok(value),
-        false => {
-            let kind = DiagnosticKind::out_of_range_in(what, value, "kg", "0 or positive");
-            Err(Diagnostic::new(node.span.clone(), kind))
-        }
     }
 }
 

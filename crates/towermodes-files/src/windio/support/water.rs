@@ -75,11 +75,16 @@ fn mudline_notes(base_m: f64, mudline_m: f64, soil: Option<&Soil>, is_kept: bool
         )));
     }
     if mudline_m < -SAME_M {
-        notes.push(Note::left_out(format!(
-            "the frequencies are those in air: for the mass of the water add [water] with level = 0.0 and bed = {mudline_m:?} after `convert --to toml`"
-        )));
+        notes.push(in_air(mudline_m));
     }
     notes
+}
+
+/// The note that the water above a mudline (m) is left out.
+pub(crate) fn in_air(mudline_m: f64) -> Note {
+    Note::left_out(format!(
+        "the frequencies are those in air: for the mass of the water add [water] with level = 0.0 and bed = {mudline_m:?} after `convert --to toml`"
+    ))
 }
 
 /// Height of the mudline, m: sea level is at 0.

@@ -53,6 +53,18 @@ impl Node {
         Err(Diagnostic::new(self.span.clone(), kind))
     }
 
+    /// A mass, kg, that is not negative.
+    pub(crate) fn mass_kg(&self, what: &str) -> Result<f64, Diagnostic> {
+        let value = self.number(what)?;
+        match value >= 0.0 {
+            true => Ok(value),
+            false => {
+                let kind = DiagnosticKind::out_of_range_in(what, value, "kg", "0 or positive");
+                Err(Diagnostic::new(self.span.clone(), kind))
+            }
+        }
+    }
+
     /// The number of a key, or a default.
     pub(crate) fn number_or(&self, key: &str, what: &str, default: f64) -> Result<f64, Diagnostic> {
         self.get(key).map_or(Ok(default), |node| node.number(what))

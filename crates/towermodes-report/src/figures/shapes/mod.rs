@@ -65,8 +65,8 @@ fn left_out(solution: &Solution) -> String {
     let local = |mode: &&Mode| mode.family == Family::Substructure;
     match solution.modes.iter().filter(local).count() {
         0 => String::new(),
-        1 => " Not drawn: 1 mode of substructure members.".to_owned(),
-        count => format!(" Not drawn: {count} modes of substructure members."),
+        1 => " Not drawn: 1 local mode of the substructure.".to_owned(),
+        count => format!(" Not drawn: {count} local modes of the substructure."),
     }
 }
 

@@ -18,6 +18,9 @@ pub(crate) struct Afloat {
     pub(super) rna: Mass,
     /// Where its lines have their stiffness; none at its reference position.
     pub(super) at: Option<Result<Pose, EquilibriumError>>,
+    /// The platform with its lines replaced by their stiffness there; none for a neighbour that is
+    /// beyond the last that they can reach.
+    pub(crate) linear: Option<FloatingPlatform>,
 }
 
 /// A mass at a place: from the tower's axis, and in the datum of the stations.
@@ -50,6 +53,7 @@ impl Afloat {
                 center_m: [x, y, top_m + z],
             },
             at: None,
+            linear: None,
         })
     }
 
@@ -65,7 +69,7 @@ impl Afloat {
     }
 
     /// The platform with its lines replaced by their stiffness where they have it.
-    pub(crate) fn linear(&self) -> Result<FloatingPlatform, MooringError> {
+    pub(super) fn linearized(&self) -> Result<FloatingPlatform, MooringError> {
         match &self.at {
             Some(Ok(pose)) => self.platform.with_moorings_at(pose, self.reference_m()),
             _ => self.platform.with_linear_moorings(),

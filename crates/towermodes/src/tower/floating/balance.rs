@@ -122,8 +122,7 @@ impl Tower {
     /// reference position as the description says, and by the mass of what they have on the
     /// platform; none if it does not float.
     pub fn linear_platform(&self) -> Option<FloatingPlatform> {
-        // The lines were checked.
-        self.afloat.as_deref()?.linear().ok()
+        self.afloat.as_deref()?.linear.clone()
     }
 }
 
@@ -135,6 +134,7 @@ impl Afloat {
         if afloat.platform.at_equilibrium {
             afloat.at = Some(equilibrium(&afloat));
         }
+        afloat.linear = afloat.linearized().ok();
         Some(afloat)
     }
 

@@ -2,7 +2,7 @@
 
 use super::afloat::{Afloat, Loads};
 use super::mistake::{EquilibriumError, MOST_TILT_DEG};
-use crate::mooring::{Mooring, MooringError, MooringWorkspace, Pose};
+use crate::mooring::{Mooring, MooringError, MooringWorkspace, Pose, cross};
 use crate::space::{SpatialMatrix, add_scaled, eigenpairs, times};
 
 /// Steps after which the search has failed.
@@ -171,8 +171,4 @@ fn newton_step(loads: &Loads) -> Result<[f64; 6], EquilibriumError> {
         }
     }
     Ok(step)
-}
-
-fn cross([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
-    [b * z - c * y, c * x - a * z, a * y - b * x]
 }

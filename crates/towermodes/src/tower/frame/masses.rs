@@ -28,15 +28,11 @@ impl Frame {
     pub fn masses(&self) -> FrameMasses {
         let description = self.description();
         let of_joints = description.masses.iter().map(|(_, body)| body.mass_kg);
+        let of_soil = description.supports.iter().map(|s| s.inertia[0][0]);
+        // The sum of nothing would be −0.
         let mut masses = FrameMasses {
             joints_kg: 0.0 + of_joints.sum::<f64>(),
-            // An empty sum is −0.
-            soil_kg: 0.0
-                + description
-                    .supports
-                    .iter()
-                    .map(|s| s.inertia[0][0])
-                    .sum::<f64>(),
+            soil_kg: 0.0 + of_soil.sum::<f64>(),
             ..FrameMasses::default()
         };
         for member in &description.members {

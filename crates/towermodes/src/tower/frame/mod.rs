@@ -15,8 +15,9 @@ mod soil;
 mod validate;
 mod warning;
 
+pub(crate) use axes::difference;
+pub(in crate::tower) use axes::norm;
 pub use axes::spin_of_axes;
-pub(in crate::tower) use axes::{difference, norm};
 pub(in crate::tower) use coat::Substance;
 pub use coat::{CoatKind, FrameCoat};
 pub use description::{

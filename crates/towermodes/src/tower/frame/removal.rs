@@ -5,9 +5,8 @@ use super::description::FrameDescription;
 use super::foundation::FrameFoundation;
 use super::member::MemberKind;
 use super::soil::FrameSoil;
+use crate::space::SpatialMatrix;
 use crate::tower::parts::rigid_body::RigidBody;
-
-const NONE: [[f64; 6]; 6] = [[0.0; 6]; 6];
 
 impl FrameFoundation {
     /// Removes the body of the transition piece, the springs and the inertia of the supports, and
@@ -15,18 +14,19 @@ impl FrameFoundation {
     pub(in crate::tower) fn remove_platform_and_supports(&mut self) {
         self.platform = RigidBody::default();
         if let Some(restoring) = &mut self.restoring {
-            restoring.matrix = NONE;
+            restoring.matrix = SpatialMatrix::default();
             restoring.on_joints.clear();
         }
         for support in &mut self.numbers_mut().supports {
-            (support.stiffness, support.inertia) = (NONE, NONE);
+            (support.stiffness, support.inertia) =
+                (SpatialMatrix::default(), SpatialMatrix::default());
         }
     }
 
     /// Removes the moorings of a frame that floats.
     pub(in crate::tower) fn remove_moorings(&mut self) {
         if let Some(restoring) = &mut self.restoring {
-            restoring.moorings = NONE;
+            restoring.moorings = SpatialMatrix::default();
             restoring.moorings_on_joints.clear();
         }
     }

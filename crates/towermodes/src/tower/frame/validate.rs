@@ -14,8 +14,8 @@ use crate::space::SpatialMatrix;
 
 /// The largest size of a coordinate, m: beyond it no digit of a wall's thickness is left.
 const FARTHEST_M: f64 = 1e5;
-/// The largest modulus, Pa: a thousand million times that of steel, beyond which no digit of the
-/// tower's stiffness is left.
+/// The largest modulus, Pa: 5e8 times the modulus of steel. Beyond it no digit of the stiffness of
+/// the tower is left.
 const STIFFEST_PA: f64 = 1e20;
 /// Relative difference of the entries of a matrix that is symmetric but for rounding.
 const SYMMETRIC: f64 = 1e-6;

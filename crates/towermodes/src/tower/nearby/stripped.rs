@@ -2,9 +2,7 @@
 
 use super::super::frame::{FrameFoundation, Substance};
 use super::super::model::Tower;
-use crate::space::add_scaled;
-
-const NONE: [[f64; 6]; 6] = [[0.0; 6]; 6];
+use crate::space::{SpatialMatrix, add_scaled};
 
 /// A part of a tower that has springs to the ground, masses or both, and does not bend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,8 +68,8 @@ impl Tower {
                 let (others, rna) = stripped.attachments.split_at_mut(last);
                 let own = if part == Strippable::Rna { rna } else { others };
                 for attachment in own {
-                    attachment.stiffness = NONE;
-                    attachment.inertia = NONE;
+                    attachment.stiffness = SpatialMatrix::default();
+                    attachment.inertia = SpatialMatrix::default();
                 }
             }
         }
@@ -86,13 +84,13 @@ impl Tower {
     fn remove_from_base(&mut self, part: Strippable) {
         let base = &mut self.base;
         if part == Strippable::Moorings {
-            let moorings = std::mem::replace(&mut base.mooring_stiffness, NONE);
+            let moorings = std::mem::take(&mut base.mooring_stiffness);
             add_scaled(&mut base.stiffness, -1.0, &moorings);
             self.change_frame(FrameFoundation::remove_moorings);
             return;
         }
         base.stiffness = base.mooring_stiffness;
-        let dry = std::mem::replace(&mut base.dry_inertia, NONE);
+        let dry = std::mem::take(&mut base.dry_inertia);
         add_scaled(&mut base.inertia, -1.0, &dry);
         self.change_frame(FrameFoundation::remove_platform_and_supports);
     }

@@ -124,9 +124,8 @@ pub struct Water {
         .also("water_level sea_level msl swl surface waterline"))]
     pub level_m: f64,
     /// Height of the ground, m; `None` is the lowest station, the lowest joint of a substructure,
-    /// or the surface of
-    /// [`TowerDescription::ground`](crate::TowerDescription::ground), with whose scour it goes
-    /// down.
+    /// or the surface of [`TowerDescription::ground`](crate::TowerDescription::ground), with whose
+    /// scour it goes down.
     #[input(Input::height("bed", "the height of the seabed")
         .otherwise("the lowest station, or the lowest joint of a substructure")
         .also("mudline seabed ground sea_bed depth water_depth"))]

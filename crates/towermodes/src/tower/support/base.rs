@@ -42,7 +42,12 @@ impl Base {
             Support::Stiffness(foundation) => Self::on(foundation),
             Support::Springs(springs) => Self::on(&on_springs(springs.matrix())),
             Support::Form(form) => Self::on(&on_springs(form.stiffness())),
-            Support::Floating(platform) => Self::afloat(platform, base_m, mass_kg),
+            Support::Floating(platform) => {
+                // The lines were checked; a neighbour beyond the last that they can reach has none.
+                let linear = platform.with_linear_moorings();
+                let platform = linear.unwrap_or_else(|_| platform.clone());
+                Self::afloat(&platform, base_m, mass_kg)
+            }
             Support::Frame(foundation) => Self::on_frame(foundation, base_m, mass_kg),
         }
     }
@@ -78,12 +83,9 @@ impl Base {
 
     /// The weights turn over about the point that the hydrostatic stiffness is about: only about
     /// that point, where buoyancy and weights are in balance, do its entries and theirs add up.
+    /// Lines of the platform are left out: their stiffness has to be in its matrix.
     pub(in crate::tower) fn afloat(platform: &FloatingPlatform, base_m: f64, mass_kg: f64) -> Self {
         let water = &platform.added_mass;
-        // The lines were checked; a neighbour beyond the last that they can reach has none.
-        let platform = &platform
-            .with_linear_moorings()
-            .unwrap_or_else(|_| platform.clone());
         let [x, y, z] = platform.center_m;
         let centre = [x, y, z - base_m];
         let mut base = Self {
