@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use towermodes::number::Plain;
-use towermodes::{Foundation, Tower, TowerDescription};
+use towermodes::{Tower, TowerDescription};
 
 use crate::bmodes::{BmodesInput, read_bmodes};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
@@ -139,13 +139,13 @@ pub fn read_source(
 
 /// Gives mooring lines their stiffness at the equilibrium.
 fn put_at_equilibrium(tower: &mut TowerInput) -> Result<(), ReadError> {
-    match &mut tower.description.foundation {
-        Foundation::Floating(platform) if platform.mooring_lines.is_some() => {
+    match tower.description.foundation.floating_mut() {
+        Some(platform) if platform.mooring_lines.is_some() => {
             platform.at_equilibrium = true;
             Ok(())
         }
         _ => {
-            let message = "there is no rigid floating platform with mooring lines, which could have their stiffness at the equilibrium";
+            let message = "there is no floating platform with mooring lines, which could have their stiffness at the equilibrium";
             let kind = DiagnosticKind::Unsupported(message.to_owned());
             let hint = "leave out --equilibrium (in Python: equilibrium)";
             let mistake = Diagnostic::new(0..0, kind).with_hint(hint);

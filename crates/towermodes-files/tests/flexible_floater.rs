@@ -1,12 +1,18 @@
 //! A floater whose members deform: beside the rigid platform of the same masses, in OpenFAST files.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use towermodes::frame::MemberKind;
+use towermodes::space::SpatialMatrix;
+use towermodes::turbine::TurbineModel;
 use towermodes::{
-    Family, Foundation, Inertia, Options, RigidBody, Solution, Tower, TowerDescription, solve,
+    AddedMassAt, AddedMassTable, Family, Foundation, Inertia, Options, RigidBody, Solution,
+    StaticBalance, Tower, TowerDescription, solve,
 };
-use towermodes_files::{InMemory, Input, ReadError, ReadOptions, Source, read_source};
+use towermodes_files::{
+    InMemory, Input, ReadError, ReadOptions, Source, TowerInput, read_source, write_toml,
+};
 use towermodes_testing::{Says, with};
 
 use crate::elastodyn::texts::{BLADE, MASSES, TOWER, main_text};
@@ -79,7 +85,7 @@ fn steel() -> RigidBody {
 }
 
 /// Whether the members deform, and whether there is water.
-fn read(is_flexible: bool, has_water: bool) -> Result<TowerDescription, ReadError> {
+fn read(is_flexible: bool, has_water: bool) -> Result<TowerInput, ReadError> {
     let piece = RigidBody {
         mass_kg: PIECE_KG,
         center_m: [0.0, 0.0, 10.0],
@@ -174,7 +180,7 @@ fn read(is_flexible: bool, has_water: bool) -> Result<TowerDescription, ReadErro
         text: fst,
     };
     match read_source(source, &files, &ReadOptions::default())? {
-        Input::Tower(input) => Ok(input.description),
+        Input::Tower(input) => Ok(*input),
         Input::Blade(_) | Input::Substructure(_) => panic!("no tower"),
     }
 }
@@ -187,8 +193,17 @@ fn solved(description: TowerDescription) -> Solution {
     solution
 }
 
-fn flexible(stiffer: f64) -> Solution {
-    let mut description = read(true, true).unwrap_or_else(|error| panic!("{error}"));
+fn given(is_flexible: bool) -> TowerDescription {
+    let input = read(is_flexible, true).unwrap_or_else(|error| panic!("{error}"));
+    input.description
+}
+
+fn flexible(stiffer: f64) -> TowerDescription {
+    stiffened(given(true), stiffer)
+}
+
+/// With members that are stiffer by a factor.
+fn stiffened(mut description: TowerDescription, stiffer: f64) -> TowerDescription {
     let Foundation::Frame(foundation) = &mut description.foundation else {
         panic!("no frame");
     };
@@ -198,25 +213,14 @@ fn flexible(stiffer: f64) -> Solution {
             material.shear_modulus_pa *= stiffer;
         }
     }
-    solved(description)
+    description
 }
 
 #[test]
 fn stiff_members_give_the_modes_of_the_rigid_platform() {
-    let rigid = solved(read(false, true).unwrap_or_else(|error| panic!("{error}")));
-    let [stiff, real] = [1e5, 1.0].map(flexible);
-    for (a, b) in stiff.modes.iter().zip(&rigid.modes) {
-        let change = a.frequency_hz / b.frequency_hz - 1.0;
-        // What the members deform is less by the factor of their stiffness; under the modes of
-        // the tower they are a hundred times as soft.
-        let allowed = if b.name().family.is_rigid() {
-            1e-6
-        } else {
-            2e-4
-        };
-        assert!(change.abs() < allowed, "{}: {change:e}", b.frequency_hz);
-        assert_eq!(a.name().family, b.name().family, "{}", b.frequency_hz);
-    }
+    let rigid = solved(given(false));
+    let [stiff, real] = [1e5, 1.0].map(|stiffer| solved(flexible(stiffer)));
+    has_the_modes_of(&stiff, &rigid);
     let rigid_body = rigid.modes[..6]
         .iter()
         .all(|mode| mode.name().family.is_rigid());
@@ -240,11 +244,132 @@ fn stiff_members_give_the_modes_of_the_rigid_platform() {
     }
 }
 
+/// What the members deform is less by the factor of their stiffness; under the modes of the tower
+/// they are a hundred times as soft.
+fn has_the_modes_of(stiff: &Solution, rigid: &Solution) {
+    assert_eq!(stiff.modes.len(), rigid.modes.len());
+    for (a, b) in stiff.modes.iter().zip(&rigid.modes) {
+        let change = a.frequency_hz / b.frequency_hz - 1.0;
+        let is_rigid = b.name().family.is_rigid();
+        let allowed = if is_rigid { 1e-6 } else { 2e-4 };
+        assert!(change.abs() < allowed, "{}: {change:e}", b.frequency_hz);
+        assert_eq!(a.name().family, b.name().family, "{}", b.frequency_hz);
+    }
+}
+
+/// In water whose added mass falls by half up to 3 rad/s, where the tower vibrates.
+fn in_waves(mut description: TowerDescription) -> TowerDescription {
+    let diagonal = |factor: f64| {
+        let mut matrix = SpatialMatrix::default();
+        let masses = [2e6, 2e6, 4e6, 4e8, 4e8, 3e8];
+        (0..6).for_each(|i| matrix[i][i] = factor * masses[i]);
+        matrix
+    };
+    let platform = description.foundation.floating_mut().expect("it floats");
+    platform.added_mass_by_frequency = Some(Arc::new(AddedMassTable {
+        zero: diagonal(1.0),
+        rows: vec![(0.3, diagonal(0.9)), (3.0, diagonal(0.5))],
+        infinite: diagonal(0.6),
+    }));
+    description
+}
+
+#[test]
+fn a_turning_rotor_on_stiff_members_is_one_on_a_rigid_platform() {
+    let frequencies = |is_flexible: bool| {
+        let mut input = read(is_flexible, true).unwrap_or_else(|error| panic!("{error}"));
+        let mut description = in_waves(input.description);
+        if is_flexible {
+            description = stiffened(description, 1e5);
+        }
+        input.description = description;
+        let turbine = input
+            .whole_turbine()
+            .expect("a turbine")
+            .expect("a turbine");
+        let mut model = TurbineModel::new(&turbine, &turbine.mesh()).expect("a model");
+        model.frequencies(1.0, 6.0).expect("a spectrum").frequencies
+    };
+    let [stiff, rigid] = [true, false].map(frequencies);
+    assert!(
+        stiff.len() == rigid.len() && rigid.len() > 6,
+        "{}",
+        rigid.len()
+    );
+    for (a, b) in stiff.iter().zip(&rigid) {
+        let change = a.lower_hz / b.lower_hz - 1.0;
+        assert!(change.abs() < 2e-4, "{}: {change:e}", b.lower_hz);
+    }
+}
+
+#[test]
+fn stiff_members_move_with_the_water_of_their_own_frequency() {
+    let solved = |description: TowerDescription, at: AddedMassAt| {
+        let tower = Tower::new(in_waves(description)).unwrap_or_else(|error| panic!("{error}"));
+        let options = with!(Options, modes = 10, added_mass = at);
+        solve(&tower, &options).unwrap_or_else(|error| panic!("{error}"))
+    };
+    for at in [AddedMassAt::Own, AddedMassAt::Infinite, AddedMassAt::Zero] {
+        let [stiff, rigid] = [flexible(1e5), given(false)].map(|of| solved(of, at));
+        assert!(stiff.certificate.complete && rigid.certificate.complete);
+        has_the_modes_of(&stiff, &rigid);
+    }
+}
+
+#[test]
+fn weights_buoyancy_and_lines_balance_as_those_of_the_rigid_platform() {
+    let at_equilibrium = |mut description: TowerDescription| {
+        let platform = description.foundation.floating_mut().expect("it floats");
+        platform.at_equilibrium = true;
+        Tower::new(description).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let balance = |tower: &Tower| tower.static_balance().expect("it floats under gravity");
+    let [a, b] = [true, false].map(|is| Tower::new(given(is)).unwrap_or_else(|e| panic!("{e}")));
+    let [a, b] = [&a, &b].map(balance);
+    let size = b.weight_n();
+    let forces = |of: &StaticBalance| {
+        let [x, y, z] = of.residual_force_n;
+        [of.weight_n(), of.buoyancy_n, of.lines_n, x, y, z]
+    };
+    for (a, b) in forces(&a).into_iter().zip(forces(&b)) {
+        // The mass of ElastoDyn has seven digits in the text.
+        assert!((a - b).abs() < 1e-7 * size, "{a} {b} N");
+    }
+    let [stiff, rigid] = [flexible(1e5), given(false)].map(at_equilibrium);
+    let heave_m = |tower: &Tower| balance(tower).equilibrium.expect("it is held").heave_m;
+    let (a, b) = (heave_m(&stiff), heave_m(&rigid));
+    assert!(b.abs() > 0.01 && (a / b - 1.0).abs() < 1e-6, "{a} {b} m");
+    let [stiff, rigid] = [&stiff, &rigid].map(|tower| {
+        solve(tower, &with!(Options, modes = 10)).unwrap_or_else(|error| panic!("{error}"))
+    });
+    has_the_modes_of(&stiff, &rigid);
+}
+
+#[test]
+fn a_tower_file_has_the_whole_floater() {
+    let description = given(true);
+    let (text, notes) = write_toml(&description);
+    assert!(notes.is_empty(), "{notes:?}");
+    let source = Source {
+        name: "floater.toml".to_owned(),
+        text,
+    };
+    let read = read_source(source, &InMemory::default(), &ReadOptions::default());
+    let Input::Tower(read) = read.unwrap_or_else(|error| panic!("{error}")) else {
+        panic!("no tower");
+    };
+    let [own, again] = [description, read.description].map(solved);
+    for (a, b) in own.modes.iter().zip(&again.modes) {
+        let change = a.frequency_hz / b.frequency_hz - 1.0;
+        assert!(change.abs() < 1e-12, "{}: {change:e}", a.frequency_hz);
+    }
+}
+
 #[test]
 fn a_floater_needs_water_that_carries_it() {
     let dry = read(true, false).map(|_| ()).expect_err("dry").to_string();
     dry.says_all("model.fst & nothing holds the substructure of SubDyn & CompHydro");
-    let mut description = read(true, true).unwrap_or_else(|error| panic!("{error}"));
+    let mut description = given(true);
     if let Foundation::Frame(foundation) = &mut description.foundation {
         foundation.restoring = Some(towermodes::frame::Restoring::default());
     }

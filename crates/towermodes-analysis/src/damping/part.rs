@@ -136,7 +136,7 @@ pub(super) fn has(description: &TowerDescription, part: DampedPart) -> bool {
         }
         DampedPart::Wires => !description.wires.is_empty(),
         DampedPart::Water => {
-            let platform = description.foundation.platform();
+            let platform = description.foundation.floating();
             description.water.is_some()
                 || !description.added_mass.is_empty()
                 || frame.is_some_and(has_water)

@@ -132,9 +132,7 @@ pub(super) fn remarks(
 
 /// Whether a platform or a substructure floats.
 fn is_afloat(description: &TowerDescription) -> bool {
-    let foundation = &description.foundation;
-    let frame = foundation.frame();
-    foundation.platform().is_some() || frame.is_some_and(|frame| frame.restoring.is_some())
+    description.foundation.floating().is_some()
 }
 
 /// The remark on a part without a loss factor, by its place in the list of parts.

@@ -3,17 +3,17 @@
 
 use std::ops::Range;
 
-use towermodes::frame::FrameFoundation;
-use towermodes::{Foundation, Inertia, MissingPart, MooringLines, Place, RigidBody};
+use towermodes::frame::{FrameFoundation, Restoring};
+use towermodes::{
+    FloatingPlatform, Foundation, Inertia, MissingPart, MooringLines, Place, RigidBody,
+};
 
 use super::fst::{STANDARD_M_PER_S2, gravity_of_fst, is_on, switch};
 use super::main_input::main_file::MainFile;
 use super::names::line_of;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
-use crate::hydrodyn::{
-    HydrodynInput, HydrodynPlatform, Moored, WaterDefaults, read_hydrodyn, read_water,
-};
+use crate::hydrodyn::{HydrodynInput, HydrodynPlatform, WaterDefaults, read_hydrodyn, read_water};
 use crate::mooring::{MooringInput, MooringSite, read_map, read_moordyn};
 use crate::note::Note;
 use crate::resolver::FileResolver;
@@ -113,45 +113,26 @@ impl<'a> Model<'a> {
             parts.push(MissingPart::Soil);
         }
         let floats = subdyn.description.supports.is_empty();
-        let bare = subdyn.frame(Interface::Rigid(self.main.platform.reference_m))?;
-        let mut restoring = None;
+        let reference = || Interface::Rigid(self.main.platform.reference_m);
+        let structure = subdyn.frame(reference())?.body();
+        let water = self.water()?;
         let mut below = Below {
             notes: subdyn.notes.clone(),
             parts,
             ..Below::default()
         };
-        if let Some(water) = self.water()? {
+        if let Some(water) = &water {
             let on_frame = water.put_on_frame(&mut subdyn.description);
-            below
-                .notes
-                .extend(water.notes.iter().cloned().chain(on_frame));
-            if floats {
-                let moored = self.moored(&water, &mut below)?;
-                let gravity_m_per_s2 = self.gravity_m_per_s2();
-                let moment_kg_m = bare.mass_moment_kg_m();
-                let description = &mut subdyn.description;
-                let (found, notes) =
-                    water.restoring(description, moment_kg_m, &moored, gravity_m_per_s2);
-                let joint = subdyn.interface_joints.first();
-                water.put_on_joint(description, joint.copied().unwrap_or(0), &moored);
-                below.notes.extend(notes);
-                below.notes.push(Note::left_out("the static balance of a flexible floater is not computed; its lines have their stiffness at the reference position"));
-                restoring = Some(found);
-            }
-            below.sources.splice(0..0, water.sources);
+            below.notes.extend(water.notes.iter().cloned());
+            below.notes.extend(on_frame);
             below.parts.push(MissingPart::Water);
         }
-        if floats && restoring.is_none() {
-            return Err(ReadError::mistake(self.fst, nothing_holds(file.span)));
-        }
-        let frame = subdyn.frame(Interface::Rigid(self.main.platform.reference_m))?;
         let piece = transition_piece(self.main);
-        let mut foundation = FrameFoundation::new(frame, piece).map_err(|error| {
-            let kind = DiagnosticKind::Frame(Box::new(error));
-            ReadError::mistake(self.fst, Diagnostic::new(file.span, kind))
-        })?;
-        foundation.restoring = restoring;
-        below.foundation = Foundation::Frame(Box::new(foundation));
+        let mut foundation =
+            FrameFoundation::new(subdyn.frame(reference())?, piece).map_err(|error| {
+                let kind = DiagnosticKind::Frame(Box::new(error));
+                ReadError::mistake(self.fst, Diagnostic::new(file.span.clone(), kind))
+            })?;
         below.notes.extend(held_note(
             self.main,
             "the transition piece moves with the substructure",
@@ -159,8 +140,34 @@ impl<'a> Model<'a> {
         let places = subdyn.places();
         let places = places.map(|(part, span)| (Place::Substructure { part }, 0, span));
         below.places = places.collect();
-        below.sources.splice(0..0, subdyn.sources);
+        below.sources = subdyn.sources;
+        if floats {
+            let water = water.as_ref();
+            let water =
+                water.ok_or_else(|| ReadError::mistake(self.fst, nothing_holds(file.span)))?;
+            foundation.restoring =
+                Some(self.restoring(&foundation, &structure, water, &mut below)?);
+        } else if let Some(water) = water {
+            below.sources.extend(water.sources);
+        }
+        below.foundation = Foundation::Frame(Box::new(foundation));
         Ok(below)
+    }
+
+    /// What holds a substructure that floats: its water and its mooring lines.
+    fn restoring(
+        &self,
+        foundation: &FrameFoundation,
+        structure: &RigidBody,
+        water: &HydrodynInput,
+        below: &mut Below,
+    ) -> Result<Restoring, ReadError> {
+        let (mut restoring, notes) =
+            water.restoring(foundation, structure, self.gravity_m_per_s2());
+        below.notes.extend(notes);
+        below.sources.extend(water.sources.iter().cloned());
+        self.moor(&mut restoring.platform, &self.site(water), below)?;
+        Ok(restoring)
     }
 
     /// The rigid platform with its water and its mooring lines, at its reference position.
@@ -185,19 +192,7 @@ impl<'a> Model<'a> {
         };
         let site = self.site(&water);
         below.sources.extend(water.sources);
-        if let Some(lines) = self.mooring(&site)? {
-            lines.at_rest(&lines.mooring()?)?;
-            platform.mooring_lines = Some(Box::new(MooringLines {
-                description: lines.description.clone(),
-                still_water_m: 0.0,
-            }));
-            below.notes.extend(lines.notes.iter().cloned());
-            let file = below.sources.len();
-            let places = lines.places();
-            below.places = places.map(|(place, span)| (place, file, span)).collect();
-            below.sources.push(lines.source);
-            below.parts.push(MissingPart::MooringLines);
-        }
+        self.moor(&mut platform, &site, &mut below)?;
         below
             .notes
             .extend(held_note(self.main, "the platform moves"));
@@ -205,23 +200,30 @@ impl<'a> Model<'a> {
         Ok(below)
     }
 
-    /// The mooring system of a substructure that floats, at its reference position.
-    fn moored(&self, water: &HydrodynInput, below: &mut Below) -> Result<Moored, ReadError> {
-        let Some(lines) = self.mooring(&self.site(water))? else {
-            return Ok(Moored::default());
+    /// Moors a platform by the lines of the file of MAP++ or MoorDyn, if there is one.
+    fn moor(
+        &self,
+        platform: &mut FloatingPlatform,
+        site: &MooringSite,
+        below: &mut Below,
+    ) -> Result<(), ReadError> {
+        let Some(lines) = self.mooring(site)? else {
+            return Ok(());
         };
-        let mooring = lines.mooring()?;
-        let state = lines.at_rest(&mooring)?;
+        lines.at_rest(&lines.mooring()?)?;
+        platform.mooring_lines = Some(Box::new(MooringLines {
+            description: lines.description.clone(),
+            still_water_m: 0.0,
+        }));
         below.notes.extend(lines.notes.iter().cloned());
-        below.notes.extend(lines.warnings(&mooring, &state));
-        below.parts.push(MissingPart::MooringLines);
-        let moored = Moored {
-            stiffness: state.load.stiffness,
-            mass: mooring.platform_mass(),
-            fairleads: lines.fairleads()?,
-        };
+        let file = below.sources.len();
+        let places = lines.places();
+        below
+            .places
+            .extend(places.map(|(place, span)| (place, file, span)));
         below.sources.push(lines.source);
-        Ok(moored)
+        below.parts.push(MissingPart::MooringLines);
+        Ok(())
     }
 
     fn site(&self, water: &HydrodynInput) -> MooringSite {

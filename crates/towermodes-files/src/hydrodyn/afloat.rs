@@ -1,73 +1,44 @@
-//! What holds a frame that floats: water plane and lines on the joints near them, the rest on the
-//! transition piece.
+//! What holds a frame that floats: the rigid platform of the same masses, and its water planes on
+//! the joints near them.
 
-use towermodes::RigidBody;
-use towermodes::frame::{FrameDescription, JointKind, Restoring};
+use towermodes::frame::{FrameFoundation, Restoring};
 use towermodes::space::SpatialMatrix;
+use towermodes::{ReferredMatrix, RigidBody};
 
 use super::input::HydrodynInput;
-use super::spatial::{NONE, Vector, add, difference, from_point, norm, of_mass};
+use super::platform::HydrodynPlatform;
+use super::spatial::{NONE, Vector, add, from_point};
 use super::water_plane;
-use crate::mooring::Fairlead;
 use crate::note::Note;
 
-/// The mooring system of a floater about the origin.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Moored {
-    /// Stiffness: N/m, N, N m.
-    pub(crate) stiffness: SpatialMatrix,
-    /// Mass of what is fixed to the platform: kg, kg m, kg m².
-    pub(crate) mass: SpatialMatrix,
-    /// Its lines, if each holds one fairlead by itself.
-    pub(crate) fairleads: Option<Vec<Fairlead>>,
-}
-
 impl HydrodynInput {
-    /// What holds a frame that floats in this water, under gravity (m/s²). For rigid motions it is
-    /// the stiffness of [`platform`](Self::platform), with the moorings, and with the weights of
-    /// filling, growth and structure, whose mass has the moment `structure_kg_m` about z = 0.
+    /// What holds a frame that floats in this water, under gravity (m/s²), without moorings; of the
+    /// frame without water this is the mass and its centre.
     pub(crate) fn restoring(
         &self,
-        frame: &FrameDescription,
-        structure_kg_m: f64,
-        moored: &Moored,
+        foundation: &FrameFoundation,
+        structure: &RigidBody,
         gravity_m_per_s2: f64,
     ) -> (Restoring, Vec<Note>) {
-        let on_origin = self.platform(&RigidBody::default(), gravity_m_per_s2);
-        let mut rest = on_origin.platform.hydrostatic.matrix;
-        let mut moorings = moored.stiffness;
-        let moved = [self.filling(), self.growth()].map(|body| body.mass_kg * body.center_m[2]);
-        let overturning_n_m = gravity_m_per_s2 * (structure_kg_m + moved[0] + moved[1]);
-        (3..5).for_each(|i| rest[i][i] -= overturning_n_m);
-        let planes = self.water_planes(gravity_m_per_s2);
-        let lines = moored.fairleads.iter().flatten();
-        let lines = lines.map(|(at_m, stiffness)| (*at_m, of_mass(stiffness, *at_m)));
-        let on_joints = to_joints(frame, planes, &mut rest);
-        let moorings_on_joints = to_joints(frame, lines, &mut moorings);
+        let HydrodynPlatform {
+            mut platform,
+            mut notes,
+            ..
+        } = self.platform(structure, gravity_m_per_s2);
+        // Strips are on the members.
+        platform.added_mass = ReferredMatrix::default();
+        let planes = self.water_planes(gravity_m_per_s2).into_iter();
+        let on_joints = planes.filter_map(|(at_m, matrix)| {
+            let joint = foundation.nearest_joint(at_m)?;
+            let joint_m = foundation.frame.description().joints[joint].position_m;
+            Some((joint, from_point(&matrix, joint_m.map(|x| -x))))
+        });
         let restoring = Restoring {
-            matrix: rest,
-            height_m: 0.0,
-            on_joints,
-            moorings,
-            moorings_on_joints,
+            water_planes: on_joints.collect(),
+            platform,
         };
-        let mut notes = on_origin.notes;
-        notes.push(self.note_on_places(moored));
+        notes.push(self.note_on_places());
         (restoring, notes)
-    }
-
-    /// The inertia of the potential-flow body's water and of the moorings' masses, on a joint.
-    pub(crate) fn put_on_joint(&self, frame: &mut FrameDescription, joint: usize, moored: &Moored) {
-        let mut inertia = moored.mass;
-        if let Some(flow) = &self.potential {
-            add(&mut inertia, 1.0, &flow.added_mass.infinite);
-        }
-        if inertia != NONE
-            && let Some(at) = frame.joints.get(joint)
-        {
-            let inertia = from_point(&inertia, at.position_m.map(|x| -x));
-            frame.added_masses.push((joint, inertia));
-        }
     }
 
     /// The water plane of each strip member: its point, and its stiffness for the origin.
@@ -85,53 +56,14 @@ impl HydrodynInput {
         weighed.collect()
     }
 
-    fn note_on_places(&self, moored: &Moored) -> Note {
-        let lines = match moored.fairleads {
-            Some(_) => {
-                "the stiffness of water planes of strip members and of mooring lines acts on the nearest joints"
-            }
-            None => {
-                "the stiffness of water planes of strip members acts on the nearest joints, and the stiffness of the moorings on the transition piece"
-            }
-        };
+    fn note_on_places(&self) -> Note {
         let flow = match self.potential {
-            Some(_) => {
-                "; the potential-flow body, with its added mass at infinite frequency, moves with the transition piece"
-            }
+            Some(_) => "; the potential-flow body moves with the transition piece",
             None => "",
         };
         let message = format!(
-            "the substructure floats: {lines}; the stiffness of buoyancy and weights acts on the transition piece, and forces at rest do not change the stiffness of members{flow}"
+            "the substructure floats: the stiffness of water planes of strip members, and of mooring lines between an anchor and the platform, acts on the nearest joints; the stiffness of other moorings, of buoyancy and of weights acts on the transition piece, and forces at rest do not change the stiffness of members{flow}"
         );
         Note::approximation(message).at(&self.sources[0], 0)
     }
-}
-
-/// Matrices for the origin that act at points, as matrices on the nearest joints; they are taken
-/// from what acts on the origin.
-fn to_joints(
-    frame: &FrameDescription,
-    local: impl IntoIterator<Item = (Vector, SpatialMatrix)>,
-    rest: &mut SpatialMatrix,
-) -> Vec<(usize, SpatialMatrix)> {
-    let mut on_joints = Vec::new();
-    for (at_m, matrix) in local {
-        if let Some((joint, position_m)) = nearest_joint(frame, at_m) {
-            add(rest, -1.0, &matrix);
-            on_joints.push((joint, from_point(&matrix, position_m.map(|x| -x))));
-        }
-    }
-    on_joints
-}
-
-/// The welded joint of a frame nearest to a point, and where it is.
-fn nearest_joint(frame: &FrameDescription, point_m: Vector) -> Option<(usize, Vector)> {
-    let joints = frame.joints.iter().enumerate();
-    let welded = joints.filter(|(_, joint)| joint.kind == JointKind::Cantilever);
-    let distances = welded.map(|(index, joint)| {
-        let distance_m = norm(difference(joint.position_m, point_m));
-        (distance_m, index, joint.position_m)
-    });
-    let nearest = distances.min_by(|a, b| a.0.total_cmp(&b.0));
-    nearest.map(|(_, joint, position_m)| (joint, position_m))
 }

@@ -28,7 +28,6 @@ mod wamit;
 mod water;
 mod water_plane;
 
-pub(crate) use afloat::Moored;
 pub use ends::StripEnd;
 pub use input::HydrodynInput;
 pub use platform::HydrodynPlatform;

@@ -7,7 +7,6 @@
 mod attachment;
 mod bodies;
 mod column;
-mod fairleads;
 mod input;
 mod line_types;
 mod lines;
@@ -22,7 +21,6 @@ mod row;
 mod site;
 mod tables;
 
-pub(crate) use fairleads::Fairlead;
 pub(crate) use input::Spans;
 pub use input::{MooringInput, MooringSite};
 pub use map::read_map;

@@ -58,10 +58,15 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
         (materials, _) => of_properties(root, &tower, materials, reading),
     };
     let (mut around, body) = (around?, body?);
-    if let Some(frame) = substructure? {
+    if let Some(mut frame) = substructure? {
+        if let (Some(restoring), Foundation::Floating(platform)) =
+            (&mut frame.restoring, around.foundation)
+        {
+            restoring.platform = *platform;
+        }
         around.foundation = Foundation::Frame(Box::new(frame));
     }
-    if let (Some(mooring), Foundation::Floating(platform)) = (mooring?, &mut around.foundation) {
+    if let (Some(mooring), Some(platform)) = (mooring?, around.foundation.floating_mut()) {
         let names = &mut around.part_names;
         names.mooring_line_types = mooring.line_type_names;
         names.mooring_points = mooring.point_names;

@@ -6,6 +6,7 @@ use towermodes::mooring::{
 };
 use towermodes::{MooringLines, Place};
 
+use super::foundation::floats;
 use super::schema::{self, TableSchema};
 use super::text::choice::{ChoiceWords, one_of};
 use super::text::names::Names;
@@ -36,11 +37,7 @@ pub(super) fn mooring(
     let Some(value) = root.get("mooring") else {
         return Some(None);
     };
-    let kind = root.get("foundation").and_then(|value| {
-        let table = value.get_ref().as_table()?;
-        table.get("type")?.get_ref().as_str()
-    });
-    if kind != Some("floating") {
+    if !floats(root) {
         let hint = "mooring lines hold a floating platform: describe it in [foundation]";
         let because = "without [foundation] of type \"floating\"";
         root.refuse_unused("mooring", because, hint, reading);

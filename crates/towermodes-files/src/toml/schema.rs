@@ -629,6 +629,7 @@ tables! {
         optional "mass" Table "" "a rigid body on a joint, as often as needed";
         optional "added_mass" Table "" "inertia without weight on a joint, as often as needed";
         optional "rider" Table "" "inertia without weight on a member, as often as needed";
+        optional "water_plane" Table "" "the part of the hydrostatic stiffness of a floating foundation that acts on a joint, as often as needed";
 
     /// `platform` of `[substructure]`.
     SUBSTRUCTURE_PLATFORM = "[substructure.platform]":
@@ -702,6 +703,11 @@ tables! {
         required "member" Text "" "its name";
         required "fraction" Number "" "of the length from the first joint";
         required "matrix" Matrix "kg, kg m, kg m2" "x, y, z, rotation about x, y, z";
+
+    /// `[[substructure.water_plane]]`.
+    SUBSTRUCTURE_WATER_PLANE = "[[substructure.water_plane]]":
+        required "joint" Text "" "its name";
+        required "matrix" Matrix "N/m, N, N m" "x, y, z, rotation about x, y, z";
 
     /// `[[soil]]`.
     SOIL = "[[soil]]":

@@ -180,6 +180,20 @@ impl FrameBelow {
         self.times((&factors, 0.0), base, x, out)
     }
 
+    /// The inertia against motions of the base that the frame follows as a rigid body: kg, kg m,
+    /// kg m².
+    pub(crate) fn rigid_inertia(&mut self) -> SpatialMatrix {
+        let still = vec![Complex::default(); self.degrees_of_freedom()];
+        let mut out = still.clone();
+        std::array::from_fn(|i| {
+            let mut unit = Phasors::default();
+            unit[i] = Complex::new(1.0, 0.0);
+            self.inertia_times(&unit, &still, &mut out)
+                .0
+                .map(|force| force.re)
+        })
+    }
+
     /// Twice the elastic energy, with what holds the frame and with gravity: by component of the
     /// motion of the base what the frame has if it follows this motion at rest, and what it has
     /// besides, by motions of its own with the base held. The two add up, as K of one times the

@@ -384,13 +384,13 @@ pub(super) fn add_platform(
     let [_, _, reference_m] = foundation.reference_m();
     let rise_m = reference_m - foundation.pivot_m();
     let nodes = &mut assembled.equations.nodes;
-    if let Some(restoring) = &foundation.restoring {
-        for matrix in [restoring.matrix, restoring.moorings] {
+    if let Some(held) = &foundation.held {
+        for matrix in [held.water, held.moorings] {
             let mut moved = matrix;
             transform_matrix(&mut moved, -rise_m);
             add_scaled(&mut nodes[node][GROUND], 1.0, &moved);
         }
-        for (joint, matrix) in restoring.all_on_joints() {
+        for (joint, matrix) in held.on_joints() {
             if let Some(node) = assembled.joints[*joint] {
                 add_scaled(&mut nodes[node][GROUND], 1.0, matrix);
             }

@@ -15,6 +15,7 @@ mod description;
 mod elimination;
 mod equilibrium;
 mod error;
+mod fairleads;
 mod grounded;
 mod hanging;
 mod line;
@@ -31,6 +32,7 @@ pub use description::{
     MooringRod, RodEnd,
 };
 pub use error::{MooringError, MooringItem};
+pub(crate) use fairleads::Fairlead;
 pub use pose::Pose;
 pub use state::{BodyState, LineState, MooringLoad, MooringState, MooringWorkspace};
 pub use system::Mooring;

@@ -2,20 +2,15 @@
 
 use super::part::{Part, fields};
 use crate::mooring::{MooringDescription, MooringItem};
-use crate::tower::{Foundation, MooringLines, Place, TowerDescription};
+use crate::tower::{MooringLines, Place, TowerDescription};
 
 fn lines(description: &TowerDescription) -> Option<&MooringLines> {
-    match &description.foundation {
-        Foundation::Floating(platform) => platform.mooring_lines.as_deref(),
-        _ => None,
-    }
+    description.foundation.floating()?.mooring_lines.as_deref()
 }
 
 fn lines_mut(description: &mut TowerDescription) -> Option<&mut MooringLines> {
-    match &mut description.foundation {
-        Foundation::Floating(platform) => platform.mooring_lines.as_deref_mut(),
-        _ => None,
-    }
+    let platform = description.foundation.floating_mut()?;
+    platform.mooring_lines.as_deref_mut()
 }
 
 fn moored(description: &TowerDescription) -> Option<&MooringDescription> {

@@ -3,7 +3,7 @@
 use super::part::{Indices, Key, Part, fields, is_there};
 use super::table::Table;
 use crate::inputs::{Inputs, Nature, every_input};
-use crate::tower::{Foundation, Place, Planes, TowerDescription, Water, Wires};
+use crate::tower::{Place, Planes, TowerDescription, Water, Wires};
 
 /// `[[soil]]`.
 pub(super) static SOIL: Part = Part {
@@ -88,7 +88,7 @@ pub(super) static GRAVITY: Part = Part {
         set: |d, _, value| {
             let before = std::mem::replace(&mut d.gravity_m_per_s2, value);
             // Lines of a platform hang in the same gravity, unless they have their own.
-            if let Foundation::Floating(platform) = &mut d.foundation
+            if let Some(platform) = d.foundation.floating_mut()
                 && let Some(lines) = &mut platform.mooring_lines
                 && lines.description.gravity_m_per_s2 == before
             {

@@ -6,18 +6,17 @@
 use super::{Derivative, Sensitivities, SensitivityError};
 use crate::parameter::Change;
 use crate::solve::{Solver, slopes};
-use crate::tower::{Foundation, Tower, TowerDescription};
+use crate::tower::{Tower, TowerDescription};
 
 /// The description with the added mass held at an angular frequency (rad/s), if it depends on
 /// frequency.
 pub(super) fn held(description: &TowerDescription, frequency: f64) -> Option<TowerDescription> {
-    let platform = description.foundation.platform()?;
+    let platform = description.foundation.floating()?;
     platform.added_mass_by_frequency.as_ref()?;
     let held = platform.with_added_mass_at(frequency);
-    Some(TowerDescription {
-        foundation: Foundation::Floating(Box::new(held)),
-        ..description.clone()
-    })
+    let mut description = description.clone();
+    *description.foundation.floating_mut()? = held;
+    Some(description)
 }
 
 /// The derivatives of each mode with the added mass of its own frequency.

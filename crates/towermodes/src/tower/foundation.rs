@@ -1,19 +1,16 @@
 //! The foundation of a tower as its user describes it.
 
 use std::borrow::{Borrow, BorrowMut};
-use std::sync::Arc;
 
 use super::closed_form::{
     CircularFooting, ClosedForm, HalfSpace, Monopile, RectangularFooting, SuctionCaisson,
     WinklerPile,
 };
 use super::frame::FrameFoundation;
-use super::parts::added_mass::AddedMassTable;
+use super::parts::floating_platform::FloatingPlatform;
 use super::parts::foundation_springs::FoundationSprings;
-use super::parts::inertia::Inertia;
-use super::parts::mooring_lines::MooringLines;
 use crate::inputs::Inputs;
-use crate::space::{SpatialMatrix, add_scaled};
+use crate::space::SpatialMatrix;
 
 /// The support of the lowest station.
 ///
@@ -164,6 +161,22 @@ impl Foundation {
         }
     }
 
+    /// What carries the tower afloat as one rigid body: a floating platform, or a frame that
+    /// [floats](FrameFoundation::restoring).
+    pub fn floating(&self) -> Option<&FloatingPlatform> {
+        let of_frame = || Some(&self.frame()?.restoring.as_ref()?.platform);
+        self.platform().or_else(of_frame)
+    }
+
+    /// The same, to change it.
+    pub fn floating_mut(&mut self) -> Option<&mut FloatingPlatform> {
+        match self {
+            Self::Floating(platform) => Some(platform),
+            Self::Frame(frame) => Some(&mut frame.restoring.as_mut()?.platform),
+            _ => None,
+        }
+    }
+
     /// The stiffness that follows from the dimensions and the soil of a foundation that is given by
     /// these, as in [`StiffnessFoundation`]; none for the others.
     pub fn derived_stiffness(&self) -> Option<SpatialMatrix> {
@@ -205,76 +218,5 @@ impl StiffnessFoundation {
         };
         let stiffness = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
         (moves, stiffness)
-    }
-}
-
-/// A matrix for the motion (x, y, z, rotation about x, y, z) of a point on the tower's axis.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct ReferredMatrix {
-    /// The matrix.
-    pub matrix: SpatialMatrix,
-    /// Height of the point in the datum of the stations, m.
-    pub height_m: f64,
-}
-
-/// A rigid platform that floats and carries the tower's base.
-///
-/// Slightly asymmetric matrices are symmetrized, with a warning.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct FloatingPlatform {
-    /// Mass with ballast, kg.
-    pub mass_kg: f64,
-    /// Centre of mass, m: x and y from the tower's axis, z in the datum of the stations.
-    pub center_m: [f64; 3],
-    /// Inertia about the centre of mass, kg m².
-    pub inertia_kg_m2: Inertia,
-    /// Hydrodynamic added mass: kg, kg m, kg m².
-    pub added_mass: ReferredMatrix,
-    /// Added mass that depends on frequency, beside the constant one and about the same point.
-    pub added_mass_by_frequency: Option<Arc<AddedMassTable>>,
-    /// Hydrostatic stiffness of water plane and buoyancy: N/m, N, N m. The gravity part
-    /// is that of gravity.
-    pub hydrostatic: ReferredMatrix,
-    /// The buoyancy at the reference position, for the
-    /// [static balance](crate::tower::Tower::static_balance); no frequency at the reference
-    /// position depends on it.
-    pub buoyancy: Option<Buoyancy>,
-    /// Stiffness of the moorings that is given as a matrix: N/m, N, N m.
-    pub mooring: ReferredMatrix,
-    /// Mooring lines, whose stiffness is added to the matrix.
-    pub mooring_lines: Option<Box<MooringLines>>,
-    /// Whether the lines have their stiffness at the position in which weights, buoyancy and lines
-    /// are in balance, instead of the reference position. It needs the buoyancy.
-    pub at_equilibrium: bool,
-}
-
-/// The upward force of the water on a floating platform at its reference position.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Buoyancy {
-    /// Force ρ g V, N. The vertical force of moorings that are given as a matrix belongs to it too.
-    pub force_n: f64,
-    /// Where it acts, m: x and y from the tower's axis. Its height is part of the
-    /// [hydrostatic stiffness](FloatingPlatform::hydrostatic).
-    pub center_m: [f64; 2],
-}
-
-impl FloatingPlatform {
-    /// The added mass at an angular frequency (rad/s), constant or not.
-    pub fn added_mass_at(&self, frequency: f64) -> ReferredMatrix {
-        let mut added = self.added_mass;
-        if let Some(table) = &self.added_mass_by_frequency {
-            add_scaled(&mut added.matrix, 1.0, &table.at(frequency));
-        }
-        added
-    }
-
-    /// The same platform with the constant added mass that it has at an angular frequency (rad/s).
-    #[must_use]
-    pub fn with_added_mass_at(&self, frequency: f64) -> Self {
-        Self {
-            added_mass: self.added_mass_at(frequency),
-            added_mass_by_frequency: None,
-            ..self.clone()
-        }
     }
 }

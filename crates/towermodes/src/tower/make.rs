@@ -5,6 +5,7 @@ use super::description::TowerDescription;
 use super::error::{Place, Problem, TowerError};
 use super::floating::afloat::Afloat;
 use super::foundation::Foundation;
+use super::frame::FrameFoundation;
 use super::ground::{GroundPlan, with_rows};
 use super::model::{InGround, Tower};
 use super::name::printable;
@@ -96,13 +97,22 @@ impl Tower {
         let carried_kg = mass_kg + description.rna.mass_kg;
         let afloat = Afloat::at_rest(description, &pieces);
         let linear = afloat.as_ref().and_then(|afloat| afloat.linear.as_ref());
-        let base = match linear {
-            Some(platform) => Base::afloat(platform, base_m, carried_kg),
+        let frame = held_frame(description, afloat.as_ref());
+        let platform = linear.or(description.foundation.floating());
+        // On a frame that floats, its joints have all but this.
+        let riding = platform.map(|platform| match &frame {
+            Some(_) => platform.added_mass_alone(),
+            None => platform.clone(),
+        });
+        let base = match &riding {
+            Some(platform) => Base {
+                on_frame: frame.is_some(),
+                ..Base::afloat(platform, base_m, carried_kg)
+            },
             None => Base::new(&description.foundation, base_m, carried_kg),
         };
-        let platform = linear.or(description.foundation.platform());
-        let inertia_by_frequency = platform
-            .and_then(|platform| InertiaByFrequency::of(platform, base_m))
+        let inertia_by_frequency = riding
+            .and_then(|platform| InertiaByFrequency::of(&platform, base_m))
             .map(Box::new);
         let by_frequency = inertia_by_frequency.iter();
         let by_frequency = by_frequency.flat_map(|by_frequency| by_frequency.matrices());
@@ -118,7 +128,6 @@ impl Tower {
             && matrices.clone().all(independent::planes_are_equal);
         let independent = independent::independent_motions(matrices);
         let is_uncoupled = independent.len() == Motion::ALL.len();
-        let frame = description.foundation.frame().cloned().map(Box::new);
         let independent = match &frame {
             Some(_) => vec![Motions::all()],
             None => possible(independent, &pieces, &base),
@@ -161,6 +170,18 @@ impl Tower {
     pub fn rotor_warnings(&self, rotor: &Rotor) -> Vec<Warning> {
         rotor_plausibility(self, rotor)
     }
+}
+
+/// The frame of a tower, held by water and lines if it floats.
+fn held_frame(
+    description: &TowerDescription,
+    afloat: Option<&Afloat>,
+) -> Option<Box<FrameFoundation>> {
+    let mut frame = description.foundation.frame()?.clone();
+    if let Some(afloat) = afloat {
+        afloat.hold(&mut frame);
+    }
+    Some(Box::new(frame))
 }
 
 /// The sets without the motions that nothing can make: neither the tower deforms so nor its base

@@ -27,9 +27,7 @@ pub use description::{PointMass, PropertyStation, Rna, Station, TowerDescription
 pub use error::{FreeMotions, Place, Problem, TowerError};
 pub use floating::balance::{EquilibriumPose, StaticBalance};
 pub use floating::mistake::EquilibriumError;
-pub use foundation::{
-    Buoyancy, FloatingPlatform, Foundation, ReferredMatrix, StiffnessFoundation, Support,
-};
+pub use foundation::{Foundation, StiffnessFoundation, Support};
 pub use ground::{
     ApiEdition, AxialModel, Clay, Ground, GroundLayer, LayerSoil, PyRow, Rock, Sand, Scour,
     ShearModulus, SoilModel,
@@ -39,6 +37,7 @@ pub use name::{is_printable, printable};
 pub use parts::added_mass::AddedMassTable;
 pub use parts::damping::{Damping, LossFactors, RotorAerodynamics};
 pub use parts::drivetrain::Drivetrain;
+pub use parts::floating_platform::{Buoyancy, FloatingPlatform, ReferredMatrix};
 pub use parts::foundation_springs::FoundationSprings;
 pub use parts::inertia::Inertia;
 pub use parts::material::Material;

@@ -88,6 +88,14 @@ fn at(key: &'static str) -> Place {
     Place::Foundation { key }
 }
 
+/// Whether the foundation is of type "floating": a platform, or what holds a substructure afloat.
+pub(super) fn floats(root: &Table<'_>) -> bool {
+    let foundation = root.get("foundation");
+    let table = foundation.and_then(|value| value.get_ref().as_table());
+    let kind = table.and_then(|table| table.get("type"));
+    kind.and_then(|kind| kind.get_ref().as_str()) == Some(floating::KIND.name)
+}
+
 /// The foundation; clamped by default.
 pub(super) fn foundation(root: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {
     let Some(value) = root.get("foundation") else {

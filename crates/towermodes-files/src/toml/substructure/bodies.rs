@@ -142,28 +142,50 @@ pub(super) fn masses(
     })
 }
 
+/// A matrix on a joint.
+type OnJoint = (usize, SpatialMatrix);
+
 /// The added masses on joints.
 pub(super) fn added_masses(
     table: &Table<'_>,
     joints: &Names,
     reading: &mut Reading,
-) -> Option<Vec<(usize, SpatialMatrix)>> {
-    every_table(
-        table,
-        "added_mass",
-        "added mass",
-        reading,
-        |index, value, reading| {
-            reading.remember(at(FramePart::AddedMass(index)), value.span());
-            let schema = &schema::SUBSTRUCTURE_ADDED_MASS;
-            let table = Table::of(value, schema.name, schema, reading)?;
-            let joint = joint(&table, joints, reading);
-            let matrix = table
-                .require("matrix", "six rows of six: kg, kg m, kg m2", reading)
-                .and_then(|value| matrix(value, "matrix", reading, number));
-            Some((joint?, matrix?))
-        },
-    )
+) -> Option<Vec<OnJoint>> {
+    let (key, what) = ("added_mass", "added mass");
+    every_table(table, key, what, reading, |index, value, reading| {
+        reading.remember(at(FramePart::AddedMass(index)), value.span());
+        let schema = &schema::SUBSTRUCTURE_ADDED_MASS;
+        let table = Table::of(value, schema.name, schema, reading)?;
+        on_joint(&table, joints, "kg, kg m, kg m2", reading)
+    })
+}
+
+/// The stiffness of water planes on joints.
+pub(super) fn water_planes(
+    table: &Table<'_>,
+    joints: &Names,
+    reading: &mut Reading,
+) -> Option<Vec<OnJoint>> {
+    let (key, what) = ("water_plane", "water plane");
+    every_table(table, key, what, reading, |_, value, reading| {
+        let schema = &schema::SUBSTRUCTURE_WATER_PLANE;
+        let table = Table::of(value, schema.name, schema, reading)?;
+        on_joint(&table, joints, "N/m, N, N m", reading)
+    })
+}
+
+fn on_joint(
+    table: &Table<'_>,
+    joints: &Names,
+    units: &str,
+    reading: &mut Reading,
+) -> Option<OnJoint> {
+    let joint = joint(table, joints, reading);
+    let hint = format!("six rows of six: {units}");
+    let matrix = table
+        .require("matrix", &hint, reading)
+        .and_then(|value| matrix(value, "matrix", reading, number));
+    Some((joint?, matrix?))
 }
 
 /// The inertia on points of members.

@@ -8,9 +8,12 @@ mod members;
 
 use towermodes::Place;
 use towermodes::frame::{
-    Frame, FrameDescription, FrameError, FrameFoundation, FramePart, MembersInWater, Transition,
+    Frame, FrameDescription, FrameError, FrameFoundation, FramePart, MembersInWater, Restoring,
+    Transition,
 };
+use towermodes::space::SpatialMatrix;
 
+use super::foundation::floats;
 use super::schema;
 use super::tables::materials::Materials;
 use super::text::names::Names;
@@ -35,9 +38,19 @@ pub(super) fn substructure(
         return Some(None);
     };
     reading.remember(at(FramePart::Whole), value.span());
-    let hint = "the substructure is what the tower stands on: keep one of the two";
-    root.refuse_unused("foundation", "beside [substructure]", hint, reading);
     let table = Table::of(value, "[substructure]", &schema::SUBSTRUCTURE, reading)?;
+    let floats = floats(root);
+    if !floats {
+        let hint = "the substructure is what the tower stands on: keep one of the two, or give a foundation of type \"floating\" for a substructure that floats";
+        root.refuse_unused("foundation", "beside [substructure]", hint, reading);
+        let hint = "only a substructure that floats has water planes: give [foundation] with type = \"floating\"";
+        table.refuse_unused(
+            "water_plane",
+            "without a floating foundation",
+            hint,
+            reading,
+        );
+    }
     let read = match table.get("file") {
         Some(path) => file::frame(&table, path, reading),
         None => listed(&table, materials, reading),
@@ -66,6 +79,11 @@ pub(super) fn substructure(
         flooded: read.flooded,
         growth: growth?,
     };
+    // The platform is that of `[foundation]`.
+    foundation.restoring = floats.then(|| Restoring {
+        water_planes: read.water_planes,
+        ..Restoring::default()
+    });
     Some(Some(foundation))
 }
 
@@ -75,6 +93,7 @@ struct Read {
     description: FrameDescription,
     materials: Vec<Option<usize>>,
     flooded: Vec<usize>,
+    water_planes: Vec<(usize, SpatialMatrix)>,
 }
 
 /// Refuses what no frame can have, at its place.
@@ -99,6 +118,7 @@ fn listed(table: &Table<'_>, materials: Option<&Materials>, reading: &mut Readin
     let supports = bodies::supports(table, &names, reading);
     let masses = bodies::masses(table, &names, reading);
     let added_masses = bodies::added_masses(table, &names, reading);
+    let water_planes = bodies::water_planes(table, &names, reading);
     let transition = transition(table, &names, reading);
     let names = match &members {
         Some(members) => Names::of("member", members.iter().map(|(member, _)| &*member.name)),
@@ -122,6 +142,7 @@ fn listed(table: &Table<'_>, materials: Option<&Materials>, reading: &mut Readin
         },
         materials,
         flooded: flooded?,
+        water_planes: water_planes?,
     })
 }
 

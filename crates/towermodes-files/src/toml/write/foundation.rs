@@ -26,17 +26,18 @@ pub(super) fn foundation(description: &TowerDescription, writing: &mut Writing) 
             kind("springs", &schema::SPRINGS, writing);
             values(springs, writing);
         }
-        Support::Floating(platform) => {
-            floating(platform, writing);
-            if let Some(lines) = &platform.mooring_lines {
-                mooring(lines, &description.part_names, writing);
-            }
-        }
+        Support::Floating(_) => {}
         Support::Frame(frame) => substructure(frame, &MaterialNames::of(description), writing),
         Support::Form(form) => {
             let name = form.kind().name;
             kind(name, schema::closed_form(name), writing);
             values(form, writing);
+        }
+    }
+    if let Some(platform) = description.foundation.floating() {
+        floating(platform, writing);
+        if let Some(lines) = &platform.mooring_lines {
+            mooring(lines, &description.part_names, writing);
         }
     }
 }

@@ -77,9 +77,6 @@ pub(super) fn substructure(
     if foundation.buoyancy_on_members {
         writing.value("buoyancy_on_members", "true");
     }
-    if foundation.restoring.is_some() {
-        writing.note("the stiffness of buoyancy, weights and moorings of a substructure that floats: a tower file has no place for it");
-    }
     let flooded = &foundation.in_water.flooded;
     if !flooded.is_empty() {
         let names = flooded.iter().map(|member| &*frame.members[*member].name);
@@ -97,6 +94,9 @@ pub(super) fn substructure(
     });
     rows("member", members, writing);
     others(frame, writing);
+    if let Some(restoring) = &foundation.restoring {
+        on_joints("water_plane", &restoring.water_planes, frame, writing);
+    }
     if foundation.platform != RigidBody::default() {
         writing.section(&schema::SUBSTRUCTURE_PLATFORM);
         writing.number("mass", foundation.platform.mass_kg);
@@ -143,12 +143,7 @@ fn others(frame: &FrameDescription, writing: &mut Writing) {
         cells
     });
     rows("mass", masses, writing);
-    let added = frame.added_masses.iter().map(|(joint, entries)| {
-        let mut cells = vec![format!("joint = {}", name(*joint))];
-        matrix("matrix", entries, &mut cells);
-        cells
-    });
-    rows("added_mass", added, writing);
+    on_joints("added_mass", &frame.added_masses, frame, writing);
     let riders = frame.riders.iter().map(|rider| {
         let mut cells = vec![
             format!("member = {}", quoted(&frame.members[rider.member].name)),
@@ -158,6 +153,21 @@ fn others(frame: &FrameDescription, writing: &mut Writing) {
         cells
     });
     rows("rider", riders, writing);
+}
+
+/// Matrices on joints.
+fn on_joints(
+    key: &str,
+    matrices: &[(usize, SpatialMatrix)],
+    frame: &FrameDescription,
+    writing: &mut Writing,
+) {
+    let cells = matrices.iter().map(|(joint, entries)| {
+        let mut cells = vec![format!("joint = {}", quoted(&frame.joints[*joint].name))];
+        matrix("matrix", entries, &mut cells);
+        cells
+    });
+    rows(key, cells, writing);
 }
 
 /// Whether a support only clamps its joint.

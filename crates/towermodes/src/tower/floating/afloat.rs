@@ -1,7 +1,9 @@
 //! A floating tower as one rigid body under weights and buoyancy.
 
 use super::super::description::TowerDescription;
-use super::super::foundation::{FloatingPlatform, ReferredMatrix};
+use super::super::frame::FrameFoundation;
+use super::super::parts::floating_platform::{FloatingPlatform, ReferredMatrix};
+use super::super::parts::rigid_body::RigidBody;
 use super::super::pieces::integrals::weight_integrals;
 use super::super::pieces::piece::Piece;
 use super::super::support::base::symmetrized;
@@ -41,11 +43,14 @@ pub(super) struct Loads {
 impl Afloat {
     /// The tower of a description with its pieces at its reference position, if it floats.
     pub(super) fn of(description: &TowerDescription, pieces: &[Piece]) -> Option<Self> {
-        let platform = description.foundation.platform()?;
+        let mut platform = description.foundation.floating()?.clone();
+        if let Some(frame) = description.foundation.frame() {
+            carry_transition_piece(&mut platform, frame);
+        }
         let top_m = pieces.last()?.top_m;
         let [x, y, z] = description.rna.center_m;
         Some(Self {
-            platform: platform.clone(),
+            platform,
             gravity_m_per_s2: description.gravity_m_per_s2,
             tower: tower(description, pieces),
             rna: Mass {
@@ -76,6 +81,20 @@ impl Afloat {
         }
     }
 
+    /// Holds a frame that floats by its water and by the lines where they have their stiffness.
+    pub(in crate::tower) fn hold(&self, frame: &mut FrameFoundation) {
+        let pose = match &self.at {
+            Some(Ok(pose)) => *pose,
+            _ => Pose::default(),
+        };
+        // The lines were checked; a neighbour beyond the last that they can reach has none.
+        let lines = self.platform.mooring_lines.as_ref();
+        let fairleads = lines.map(|lines| lines.fairleads(self.reference_m(), &pose));
+        let fairleads = fairleads.and_then(Result::ok).unwrap_or_default();
+        let linear = self.linear.as_ref().unwrap_or(&self.platform);
+        frame.hold(linear, &fairleads, self.gravity_m_per_s2);
+    }
+
     pub(super) fn platform_mass(&self) -> Mass {
         Mass {
             mass_kg: self.platform.mass_kg,
@@ -103,6 +122,24 @@ impl Afloat {
         }
         Some(loads)
     }
+}
+
+/// Adds the body of the transition piece to the mass of a frame that floats.
+fn carry_transition_piece(platform: &mut FloatingPlatform, frame: &FrameFoundation) {
+    let [x, y, z] = frame.platform.center_m;
+    let [.., reference_m] = frame.reference_m();
+    let whole = RigidBody::combined(&[
+        RigidBody {
+            mass_kg: platform.mass_kg,
+            center_m: platform.center_m,
+            ..RigidBody::default()
+        },
+        RigidBody {
+            center_m: [x, y, z + reference_m],
+            ..frame.platform
+        },
+    ]);
+    (platform.mass_kg, platform.center_m) = (whole.mass_kg, whole.center_m);
 }
 
 /// The tower with its point masses.

@@ -1,8 +1,8 @@
 //! The static balance of a floating tower.
 
 use super::super::description::TowerDescription;
-use super::super::foundation::FloatingPlatform;
 use super::super::model::Tower;
+use super::super::parts::floating_platform::FloatingPlatform;
 use super::super::pieces::piece::Piece;
 use super::afloat::Afloat;
 use super::equilibrium::equilibrium;

@@ -7,7 +7,7 @@ use super::description::FrameDescription;
 use super::error::{FrameError, FramePlace, FrameProblem};
 use super::in_water::MembersInWater;
 use super::member::MemberKind;
-use super::restoring::Restoring;
+use super::restoring::{Held, Restoring};
 use super::validate::Frame;
 
 /// A frame that carries a tower on its transition piece.
@@ -33,6 +33,8 @@ pub struct FrameFoundation {
     pub in_water: MembersInWater,
     /// What holds the frame if it floats; none if its supports do.
     pub restoring: Option<Restoring>,
+    /// The stiffness that holds the frame of a tower, if it floats.
+    pub(crate) held: Option<Held>,
     reference_m: [f64; 3],
 }
 
@@ -53,6 +55,7 @@ impl FrameFoundation {
                 materials: Vec::new(),
                 in_water: MembersInWater::default(),
                 restoring: None,
+                held: None,
             }),
             None => Err(FrameError {
                 place: FramePlace::Transition,
@@ -65,9 +68,9 @@ impl FrameFoundation {
     /// that of the buoyancy's stiffness its entries and theirs add up.
     pub(crate) fn pivot_m(&self) -> f64 {
         let [_, _, reference_m] = self.reference_m;
-        self.restoring
-            .as_ref()
-            .map_or(reference_m, |restoring| restoring.height_m)
+        self.restoring.as_ref().map_or(reference_m, |restoring| {
+            restoring.platform.hydrostatic.height_m
+        })
     }
 
     /// Gravity for the forces of members at rest, m/s²: afloat none, because buoyancy carries the

@@ -1,8 +1,10 @@
 //! The mass of a frame by what it is.
 
 use super::coat::{CoatKind, FrameCoat, Substance};
-use super::member::FrameMember;
+use super::description::FrameDescription;
+use super::member::{FrameMember, MemberKind};
 use super::validate::Frame;
+use crate::tower::parts::rigid_body::RigidBody;
 
 /// The mass of a frame by what it is, kg. All but the last are that of the frame.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -39,6 +41,57 @@ impl Frame {
             masses.add(member, self.length_m(member), self.member_mass_kg(member));
         }
         masses
+    }
+
+    /// The mass of members and of masses on joints, and its centre (m), as a body without size. It
+    /// is that of members without growth and filling.
+    pub fn body(&self) -> RigidBody {
+        let FrameDescription {
+            joints,
+            members,
+            masses,
+            ..
+        } = self.description();
+        let on_joint = |(joint, body): &(usize, RigidBody)| {
+            let at_m = joints[*joint].position_m;
+            point(
+                body.mass_kg,
+                std::array::from_fn(|i| at_m[i] + body.center_m[i]),
+            )
+        };
+        let of_members = members.iter().map(|member| self.body_of(member));
+        let all: Vec<RigidBody> = of_members.chain(masses.iter().map(on_joint)).collect();
+        let whole = RigidBody::combined(&all);
+        point(whole.mass_kg, whole.center_m)
+    }
+
+    /// The mass of a member and its centre.
+    fn body_of(&self, member: &FrameMember) -> RigidBody {
+        let [from_m, to_m] = member
+            .joints
+            .map(|j| self.description().joints[j].position_m);
+        let (mass_kg, fraction) = match &member.kind {
+            // The mass per length is quadratic: Simpson's rule is exact for its moment too.
+            MemberKind::Beam { ends, material } => {
+                let [a, b, c] = [0.0, 0.5, 1.0].map(|s| ends.at(s, material).masses.mass_kg_per_m);
+                let sum = a + 4.0 * b + c;
+                let fraction = if sum > 0.0 { (2.0 * b + c) / sum } else { 0.5 };
+                (self.length_m(member) * sum / 6.0, fraction)
+            }
+            MemberKind::Cable { .. } | MemberKind::Rigid { .. } | MemberKind::Spring(_) => {
+                (self.member_mass_kg(member), 0.5)
+            }
+        };
+        let at_m = |i: usize| from_m[i] + fraction * (to_m[i] - from_m[i]);
+        point(mass_kg, std::array::from_fn(at_m))
+    }
+}
+
+fn point(mass_kg: f64, center_m: [f64; 3]) -> RigidBody {
+    RigidBody {
+        mass_kg,
+        center_m,
+        ..RigidBody::default()
     }
 }
 

@@ -1,5 +1,6 @@
 //! Space frames: joints and members of a jacket, tripod or monopile, as a user describes them.
 
+mod afloat;
 mod axes;
 mod coat;
 mod description;

@@ -13,9 +13,9 @@ impl FrameFoundation {
     /// the water that holds a frame afloat.
     pub(in crate::tower) fn remove_platform_and_supports(&mut self) {
         self.platform = RigidBody::default();
-        if let Some(restoring) = &mut self.restoring {
-            restoring.matrix = SpatialMatrix::default();
-            restoring.on_joints.clear();
+        if let Some(held) = &mut self.held {
+            held.water = SpatialMatrix::default();
+            held.water_on_joints.clear();
         }
         for support in &mut self.numbers_mut().supports {
             (support.stiffness, support.inertia) =
@@ -25,9 +25,9 @@ impl FrameFoundation {
 
     /// Removes the moorings of a frame that floats.
     pub(in crate::tower) fn remove_moorings(&mut self) {
-        if let Some(restoring) = &mut self.restoring {
-            restoring.moorings = SpatialMatrix::default();
-            restoring.moorings_on_joints.clear();
+        if let Some(held) = &mut self.held {
+            held.moorings = SpatialMatrix::default();
+            held.moorings_on_joints.clear();
         }
     }
 

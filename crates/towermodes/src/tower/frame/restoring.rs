@@ -1,39 +1,61 @@
 //! What holds a frame that floats.
 
 use crate::space::SpatialMatrix;
+use crate::tower::parts::floating_platform::FloatingPlatform;
 
-/// The stiffness of buoyancy, water plane, weights and moorings of a frame that floats.
+type OnJoint = (usize, SpatialMatrix);
+
+/// What holds a frame that floats: water, weights and moorings.
 ///
-/// Of both the water and the moorings, what acts at a place of the frame is on a joint near it; the
-/// rest moves with the transition piece. For motions of the frame as a rigid body the sum is that
-/// of the rigid platform. The weights of the tower and of the transition piece's own body are not
-/// part of it: they turn over about the point at `height_m`, as on a
-/// [`FloatingPlatform`](crate::FloatingPlatform).
+/// What acts at a place of the frame is on a joint near it: water planes, and lines between an
+/// anchor and the frame. The rest moves with the transition piece. For motions of the frame as a
+/// rigid body the sum is that of the rigid platform.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Restoring {
-    /// Stiffness for the motion (x, y, z, rotation about x, y, z) of a point on the axis of the
-    /// tower that moves with the transition piece: N/m, N, N m.
-    pub matrix: SpatialMatrix,
-    /// Height of this point, m.
-    pub height_m: f64,
-    /// Stiffness for the motion of joints: the number of the joint from 0, and the matrix.
-    pub on_joints: Vec<(usize, SpatialMatrix)>,
-    /// Stiffness of the moorings for the motion of the same point.
-    pub moorings: SpatialMatrix,
-    /// Stiffness of the moorings for the motion of joints.
-    pub moorings_on_joints: Vec<(usize, SpatialMatrix)>,
+    /// The floater as one rigid body, without the tower and without the body of the transition
+    /// piece. Its mass and centre are those of the members with growth and filling; only its
+    /// weight, its stiffness, its moorings and its buoyancy are used. Its added mass, beside that of
+    /// the members, moves with the transition piece. The weights of the tower and of the transition
+    /// piece turn over about the height of its hydrostatic stiffness.
+    pub platform: FloatingPlatform,
+    /// The part of its hydrostatic stiffness that acts on joints: the number of the joint from 0,
+    /// and the stiffness for its motion.
+    pub water_planes: Vec<(usize, SpatialMatrix)>,
 }
 
 impl Restoring {
-    /// All entries of all matrices.
-    pub(in crate::tower) fn entries(&self) -> impl Iterator<Item = f64> + '_ {
-        let on_joints = self.all_on_joints().map(|(_, matrix)| matrix);
-        let all = [&self.matrix, &self.moorings].into_iter().chain(on_joints);
-        all.flat_map(|matrix| matrix.iter().flatten().copied())
+    /// Whether neither water nor moorings hold anything.
+    pub(in crate::tower) fn holds_nothing(&self) -> bool {
+        let FloatingPlatform {
+            hydrostatic,
+            mooring,
+            mooring_lines,
+            ..
+        } = &self.platform;
+        let matrices = [hydrostatic, mooring].map(|referred| referred.matrix);
+        mooring_lines.is_none() && matrices == [SpatialMatrix::default(); 2]
     }
+}
 
+/// The stiffness of water, weights and moorings on a frame that floats, where it acts.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Held {
+    /// That of water and weights on the transition piece, for the motion of a point on the axis of
+    /// the tower.
+    pub(crate) water: SpatialMatrix,
+    /// The same on joints.
+    pub(crate) water_on_joints: Vec<OnJoint>,
+    /// That of moorings on the transition piece, for the motion of the same point.
+    pub(crate) moorings: SpatialMatrix,
+    /// The same on joints.
+    pub(crate) moorings_on_joints: Vec<OnJoint>,
+    /// Height of the point, m.
+    pub(crate) height_m: f64,
+}
+
+impl Held {
     /// The stiffness on joints, of water and moorings.
-    pub(crate) fn all_on_joints(&self) -> impl Iterator<Item = &(usize, SpatialMatrix)> {
-        self.on_joints.iter().chain(&self.moorings_on_joints)
+    pub(crate) fn on_joints(&self) -> impl Iterator<Item = &OnJoint> {
+        self.water_on_joints.iter().chain(&self.moorings_on_joints)
     }
 }

@@ -80,38 +80,6 @@ impl Frame {
         members.sum::<f64>() + masses.sum::<f64>() + soil.sum::<f64>()
     }
 
-    /// Moment of the mass of members and of masses on joints about z = 0, kg m, without growth and
-    /// filling of members.
-    pub fn mass_moment_kg_m(&self) -> f64 {
-        let FrameDescription {
-            joints,
-            members,
-            masses,
-            ..
-        } = &self.description;
-        let of_member = |member: &FrameMember| {
-            let [from_m, to_m] = member.joints.map(|joint| joints[joint].position_m[2]);
-            let length_m = self.length_m(member);
-            let middle_m = 0.5 * (from_m + to_m);
-            match &member.kind {
-                // The mass per length is quadratic: Simpson's rule is exact for its moment too.
-                MemberKind::Beam { ends, material } => {
-                    let at = |s| ends.at(s, material).masses.mass_kg_per_m;
-                    let sum = at(0.0) * from_m + 4.0 * at(0.5) * middle_m + at(1.0) * to_m;
-                    length_m * sum / 6.0
-                }
-                MemberKind::Cable { .. } | MemberKind::Rigid { .. } | MemberKind::Spring(_) => {
-                    self.member_mass_kg(member) * middle_m
-                }
-            }
-        };
-        let members = members.iter().map(of_member);
-        let masses = masses
-            .iter()
-            .map(|(joint, body)| body.mass_kg * (joints[*joint].position_m[2] + body.center_m[2]));
-        members.sum::<f64>() + masses.sum::<f64>()
-    }
-
     /// Whether any support has a stiffness, or any member soil around it.
     pub(crate) fn has_soil(&self) -> bool {
         let mut supports = self.description.supports.iter();

@@ -4,6 +4,7 @@
 pub(super) mod added_mass;
 pub(super) mod damping;
 pub(super) mod drivetrain;
+pub(super) mod floating_platform;
 pub(super) mod foundation_springs;
 pub(super) mod inertia;
 pub(super) mod material;

@@ -1,6 +1,6 @@
 //! The mooring lines of a floating platform.
 
-use crate::mooring::{Mooring, MooringDescription, MooringError, MooringLoad, Pose};
+use crate::mooring::{Fairlead, Mooring, MooringDescription, MooringError, MooringLoad, Pose};
 
 /// Mooring lines that hold a platform: at its reference position they have a force on it and a
 /// stiffness, both about the tower's axis.
@@ -27,9 +27,32 @@ impl MooringLines {
     }
 
     fn about(&self, z_m: f64) -> Result<Mooring, MooringError> {
-        let mut description = self.description.clone();
-        description.reference_m = [0.0, 0.0, z_m];
-        Mooring::new(description)
+        Mooring::new(self.described_about(z_m))
+    }
+
+    fn described_about(&self, z_m: f64) -> MooringDescription {
+        MooringDescription {
+            reference_m: [0.0, 0.0, z_m],
+            ..self.description.clone()
+        }
+    }
+
+    /// The fairleads of lines that hold the platform each by itself, at a pose of the point of the
+    /// tower's axis at a height; positions and height in the datum of the stations, m.
+    ///
+    /// # Errors
+    /// [`MooringError`] of a line.
+    pub(in crate::tower) fn fairleads(
+        &self,
+        height_m: f64,
+        pose: &Pose,
+    ) -> Result<Vec<Fairlead>, MooringError> {
+        let described = self.described_about(height_m - self.still_water_m);
+        let mut fairleads = described.fairleads(pose)?;
+        for fairlead in &mut fairleads {
+            fairlead.position_m[2] += self.still_water_m;
+        }
+        Ok(fairleads)
     }
 
     /// Their force on the platform at its reference position, and their stiffness, about the

@@ -5,7 +5,7 @@ use super::usual::Usual;
 use super::{Given, bodies, frequency_hz};
 use crate::mooring::Pose;
 use crate::space::SpatialMatrix;
-use crate::tower::foundation::{FloatingPlatform, ReferredMatrix};
+use crate::tower::parts::floating_platform::{FloatingPlatform, ReferredMatrix};
 use crate::tower::validate::largest_asymmetry;
 use crate::tower::{Ineffective, Warning};
 use crate::tower::{Place, Tower};
@@ -34,7 +34,7 @@ pub(super) fn check(
     own: &FloatingPlatform,
     warnings: &mut Vec<Warning>,
 ) {
-    lines(given, own, warnings);
+    at_rest(tower, given, own, warnings);
     // The lines were checked.
     let Some(platform) = &tower.linear_platform() else {
         return;
@@ -70,7 +70,6 @@ pub(super) fn check(
     }
     body(tower, platform, warnings);
     frequencies(tower, platform, warnings);
-    balance(tower, warnings);
     if own.at_equilibrium && own.mooring_lines.is_none() {
         let what = Ineffective::Without {
             key: "at_equilibrium",
@@ -80,6 +79,17 @@ pub(super) fn check(
         let site = at("at_equilibrium");
         warnings.push(Warning::NoEffect { site, what });
     }
+}
+
+/// Mooring lines at rest, and the balance with weights and buoyancy.
+pub(super) fn at_rest(
+    tower: &Tower,
+    given: &Given<'_>,
+    platform: &FloatingPlatform,
+    warnings: &mut Vec<Warning>,
+) {
+    lines(given, platform, warnings);
+    balance(tower, warnings);
 }
 
 /// Weights, buoyancy and lines that are out of balance.

@@ -28,7 +28,12 @@ const ABOVE: f64 = 0.005;
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
     match given.foundation.support() {
         Support::Clamped => {}
-        Support::Frame(foundation) => frame::check(tower, given, foundation, warnings),
+        Support::Frame(foundation) => {
+            frame::check(tower, given, foundation, warnings);
+            if let Some(restoring) = &foundation.restoring {
+                floating::at_rest(tower, given, &restoring.platform, warnings);
+            }
+        }
         Support::Form(form) => {
             if form.kind().contains_soil && has_soil(given) {
                 warnings.push(Warning::SoilTwice { site: at("type") });

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::super::foundation::FloatingPlatform;
 use super::super::parts::added_mass::AddedMassTable;
+use super::super::parts::floating_platform::FloatingPlatform;
 use super::base::{Base, symmetrized};
 use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
 use crate::symmetric::eigenpairs;

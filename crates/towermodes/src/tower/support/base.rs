@@ -1,10 +1,9 @@
 //! The lowest section of a tower: its free motions, its support, the inertia that moves with it.
 
 use super::super::attachment::spatial_inertia;
-use super::super::foundation::{
-    FloatingPlatform, Foundation, ReferredMatrix, StiffnessFoundation, Support,
-};
+use super::super::foundation::{Foundation, StiffnessFoundation, Support};
 use super::super::frame::FrameFoundation;
+use super::super::parts::floating_platform::{FloatingPlatform, ReferredMatrix};
 use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
 
 /// The base of a tower, for its motion (x, y, z, rotation about x, y, z).

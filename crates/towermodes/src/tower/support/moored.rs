@@ -1,6 +1,6 @@
 //! The stiffness of a platform's mooring lines, added to that of its matrix.
 
-use super::super::foundation::{FloatingPlatform, ReferredMatrix};
+use super::super::parts::floating_platform::{FloatingPlatform, ReferredMatrix};
 use crate::mooring::{MooringError, Pose};
 use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
 

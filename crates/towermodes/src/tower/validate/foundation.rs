@@ -1,5 +1,6 @@
 //! The checks of the foundation.
 
+use super::super::parts::floating_platform::FloatingPlatform;
 use super::super::parts::foundation_springs::FoundationSprings;
 use super::super::parts::mooring_lines::MooringLines;
 use super::super::support::base::Base;
@@ -12,7 +13,7 @@ use crate::symmetric::eigenpairs;
 use crate::tower::closed_form::ClosedForm;
 use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
-use crate::tower::foundation::{FloatingPlatform, Foundation, StiffnessFoundation, Support};
+use crate::tower::foundation::{Foundation, StiffnessFoundation, Support};
 use crate::tower::frame::{FrameFoundation, FramePart, FrameProblem};
 use crate::tower::parts::added_mass::AddedMassTable;
 
@@ -211,20 +212,21 @@ fn check_restoring(foundation: &FrameFoundation) -> Result<(), TowerError> {
     let Some(restoring) = &foundation.restoring else {
         return Ok(());
     };
-    let quantity = "the height that the stiffness of the buoyancy is about";
-    coordinate(place, quantity, restoring.height_m)?;
-    if let Some(value) = restoring.entries().find(|entry| !entry.is_finite()) {
-        let quantity = "the stiffness of buoyancy and moorings";
+    if restoring.holds_nothing() {
+        return error(place, Problem::WeightsWithoutBuoyancy);
+    }
+    check_platform(&restoring.platform)?;
+    let mut of_planes = restoring
+        .water_planes
+        .iter()
+        .flat_map(|plane| plane.1.iter().flatten());
+    if let Some(&value) = of_planes.find(|entry| !entry.is_finite()) {
+        let quantity = "the stiffness of water planes";
         return error(place, Problem::NotFinite { quantity, value });
     }
     let joints = foundation.frame.description().joints.len();
-    match restoring
-        .all_on_joints()
-        .find(|(joint, _)| *joint >= joints)
-    {
-        None if restoring.entries().all(|entry| entry == 0.0) => {
-            error(place, Problem::WeightsWithoutBuoyancy)
-        }
+    let mut planes = restoring.water_planes.iter();
+    match planes.find(|(joint, _)| *joint >= joints) {
         None => Ok(()),
         Some((joint, _)) => {
             let problem = FrameProblem::NoJoint {

@@ -3,7 +3,7 @@
 
 use crate::frame::{FrameBelow, FrameSolveError, ReducedFrame};
 use crate::scalar::{Complex, Scalar};
-use crate::space::SpatialMatrix;
+use crate::space::{SpatialMatrix, add_scaled};
 use crate::tower::{InertiaByFrequency, Tower};
 
 use super::machine_vectors::Phasors;
@@ -11,15 +11,12 @@ use super::machine_vectors::Phasors;
 /// The step, relative to the frequency, from which the slope of the added mass follows.
 const STEP: f64 = 1e-7;
 
-/// What is below the base of a tower.
+/// What is below the base of a tower, beyond what is in the base itself.
 #[derive(Debug, Clone)]
-pub(crate) enum Below {
-    /// All is in the base itself.
-    Nothing,
-    /// A frame.
-    Frame(Box<FrameBelow>),
-    /// Water around a floating platform.
-    Water(Box<Water>),
+pub(crate) struct Below {
+    frame: Option<Box<FrameBelow>>,
+    /// Water around a floating platform, or a frame that floats.
+    water: Option<Box<Water>>,
 }
 
 /// The added mass of a floating platform, beside that of its base, which is that at infinite
@@ -35,61 +32,69 @@ pub(crate) struct Water {
 impl Below {
     /// What a tower stands on, with elements of a degree.
     pub(super) fn new(tower: &Tower, degree: usize) -> Result<Self, FrameSolveError> {
-        if let Some(foundation) = tower.frame() {
+        let frame = tower.frame().map(|foundation| {
             let at = (tower.base_m(), tower.gravity_m_per_s2());
             let carried = tower.rigid_inertia(true);
-            let frame = FrameBelow::new(foundation, at, &carried, degree)?;
-            return Ok(Self::Frame(Box::new(frame)));
-        }
-        Ok(match tower.inertia_by_frequency() {
-            Some(by_frequency) => Self::Water(Box::new(Water {
-                by_frequency: by_frequency.clone(),
-                infinite: tower.base().inertia,
-                fixed: None,
-            })),
-            None => Self::Nothing,
+            FrameBelow::new(foundation, at, &carried, degree).map(Box::new)
+        });
+        let water = tower.inertia_by_frequency().map(|by_frequency| Water {
+            by_frequency: by_frequency.clone(),
+            infinite: tower.base().inertia,
+            fixed: None,
+        });
+        Ok(Self {
+            frame: frame.transpose()?,
+            water: water.map(Box::new),
         })
     }
 
     /// Number of coordinates.
     pub(super) fn degrees_of_freedom(&self) -> usize {
-        match self {
-            Self::Frame(frame) => frame.degrees_of_freedom(),
-            Self::Nothing | Self::Water(_) => 0,
-        }
+        let frame = self.frame.as_ref();
+        frame.map_or(0, |frame| frame.degrees_of_freedom())
     }
 
     /// What the base feels at a frequency (rad/s) with a coefficient of the inertia, −w² in H(w).
     pub(super) fn seen(&mut self, w: f64, inertia: f64) -> Option<ReducedFrame> {
-        match self {
-            Self::Nothing => None,
-            Self::Frame(frame) => Some(frame.seen_from_base(inertia)),
-            Self::Water(water) => Some(water.seen(w, inertia)),
-        }
+        let frame = self.frame.as_mut();
+        let of_frame = frame.map(|frame| frame.seen_from_base(inertia));
+        self.with_water(of_frame, (w, inertia))
     }
 
     /// The same of H(w), with its factors.
     pub(super) fn factorize(&mut self, w: f64) -> Option<ReducedFrame> {
-        match self {
-            Self::Nothing => None,
-            Self::Frame(frame) => Some(frame.factorize(-w * w)),
-            Self::Water(water) => Some(water.seen(w, -w * w)),
-        }
+        let frame = self.frame.as_mut();
+        let of_frame = frame.map(|frame| frame.factorize(-w * w));
+        self.with_water(of_frame, (w, -w * w))
+    }
+
+    /// A frame with the water around it.
+    fn with_water(
+        &self,
+        of_frame: Option<ReducedFrame>,
+        (w, inertia): (f64, f64),
+    ) -> Option<ReducedFrame> {
+        let Some(water) = &self.water else {
+            return of_frame;
+        };
+        let mut seen = of_frame.unwrap_or(ReducedFrame {
+            stiffness: SpatialMatrix::default(),
+            count: 0,
+        });
+        add_scaled(&mut seen.stiffness, inertia, &water.added(w));
+        Some(seen)
     }
 
     /// Eliminates its coordinates from a right side; returns the force on the base.
     pub(super) fn reduce(&mut self, right: &mut [Complex]) -> Phasors {
-        match self {
-            Self::Frame(frame) => frame.reduce(right),
-            Self::Nothing | Self::Water(_) => Phasors::default(),
-        }
+        let frame = self.frame.as_mut();
+        frame.map_or_else(Phasors::default, |frame| frame.reduce(right))
     }
 
     /// Finds its coordinates from the motion of the base.
     pub(super) fn substitute(&mut self, base: &Phasors, right: &mut [Complex]) {
-        match self {
-            Self::Frame(frame) => frame.substitute(base, right),
-            Self::Nothing | Self::Water(_) => {}
+        if let Some(frame) = &mut self.frame {
+            frame.substitute(base, right);
         }
     }
 
@@ -101,58 +106,60 @@ impl Below {
         base: &Phasors,
         (x, out): (&[Complex], &mut [Complex]),
     ) -> (Phasors, f64) {
-        match self {
-            Self::Nothing => (Phasors::default(), 0.0),
-            Self::Frame(frame) => {
-                let (force, mass) = frame.inertia_times(base, x, out);
-                let scaled = |force: Complex| force.times(-2.0 * w);
-                out.iter_mut().for_each(|own| *own = scaled(*own));
-                (force.map(scaled), mass)
-            }
-            Self::Water(water) => {
-                let (added, slope) = (water.added(w), water.slope(w));
-                let of = |matrix: &SpatialMatrix| {
-                    matrix.map(|row| row.iter().zip(base).map(|(a, x)| x.times(*a)).sum())
-                };
-                let (own, change): (Phasors, Phasors) = (of(&added), of(&slope));
-                let mass = base.iter().zip(&own).map(|(x, f)| (x.conj() * *f).re).sum();
-                let force = |i: usize| own[i].times(-2.0 * w) - change[i].times(w * w);
-                (std::array::from_fn(force), mass)
-            }
+        let (mut force, mut mass) = (Phasors::default(), 0.0);
+        if let Some(frame) = &mut self.frame {
+            let scaled = |force: Complex| force.times(-2.0 * w);
+            let (of_frame, own) = frame.inertia_times(base, x, out);
+            out.iter_mut().for_each(|own| *own = scaled(*own));
+            (force, mass) = (of_frame.map(scaled), own);
         }
+        if let Some(water) = &self.water {
+            let (of_water, own) = water.derivative(w, base);
+            force
+                .iter_mut()
+                .zip(of_water)
+                .for_each(|(sum, own)| *sum += own);
+            mass += own;
+        }
+        (force, mass)
     }
 
     /// Twice the elastic energies: by component of the motion of the base, and of its own motions.
     pub(crate) fn energies(&mut self, base: &Phasors, x: &[Complex]) -> ([f64; 6], f64) {
-        match self {
-            Self::Frame(frame) => frame.energies(base, x),
-            Self::Nothing | Self::Water(_) => Default::default(),
-        }
+        let frame = self.frame.as_mut();
+        frame.map_or_else(Default::default, |frame| frame.energies(base, x))
     }
 
     /// Coordinates of a vector whose squares are elastic energies.
     pub(crate) fn strains(&self, x: &[Complex]) -> Vec<Complex> {
-        match self {
-            Self::Frame(frame) => frame.strains(x).collect(),
-            Self::Nothing | Self::Water(_) => Vec::new(),
-        }
+        let frame = self.frame.iter();
+        frame.flat_map(|frame| frame.strains(x)).collect()
+    }
+
+    /// The inertia of a frame against motions of the base that it follows as a rigid body, without
+    /// what is in the base itself: kg, kg m, kg m².
+    pub(super) fn rigid_inertia(&mut self) -> SpatialMatrix {
+        let frame = self.frame.as_mut();
+        frame.map_or_else(SpatialMatrix::default, |frame| frame.rigid_inertia())
     }
 
     /// The water, if its added mass depends on the frequency.
     pub(crate) fn water(&mut self) -> Option<&mut Water> {
-        match self {
-            Self::Water(water) => Some(water),
-            Self::Nothing | Self::Frame(_) => None,
-        }
+        self.water.as_deref_mut()
     }
 }
 
 impl Water {
-    fn seen(&self, w: f64, inertia: f64) -> ReducedFrame {
-        ReducedFrame {
-            stiffness: self.added(w).map(|row| row.map(|entry| inertia * entry)),
-            count: 0,
-        }
+    /// The force H′ x on the base for its motion x, and xᴴ M x.
+    fn derivative(&self, w: f64, base: &Phasors) -> (Phasors, f64) {
+        let (added, slope) = (self.added(w), self.slope(w));
+        let of = |matrix: &SpatialMatrix| {
+            matrix.map(|row| row.iter().zip(base).map(|(a, x)| x.times(*a)).sum())
+        };
+        let (own, change): (Phasors, Phasors) = (of(&added), of(&slope));
+        let mass = base.iter().zip(&own).map(|(x, f)| (x.conj() * *f).re).sum();
+        let force = |i: usize| own[i].times(-2.0 * w) - change[i].times(w * w);
+        (std::array::from_fn(force), mass)
     }
 
     /// The inertia at a frequency less that at infinite frequency.

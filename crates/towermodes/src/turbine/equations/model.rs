@@ -13,6 +13,7 @@ use crate::beam::{BeamRecipe, BeamWorkspace, SpaceBeam, TopWorkspace, assemble_i
 use crate::elements::{Borders, Mesh};
 use crate::modes::RigidTower;
 use crate::rotor::reactionless;
+use crate::space::add_scaled;
 use crate::subsystem::{Coefficients, Subsystem};
 
 /// A motion slower than this, rad/s, a period of a week, is one that nothing resists: rounding
@@ -77,9 +78,12 @@ impl TurbineModel {
         if !is_finite {
             return Err(TurbineError::Overflow);
         }
-        let floats = tower.base().floats && tower.frame().is_none();
-        let below = Below::new(tower, mesh.tower_degree)?;
-        let platform = floats.then(|| RigidTower::new(&tower.rigid_inertia(true)));
+        let mut below = Below::new(tower, mesh.tower_degree)?;
+        let platform = tower.base().floats.then(|| {
+            let mut whole = tower.rigid_inertia(true);
+            add_scaled(&mut whole, 1.0, &below.rigid_inertia());
+            RigidTower::new(&whole)
+        });
         let mut model = Self {
             tower: beam,
             machine: Machine::new(machine, rotor),
