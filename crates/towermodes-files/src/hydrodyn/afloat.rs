@@ -12,8 +12,8 @@ use super::water_plane;
 use crate::note::Note;
 
 impl HydrodynInput {
-    /// What holds a frame that floats in this water, under gravity (m/s²), without moorings; of the
-    /// frame without water this is the mass and its centre.
+    /// What holds a frame that floats in this water, under gravity (m/s²), without moorings. The
+    /// structure is the mass of the frame without water, and its centre.
     pub(crate) fn restoring(
         &self,
         foundation: &FrameFoundation,

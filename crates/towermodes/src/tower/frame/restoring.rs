@@ -14,9 +14,9 @@ type OnJoint = (usize, SpatialMatrix);
 pub struct Restoring {
     /// The floater as one rigid body, without the tower and without the body of the transition
     /// piece. Its mass and centre are those of the members with growth and filling; only its
-    /// weight, its stiffness, its moorings and its buoyancy are used. Its added mass, beside that of
-    /// the members, moves with the transition piece. The weights of the tower and of the transition
-    /// piece turn over about the height of its hydrostatic stiffness.
+    /// weight, its stiffness, its moorings and its buoyancy are used. Its added mass, beside that
+    /// of the members, moves with the transition piece. The weights of the tower and of the
+    /// transition piece turn over about the height of its hydrostatic stiffness.
     pub platform: FloatingPlatform,
     /// The part of its hydrostatic stiffness that acts on joints: the number of the joint from 0,
     /// and the stiffness for its motion.
