@@ -63,9 +63,7 @@ impl Solver {
         }
         let mut solution = match options.added_mass.fixed() {
             Some(frequency) => solve(&tower.with_added_mass_at(frequency), options, workspace),
-            None => by_frequency::solve(tower, options, workspace, |tower, workspace| {
-                solve(tower, options, workspace)
-            }),
+            None => by_frequency::solve(tower, options, workspace, solve),
         }?;
         solution.added_mass = Some(options.added_mass);
         Ok(solution)

@@ -67,16 +67,17 @@ pub(super) fn solve_keeping_vectors(
     let options = &options.without_shapes();
     options.check()?;
     workspace.model.monitor.restart();
-    let mut solve =
-        |tower: &Tower, workspace: &mut Workspace| match options.method.converges_by_degree() {
+    let mut solve = |tower: &Tower, options: &Options, workspace: &mut Workspace| {
+        match options.method.converges_by_degree() {
             true => p_refinement::solve_frequencies(tower, options, workspace),
             false => solve_segments(tower, options, workspace, vectors),
-        };
+        }
+    };
     if !tower.has_added_mass_by_frequency() {
-        return solve(tower, workspace);
+        return solve(tower, options, workspace);
     }
     match options.added_mass.fixed() {
-        Some(frequency) => solve(&tower.with_added_mass_at(frequency), workspace),
+        Some(frequency) => solve(&tower.with_added_mass_at(frequency), options, workspace),
         None => by_frequency::frequencies(tower, options, workspace, solve),
     }
 }

@@ -71,11 +71,11 @@ pub(super) fn solve(
     tower: &Tower,
     options: &Options,
     workspace: &mut Workspace,
-    mut solve: impl FnMut(&Tower, &mut Workspace) -> Result<Solution, SolveError>,
+    mut solve: impl FnMut(&Tower, &Options, &mut Workspace) -> Result<Solution, SolveError>,
 ) -> Result<Solution, SolveError> {
     let mut statistics = Statistics::default();
-    let counted = |tower: &Tower, workspace: &mut Workspace| {
-        let solution = solve(tower, workspace)?;
+    let counted = |tower: &Tower, options: &Options, workspace: &mut Workspace| {
+        let solution = solve(tower, options, workspace)?;
         statistics += solution.statistics;
         Ok(solution)
     };
@@ -97,10 +97,10 @@ pub(super) fn frequencies(
     tower: &Tower,
     options: &Options,
     workspace: &mut Workspace,
-    mut solve: impl FnMut(&Tower, &mut Workspace) -> Result<(), SolveError>,
+    mut solve: impl FnMut(&Tower, &Options, &mut Workspace) -> Result<(), SolveError>,
 ) -> Result<(), SolveError> {
-    let listed = |tower: &Tower, workspace: &mut Workspace| {
-        solve(tower, workspace)?;
+    let listed = |tower: &Tower, options: &Options, workspace: &mut Workspace| {
+        solve(tower, options, workspace)?;
         Ok(workspace.frequencies.clone())
     };
     let (last, modes, certificate) = each(tower, options, workspace, listed)?;
@@ -132,23 +132,27 @@ fn each<L: Listed>(
     tower: &Tower,
     options: &Options,
     workspace: &mut Workspace,
-    mut solve: impl FnMut(&Tower, &mut Workspace) -> Result<L, SolveError>,
+    mut solve: impl FnMut(&Tower, &Options, &mut Workspace) -> Result<L, SolveError>,
 ) -> Result<Each<L>, SolveError> {
     let roots = roots(tower, options, workspace)?;
     let mut modes: Vec<L::OfMode> = Vec::with_capacity(roots.len());
     let listed = loop {
         let root = &roots[modes.len()];
-        let held = tower.with_added_mass_at(root.frequency);
-        // The names of the modes below are those of their own added mass.
-        workspace.naming.known = modes.iter().map(L::shares).collect();
-        let list = solve(&held, workspace);
-        workspace.naming.known.clear();
-        let list = list?;
         // Where the added mass is constant all modes above have it too.
         let last = match root.is_constant {
             true => roots.len(),
             false => modes.len() + 1,
         };
+        let up_to = Options {
+            modes: last,
+            ..options.clone()
+        };
+        let held = tower.with_added_mass_at(root.frequency);
+        // The names of the modes below are those of their own added mass.
+        workspace.naming.known = modes.iter().map(L::shares).collect();
+        let list = solve(&held, &up_to, workspace);
+        workspace.naming.known.clear();
+        let list = list?;
         let next = modes.len()..last;
         for (mode, root) in list.modes()[next.clone()].iter().zip(&roots[next]) {
             let mut mode = mode.clone();

@@ -41,7 +41,8 @@ pub(super) fn roots(
 ) -> Result<Vec<Root>, SolveError> {
     let mut search = Search {
         tower,
-        options,
+        options: options.clone(),
+        most: options.modes,
         workspace,
     };
     let mut roots: Vec<Root> = Vec::with_capacity(options.modes);
@@ -65,7 +66,9 @@ struct Sample {
 
 struct Search<'a> {
     tower: &'a Tower,
-    options: &'a Options,
+    /// The options with as many modes as a sample needs.
+    options: Options,
+    most: usize,
     workspace: &'a mut Workspace,
 }
 
@@ -126,10 +129,11 @@ impl Search<'_> {
     }
 
     /// The tower with the added mass at an angular frequency (rad/s), with the slope of the mode at
-    /// a place in the list.
+    /// a place in the list. The mode above it begins the search for the next one.
     fn sample(&mut self, frequency: f64, place: usize) -> Result<Sample, SolveError> {
         let held = self.tower.with_added_mass_at(frequency);
-        let (cut, found) = lowest(&held, self.options, self.workspace)?;
+        self.options.modes = self.most.min(place + 2);
+        let (cut, found) = lowest(&held, &self.options, self.workspace)?;
         let eigenvalue = |found: &Found| match found.eigenvalue {
             zero if zero.is_zero() => (0.0, 0.0),
             other => (other.lambda, other.error),
@@ -137,7 +141,7 @@ impl Search<'_> {
         let eigenvalues = found.iter().map(eigenvalue).collect();
         let slope = self.slope(frequency, &cut, &found[place]);
         self.workspace.spectrum.recycle(found);
-        give_back(cut, self.options, self.workspace);
+        give_back(cut, &self.options, self.workspace);
         Ok(Sample { eigenvalues, slope })
     }
 
@@ -152,7 +156,7 @@ impl Search<'_> {
                 model, spectrum, ..
             } = &mut *self.workspace;
             let held = self.tower.with_added_mass_at(frequency);
-            model.assemble(&held, &cut.mesh, cut.degree, self.options);
+            model.assemble(&held, &cut.mesh, cut.degree, &self.options);
             let vibration = Eigenproblem::Vibration { origin: 0.0 };
             let mut pencil = model.pencil(found.key.subsystem, vibration);
             let [_, mass] =
