@@ -225,11 +225,12 @@ const NO_PARAMETERS: [(&str, &str); 17] = [
 /// Tables without parameters: no frequency depends on `[damping]`, and the turbine is no part of
 /// the description of the tower, which has it as a rigid body. The matrices on a frame and the
 /// bodies of a mooring system have no names.
-const TABLES_WITHOUT_PARAMETERS: [&str; 11] = [
+const TABLES_WITHOUT_PARAMETERS: [&str; 12] = [
     "coats",
     "[[substructure.support]]",
     "[[substructure.added_mass]]",
     "[[substructure.rider]]",
+    "[[substructure.water_plane]]",
     "[[mooring.body]]",
     "[[mooring.rod]]",
     "[damping]",

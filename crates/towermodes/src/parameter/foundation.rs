@@ -30,7 +30,14 @@ macro_rules! foundation_of {
 
 foundation_of!(springs, springs_mut, Springs, FoundationSprings);
 foundation_of!(stiffness, stiffness_mut, Stiffness, StiffnessFoundation);
-foundation_of!(floating, floating_mut, Floating, FloatingPlatform);
+
+fn floating(description: &TowerDescription) -> Option<&FloatingPlatform> {
+    description.foundation.floating()
+}
+
+fn floating_mut(description: &mut TowerDescription) -> Option<&mut FloatingPlatform> {
+    description.foundation.floating_mut()
+}
 
 /// `[foundation]` of type `springs`.
 pub(super) static SPRINGS: Table = Table {

@@ -67,11 +67,12 @@ pub(super) fn solve_keeping_vectors(
     let options = &options.without_shapes();
     options.check()?;
     workspace.model.monitor.restart();
-    let mut solve = |tower: &Tower, options: &Options, workspace: &mut Workspace| {
-        match options.method.converges_by_degree() {
-            true => p_refinement::solve_frequencies(tower, options, workspace),
-            false => solve_segments(tower, options, workspace, vectors),
-        }
+    let mut solve = |tower: &Tower, options: &Options, workspace: &mut Workspace| match options
+        .method
+        .converges_by_degree()
+    {
+        true => p_refinement::solve_frequencies(tower, options, workspace),
+        false => solve_segments(tower, options, workspace, vectors),
     };
     if !tower.has_added_mass_by_frequency() {
         return solve(tower, options, workspace);
