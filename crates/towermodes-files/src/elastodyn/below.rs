@@ -9,11 +9,13 @@ use towermodes::{
 };
 
 use super::fst::{STANDARD_M_PER_S2, gravity_of_fst, is_on, switch};
+use super::hanging;
 use super::main_input::main_file::MainFile;
 use super::names::line_of;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::hydrodyn::{HydrodynInput, HydrodynPlatform, WaterDefaults, read_hydrodyn, read_water};
+use crate::input::ReadOptions;
 use crate::mooring::{MooringInput, MooringSite, read_map, read_moordyn};
 use crate::note::Note;
 use crate::resolver::FileResolver;
@@ -41,8 +43,14 @@ pub(super) fn below(
     fst: &Source,
     main: &MainFile,
     files: &dyn FileResolver,
+    options: &ReadOptions,
 ) -> Result<Below, ReadError> {
-    let model = Model { fst, main, files };
+    let model = Model {
+        fst,
+        main,
+        files,
+        has_weight: !options.without_gravity,
+    };
     match switch(fst, "CompSub") {
         Some((1, _)) => model.substructure(),
         _ if main.platform_dofs.contains(&true) => model.floater(),
@@ -55,6 +63,8 @@ struct Model<'a> {
     fst: &'a Source,
     main: &'a MainFile,
     files: &'a dyn FileResolver,
+    /// Whether gravity acts.
+    has_weight: bool,
 }
 
 /// A file that the `.fst` file names.
@@ -102,6 +112,9 @@ impl<'a> Model<'a> {
         let Some(file) = self.file("CompSub", &["SubFile", "SDFile"])? else {
             return Ok(Below::default());
         };
+        if self.main.tower_hangs() {
+            return Err(ReadError::mistake(self.fst, hangs_below(file.span)));
+        }
         let within = Within {
             folder: file.folder,
             files: self.files,
@@ -193,6 +206,11 @@ impl<'a> Model<'a> {
         let site = self.site(&water);
         below.sources.extend(water.sources);
         self.moor(&mut platform, &site, &mut below)?;
+        if self.main.tower_hangs() {
+            let weighs = f64::from(u8::from(self.has_weight));
+            platform = hanging::mirrored(&platform, weighs * gravity_m_per_s2);
+            below.notes.push(hanging::note());
+        }
         below
             .notes
             .extend(held_note(self.main, "the platform moves"));
@@ -210,12 +228,20 @@ impl<'a> Model<'a> {
         let Some(lines) = self.mooring(site)? else {
             return Ok(());
         };
-        lines.at_rest(&lines.mooring()?)?;
+        let mooring = lines.mooring()?;
+        let at_rest = lines.at_rest(&mooring)?;
         platform.mooring_lines = Some(Box::new(MooringLines {
             description: lines.description.clone(),
             still_water_m: 0.0,
         }));
         below.notes.extend(lines.notes.iter().cloned());
+        if self.main.tower_hangs() {
+            // Only a matrix can be mirrored with the tower.
+            *platform = platform
+                .with_linear_moorings()
+                .map_err(|error| lines.mistake(error))?;
+            below.notes.extend(lines.warnings(&mooring, &at_rest));
+        }
         let file = below.sources.len();
         let places = lines.places();
         below
@@ -284,6 +310,13 @@ impl<'a> Model<'a> {
             .or(self.main.gravity_m_per_s2)
             .unwrap_or(STANDARD_M_PER_S2)
     }
+}
+
+/// The mistake of a tower that hangs below a substructure.
+fn hangs_below(span: Range<usize>) -> Diagnostic {
+    let message = "the tower hangs (TowerHt is below TowerBsHt), and a tower that hangs below a substructure of SubDyn is not solved";
+    let hint = "CompSub 0 solves it below a rigid platform, --clamped clamped at its base";
+    Diagnostic::new(span, DiagnosticKind::Unsupported(message.to_owned())).with_hint(hint)
 }
 
 /// The mistake of a substructure that nothing holds, not even water.

@@ -126,7 +126,7 @@ impl Model {
         let speeds = found.fst.as_ref();
         let speeds = speeds.map(|fst| operating_speeds(fst, &main, files));
         let below = match &found.fst {
-            Some(fst) if !options.clamped => below(fst, &main, files)?,
+            Some(fst) if !options.clamped => below(fst, &main, files, options)?,
             _ => Below::default(),
         };
         Ok(Self {

@@ -49,6 +49,7 @@ pub(super) fn main_source(source: Source, files: &dyn FileResolver) -> Result<Ma
 /// The main file that an `.fst` file names.
 fn named_by(fst: Source, files: &dyn FileResolver) -> Result<Main, ReadError> {
     let mistake = |mistake| ReadError::mistake(&fst, mistake);
+    check_rotors(&fst).map_err(mistake)?;
     let parameter = ed_file(&fst).map_err(mistake)?;
     let gravity_m_per_s2 = gravity_of_fst(&fst).map_err(mistake)?;
     let path = parameter.token.text.trim();
@@ -62,7 +63,7 @@ fn named_by(fst: Source, files: &dyn FileResolver) -> Result<Main, ReadError> {
         source,
         folder: folder.to_owned(),
         gravity_m_per_s2,
-        notes: beamdyn(&fst).into_iter().collect(),
+        notes: beamdyn(&fst).into_iter().chain(in_current(&fst)).collect(),
         beamdyn_note: blades_of_beamdyn(&fst),
         fst: Some(fst),
     })
@@ -107,6 +108,33 @@ pub(super) fn notes(
         }
     }
     notes
+}
+
+/// Refuses a model with several rotors (OpenFAST 5): its other towers are in files of their own.
+fn check_rotors(source: &Source) -> Result<(), Diagnostic> {
+    let Some((rotors, at)) = switch(source, "NRotors") else {
+        return Ok(());
+    };
+    if rotors <= 1 {
+        return Ok(());
+    }
+    let message = format!("NRotors is {rotors}: a model with more than one rotor is not solved");
+    let kind = DiagnosticKind::Unsupported(message);
+    let hint =
+        "give the main file of ElastoDyn of one rotor (EDFile) for its tower, clamped at its base";
+    let end = at + rotors.to_string().len();
+    Err(Diagnostic::new(at..end, kind).with_hint(hint))
+}
+
+/// The note that the turbine is in water, which acts on more than the platform.
+fn in_current(source: &Source) -> Option<Note> {
+    let (value, at) = switch(source, "MHK")?;
+    (value > 0).then(|| {
+        let message = format!(
+            "MHK is {value}, so the turbine is in water: the added mass and the buoyancy of tower, nacelle and blades, which AeroDyn has, are left out, and the frequencies of the tower are too high"
+        );
+        Note::left_out(message).at(source, at)
+    })
 }
 
 /// The note that the blades are not those of ElastoDyn.

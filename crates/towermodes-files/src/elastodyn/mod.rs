@@ -3,6 +3,7 @@
 mod below;
 mod deck;
 mod fst;
+mod hanging;
 mod machine;
 mod main_input;
 mod model;

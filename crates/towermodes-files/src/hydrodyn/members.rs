@@ -56,8 +56,12 @@ pub(super) fn read(
             joint_ids.find(row, table.column(&["MJointID2"])?, "MJointID2")?,
         ];
         let ends_m = ends.map(|joint| found.joints[joint].position_m);
-        let tube = tube(&table, row, &sections)?;
         let filling = fillings.get(&index);
+        // The water of such a member is that of the body, and it has no other mass.
+        if !is_round(&table, row)? && is_potential(&table, row)? && filling.is_none() {
+            continue;
+        }
+        let tube = tube(&table, row, &sections)?;
         let member = member(&table, row, ends_m, &tube, filling, site)?;
         found.members.push(member);
         found.joints_of.push(ends);
@@ -135,12 +139,26 @@ fn sections(values: &Values<'_>) -> Result<Sections, Diagnostic> {
     })
 }
 
+/// Whether a member is circular, as all are before OpenFAST 4.1.
+fn is_round(table: &Table<'_>, row: &Row<'_>) -> Result<bool, Diagnostic> {
+    match table.column_if_any(&["MSecGeom"]) {
+        Some(column) => Ok(row.integer(column, "MSecGeom")? == 1),
+        None => Ok(true),
+    }
+}
+
+/// Whether the water of a member is that of the body with potential flow.
+fn is_potential(table: &Table<'_>, row: &Row<'_>) -> Result<bool, Diagnostic> {
+    let column = table.column(&["PropPot", "PropWAMIT"])?;
+    row.token(column, "PropPot")?.logical("PropPot")
+}
+
 /// The tubes at both ends of a member.
 fn tube(table: &Table<'_>, row: &Row<'_>, sections: &Sections) -> Result<[Tube; 2], Diagnostic> {
     if let Some(column) = table.column_if_any(&["MSecGeom"])
-        && row.integer(column, "MSecGeom")? != 1
+        && !is_round(table, row)?
     {
-        let message = "the member is rectangular (MSecGeom 2): only circular members can be read";
+        let message = "the member is rectangular (MSecGeom 2): outside the body with potential flow (PropPot False) or filled, only circular members can be read";
         let mistake = row.wrong(column, DiagnosticKind::Unsupported(message.to_owned()));
         return Err(mistake.with_hint("describe it as a circular member (MSecGeom 1) of the same area, with coefficients that give the same added mass"));
     }
@@ -218,8 +236,7 @@ fn member(
     filling: Option<&Filling>,
     site: &Site<'_>,
 ) -> Result<StripMember, Diagnostic> {
-    let column = table.column(&["PropPot", "PropWAMIT"])?;
-    let is_potential_flow = row.token(column, "PropPot")?.logical("PropPot")?;
+    let is_potential_flow = is_potential(table, row)?;
     let has_hydrostatics = match table.column_if_any(&["MHstLMod"]) {
         Some(column) => row.integer(column, "MHstLMod")? != 0,
         None => true,

@@ -282,5 +282,10 @@ fn left_out(values: &Values<'_>, source: &Source) -> Vec<Note> {
         let message = "the radiation damping and the wave excitation of the WAMIT files are not used: modes have neither";
         notes.push(Note::left_out(message).at(source, token.span.start));
     }
+    let token = values.token("FKMod");
+    if let Some(token) = token.filter(|token| token.integer("FKMod").is_ok_and(|of| of != 0)) {
+        let message = "FKMod is not 0, so HydroDyn has the buoyancy of the hull in GeoFile, which is not read: the stiffness of the .hst file, PtfmVol0 and the centre of buoyancy are used";
+        notes.push(Note::approximation(message).at(source, token.span.start));
+    }
     notes
 }

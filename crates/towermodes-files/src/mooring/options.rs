@@ -17,7 +17,7 @@ const FRICTION: [&str; 5] = ["mukt", "muka", "mut", "mua", "mu"];
 /// Waves and current.
 const WATER: [&str; 4] = ["waterkin", "wavekin", "currents", "current"];
 /// The simulation in time, damping, seabed contact and output.
-const TIME: [&str; 24] = [
+const TIME: [&str; 26] = [
     "dtm",
     "kbot",
     "kb",
@@ -40,7 +40,9 @@ const TIME: [&str; 24] = [
     "writelog",
     "tscheme",
     "cfl",
+    "fricdamp",
     "frictdamp",
+    "icgendynamic",
     "disableouttime",
 ];
 

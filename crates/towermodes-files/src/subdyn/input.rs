@@ -36,6 +36,9 @@ pub struct SubdynInput {
     pub divisions: usize,
     /// Notes on what the reader decided or left out.
     pub notes: Vec<Note>,
+    /// The reaction joints that nothing in the file holds, each with its note. A file of SoilDyn
+    /// may hold them.
+    pub(super) loose: Vec<(usize, Note)>,
     /// The file, then the files of soil stiffness.
     pub(crate) sources: Vec<Source>,
     pub(super) spans: Spans,

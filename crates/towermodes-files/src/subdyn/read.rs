@@ -148,6 +148,7 @@ fn input(sections: &Sections<'_>, found: Found, reactions: Reactions) -> SubdynI
         interface_joints,
         divisions: settings.divisions,
         notes,
+        loose: reactions.loose,
         sources: reactions.sources,
         spans: super::input::Spans {
             joints: spans(Kind::Joints),

@@ -206,6 +206,10 @@ impl SubdynInput {
         for (sum, own) in sum.iter_mut().zip(soil.stiffness.as_flattened()) {
             *sum += own;
         }
+        // The note that nothing holds the joint is wrong now.
+        let held = self.loose.extract_if(.., |(loose, _)| *loose == joint);
+        let held: Vec<Note> = held.map(|(_, note)| note).collect();
+        self.notes.retain(|note| !held.contains(note));
         self.notes.extend(soil.notes.iter().cloned());
         self.sources.push(soil.source.clone());
         Ok(())

@@ -25,6 +25,8 @@ pub(super) struct Reactions {
     /// The supports, each with the index of its row; joints that nothing holds have none.
     pub(super) supports: Vec<(usize, FrameSupport)>,
     pub(super) notes: Vec<Note>,
+    /// The joints of the table that nothing holds, each with its note.
+    pub(super) loose: Vec<(usize, Note)>,
     /// The files of soil stiffness.
     pub(super) sources: Vec<Source>,
 }
@@ -53,7 +55,8 @@ pub(super) fn reactions(
             let message =
                 "all flags are 0 and there is no soil stiffness: nothing holds this joint";
             let note = Note::suspicious(message).at(source, row.span().start);
-            reactions.notes.push(note);
+            reactions.notes.push(note.clone());
+            reactions.loose.push((support.joint, note));
         }
     }
     Ok(reactions)

@@ -78,7 +78,7 @@ pub enum FrameSolveError {
     #[error("the frame has no transition piece that could carry the tower; give its joints")]
     NoTransition,
     /// No modes requested, or more than there are.
-    #[error("{modes} modes are requested; the frame has from 1 to {available}")]
+    #[error("{modes} modes are requested; the frame has {available}")]
     Modes {
         /// The number requested.
         modes: usize,

@@ -320,6 +320,11 @@ impl SolveArguments {
         Ok((options, interface))
     }
 
+    /// Whether the number of modes is given.
+    pub(crate) fn asks_for_modes(&self) -> bool {
+        self.model.modes.is_some()
+    }
+
     /// The options of the library.
     ///
     /// # Errors

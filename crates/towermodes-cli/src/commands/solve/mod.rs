@@ -5,12 +5,12 @@ mod several;
 
 pub(crate) use arguments::{SolveArguments, SolveFormat};
 
-use towermodes::frame::solve_frame;
+use towermodes::frame::{Frame, FrameOptions, FrameSolution, FrameSolveError, solve_frame};
 use towermodes::{Blade, BladeMode, BladeSolution, Solution, Solver, Tower, Warning};
 use towermodes_files::{
-    BladeInput, FileFormat, Input, Note, OutNodes, SolvedSubstructure, SubdynInput, TowerInput,
-    write_blade_csv, write_blade_json, write_csv, write_json, write_json_with_sensitivities,
-    write_substructure_csv, write_substructure_json,
+    BladeInput, FileFormat, Input, Interface, Note, OutNodes, SolvedSubstructure, SubdynInput,
+    TowerInput, write_blade_csv, write_blade_json, write_csv, write_json,
+    write_json_with_sensitivities, write_substructure_csv, write_substructure_json,
 };
 use towermodes_report::terminal::{blade_shapes, shapes};
 
@@ -130,9 +130,12 @@ fn of_substructure(
     let mut notes = input.notes.clone();
     notes.push(input.note_on_parts());
     notes.extend(input.warnings(&frame));
-    let solution = solve_frame(&frame, &options).map_err(|error| {
+    let solution = solved_frame(&frame, options, arguments).map_err(|error| {
         note(&notes);
-        Failure::from(error)
+        let is_free = interface == Interface::Free && !input.interface_joints.is_empty();
+        let is_mechanism = matches!(error, FrameSolveError::Mechanism { .. });
+        let hint = "--clamped holds the interface joints";
+        Failure::from(error).hint((is_free && is_mechanism).then_some(hint))
     })?;
     let solved = SolvedSubstructure {
         name: &input.title,
@@ -149,6 +152,26 @@ fn of_substructure(
     }
     note(&notes);
     Ok(result)
+}
+
+/// The modes of a frame: the number that is asked for, or the default as far as it has them.
+fn solved_frame(
+    frame: &Frame,
+    options: FrameOptions,
+    arguments: &SolveArguments,
+) -> Result<FrameSolution, FrameSolveError> {
+    match solve_frame(frame, &options) {
+        Err(FrameSolveError::Modes { available, .. })
+            if available > 0 && !arguments.asks_for_modes() =>
+        {
+            let options = FrameOptions {
+                modes: available,
+                ..options
+            };
+            solve_frame(frame, &options)
+        }
+        result => result,
+    }
 }
 
 fn tower_text(tower: &Tower, solution: &Solution, arguments: &SolveArguments) -> String {
