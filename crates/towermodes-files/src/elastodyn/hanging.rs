@@ -1,0 +1,69 @@
+//! The floating platform above a tower that hangs, mirrored with its tower in the plane z = 0.
+
+use std::sync::Arc;
+
+use towermodes::space::SpatialMatrix;
+use towermodes::{FloatingPlatform, ReferredMatrix, RigidBody};
+
+use super::tower_input::description::upside_down;
+use crate::note::Note;
+
+/// How each component changes: translation along z and rotations about x and y change their sign.
+const SIGNS: [f64; 6] = [1.0, 1.0, -1.0, -1.0, -1.0, 1.0];
+
+/// A platform whose moorings are a matrix, mirrored in the plane z = 0.
+///
+/// The tower that hangs has no gravity of its own, so the weight of the platform is a part of its
+/// hydrostatic stiffness here.
+pub(super) fn mirrored(platform: &FloatingPlatform, gravity_m_per_s2: f64) -> FloatingPlatform {
+    let body = upside_down(&RigidBody {
+        mass_kg: platform.mass_kg,
+        center_m: platform.center_m,
+        inertia_kg_m2: platform.inertia_kg_m2,
+    });
+    let mut hydrostatic = platform.hydrostatic;
+    let weight_n = platform.mass_kg * gravity_m_per_s2;
+    add_weight(&mut hydrostatic, weight_n, platform.center_m);
+    let table = platform.added_mass_by_frequency.as_deref();
+    FloatingPlatform {
+        mass_kg: body.mass_kg,
+        center_m: body.center_m,
+        inertia_kg_m2: body.inertia_kg_m2,
+        added_mass: referred(&platform.added_mass),
+        added_mass_by_frequency: table.map(|table| Arc::new(table.clone().map(matrix))),
+        hydrostatic: referred(&hydrostatic),
+        mooring: referred(&platform.mooring),
+        ..FloatingPlatform::default()
+    }
+}
+
+/// The stiffness of a weight that turns with its body: that of the energy −m g (R r)·z.
+fn add_weight(stiffness: &mut ReferredMatrix, weight_n: f64, [x, y, z]: [f64; 3]) {
+    let matrix = &mut stiffness.matrix;
+    let above_m = z - stiffness.height_m;
+    for (entry, lever_m) in [((3, 3), -above_m), ((4, 4), -above_m)] {
+        matrix[entry.0][entry.1] += weight_n * lever_m;
+    }
+    for ((row, column), lever_m) in [((3, 5), x), ((4, 5), y)] {
+        matrix[row][column] += 0.5 * weight_n * lever_m;
+        matrix[column][row] += 0.5 * weight_n * lever_m;
+    }
+}
+
+fn referred(given: &ReferredMatrix) -> ReferredMatrix {
+    ReferredMatrix {
+        matrix: matrix(&given.matrix),
+        height_m: 0.0 - given.height_m,
+    }
+}
+
+fn matrix(given: &SpatialMatrix) -> SpatialMatrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| SIGNS[i] * given[i][j] * SIGNS[j]))
+}
+
+/// The note on what the mirrored platform has.
+pub(super) fn note() -> Note {
+    Note::approximation(
+        "the platform above a tower that hangs has the stiffness of its weight, its water and its mooring lines at the reference position; the weights of tower and rotor-nacelle assembly less their buoyancy add nothing to it",
+    )
+}
