@@ -203,6 +203,29 @@ fn a_file_that_is_not_there_is_refused() {
     said[0].says("(x.dat) is not read, because CompSub 2 is ExtPtfm, which is not modelled");
 }
 
+/// A model of several rotors has a tower in each of its main files.
+#[test]
+fn a_model_with_several_rotors_is_refused() {
+    let options = ReadOptions::default();
+    assert!(by_fst("1 NRotors\n", 5, &options).is_ok());
+    let error = by_fst("2 NRotors\n", 5, &options).expect_err("two rotors");
+    error.says("NRotors is 2: a model with more than one rotor is not solved");
+    let ReadError::Mistakes { mistakes, .. } = &error else {
+        panic!("{error}");
+    };
+    mistakes[0].hint.clone().expect("a hint").says("EDFile");
+}
+
+#[test]
+fn a_turbine_in_a_current_has_a_note() {
+    let options = ReadOptions::default();
+    let said = |lines: &str| messages(&by_fst(lines, 5, &options).expect("a tower"));
+    let is_it = |note: &String| note.contains("so the turbine is in water");
+    assert!(!said("0 MHK\n").iter().any(is_it));
+    let said = said("1 MHK\n");
+    assert!(said.iter().any(is_it), "{said:?}");
+}
+
 /// The tower of a floating turbine in a current: TowerHt −24 m, TowerBsHt −9 m, the nacelle below
 /// the top.
 #[test]

@@ -3,7 +3,7 @@
 use towermodes_files::ReadError;
 use towermodes_testing::Says;
 
-use super::texts::{Layout, WAMIT_1, WAMIT_HST, deck, read_with};
+use super::texts::{Layout, WAMIT_1, WAMIT_HST, deck, read, read_with};
 
 /// The mistake: its file, its line and its message.
 fn refusal(changes: &[(&str, &str)], wamit: [&str; 2]) -> (String, String, String) {
@@ -108,4 +108,47 @@ fn a_wrong_file_of_wamit_is_refused_at_its_line() {
     let (_, line, found) = refusal(&[("PotMod", "1"), ("NBody", "2")], [WAMIT_1, WAMIT_HST]);
     assert_eq!(line, "2 NBody - bodies");
     found.says("one rigid body");
+}
+
+/// A rectangular member of the body with potential flow has no water of its own; one with strip
+/// theory or filling has.
+#[test]
+fn rectangular_members_are_read_where_they_have_no_part() {
+    let rows = |geometry: u8, flow: &str| {
+        format!("1 1 2 1 1 1 0.5 1 F\n2 1 2 9 9 {geometry} 0.5 1 {flow}")
+    };
+    let text = |members: &str, fillings: &str| {
+        deck(
+            Layout::V41,
+            &[("NMembers", members), ("NFillGroups", fillings)],
+        )
+    };
+    let input = read(&text(&rows(2, "T"), "")).unwrap_or_else(|error| panic!("{error}"));
+    let names: Vec<&str> = input.members.iter().map(|member| &*member.name).collect();
+    assert_eq!(names, ["1"]);
+    for (members, fillings) in [(rows(2, "F"), ""), (rows(2, "T"), "1 2 -5 1000")] {
+        let error = read(&text(&members, fillings)).expect_err("a rectangle");
+        error.says("only circular members can be read");
+    }
+    // Section 9 is in the table of rectangles.
+    read(&text(&rows(1, "T"), ""))
+        .expect_err("no such tube")
+        .says("property set `9`");
+}
+
+/// The hull of GeoFile is not read.
+#[test]
+fn nonlinear_hydrostatics_have_a_note() {
+    let said = |value: u8| {
+        let text = deck(Layout::V41, &[("PotMod", "1")]);
+        let text = text.replace(
+            "1 NBody - bodies\n",
+            &format!("1 NBody - bodies\n{value} FKMod - x\n\"hull.stl\" GeoFile - x\n"),
+        );
+        let input = read(&text).unwrap_or_else(|error| panic!("{error}"));
+        let mut notes = input.notes.iter().map(ToString::to_string);
+        notes.any(|note| note.contains("FKMod is not 0"))
+    };
+    assert!(!said(0));
+    assert!(said(1));
 }

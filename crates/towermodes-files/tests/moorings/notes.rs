@@ -38,6 +38,8 @@ fn what_is_assumed_has_a_note() {
         9.80665  g | 0 mu_kT | the acceleration of gravity (m/s2) is not given: 9.80665 is assumed
         0.001    dtM | 0.2 mu_kT | 23: mu_kT (0.2) is not used
         0.001    dtM | waves.txt WaterKin | 23: WaterKin (`waves.txt`) is not used
+        0.001    dtM | 2e5 FricDamp | 22: options that are not used: FricDamp, kbot (
+        0.001    dtM | 0 ICgenDynamic | 22: options that are not used: ICgenDynamic, kbot (
         0.001    dtM | 1 magic | 23: the option `magic` is not known
         -0.8     0.0 | -0.8     1e4 | 6: the bending stiffness EI of the line is not used
         ------------------------ OUTPUTS | --- FAILURE ---\nID\n(-)\n1 2\n--- OUTPUTS | 28: the section FAILURE is not used

@@ -61,6 +61,20 @@ fn a_matrix_is_that_of_an_ssi_file() {
     assert_eq!(frequencies[0], frequencies[1]);
 }
 
+/// The file of SubDyn alone says that nothing holds the joint; with soil it is held.
+#[test]
+fn soil_takes_back_the_note_on_a_loose_joint() {
+    let is_loose = |input: &SubdynInput| {
+        let mut notes = input.notes.iter().map(ToString::to_string);
+        notes.any(|note| note.contains("nothing holds this joint"))
+    };
+    let mut stands = free();
+    assert!(is_loose(&stands));
+    let soil = read(&sand()).expect("soil");
+    stands.stand_on(&soil).expect("a joint");
+    assert!(!is_loose(&stands));
+}
+
 #[test]
 fn soil_without_a_matrix_or_a_joint_is_refused() {
     let skew = MATRIX.replacen("3.10E+05", "4.10E+05", 1);
