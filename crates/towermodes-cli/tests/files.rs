@@ -380,3 +380,47 @@ fn deflections_are_divided_by_the_length_of_the_deck() {
     let risen = rows[rows.len() - 1][0] - rows[0][0];
     assert!((rise / risen - 1.0).abs() < 2e-3, "{rise} {risen}");
 }
+
+/// A tube whose lower part is free to turn in a pin: two elements between a held joint and the
+/// interface.
+fn two_tubes(reactions: &str, pin: &str) -> String {
+    format!(
+        "------- SubDyn -------\ntwo tubes\n------- FEA -------\n3 FEMMod - model\n1 NDiv - parts\n0 Nmodes - modes\n\
+         ---- STRUCTURE JOINTS ----\n3 NJoints\nJointID JointXss JointYss JointZss JointType JointDirX JointDirY JointDirZ JointStiff\n(-) (m)\n\
+         1 0 0 -20 1 0 0 0 0\n2 0 0 -10 {pin} 0\n3 0 0 0 1 0 0 0 0\n\
+         ---- BASE REACTION JOINTS ----\n1 NReact\nRJointID\n(-)\n{reactions}\n\
+         ---- INTERFACE JOINTS ----\n1 NInterf\nIJointID\n(-)\n3 1 1 1 1 1 1\n\
+         ---------- MEMBERS ----------\n2 NMembers\nMemberID MJointID1 MJointID2 MPropSetID1 MPropSetID2 MType\n(-)\n\
+         1 1 2 1 1 1c\n2 2 3 1 1 1c\n\
+         ---- CIRCULAR BEAM CROSS-SECTION PROPERTIES ----\n1 NPropSets\nPropSetID YoungE ShearG MatDens XsecD XsecT\n(-)\n\
+         1 2.1e11 8.08e10 7850 2 0.03\nEND\n"
+    )
+}
+
+/// A held tube of two elements with a held interface has six modes: all of them are the result, and
+/// eight that are asked for are refused.
+#[test]
+fn a_small_frame_has_the_modes_that_there_are() {
+    let folder = Folder::new("small-frame");
+    folder.write("SubDyn.dat", &two_tubes("1 1 1 1 1 1 1", "1 0 0 0"));
+    let file = folder.path("SubDyn.dat");
+    let solve = ["solve", &file, "--method", "subdyn", "--clamped"];
+    let result = json(&[&solve[..], &["--format", "json"]].concat());
+    assert_eq!(result["modes"].as_array().expect("modes").len(), 6);
+    let refused = run(&[&solve[..], &["--modes", "8"]].concat());
+    assert_eq!(refused.status.code(), Some(2));
+    String::from_utf8_lossy(&refused.stderr).says("8 modes are requested; the frame has 6");
+}
+
+/// The pin makes a mechanism while the interface is free.
+#[test]
+fn a_mechanism_under_a_free_interface_has_a_hint() {
+    let folder = Folder::new("mechanism");
+    folder.write("SubDyn.dat", &two_tubes("1 1 1 1 1 1 1", "3 0 1 0"));
+    let file = folder.path("SubDyn.dat");
+    let refused = run(&["solve", &file]);
+    let said = String::from_utf8_lossy(&refused.stderr);
+    said.says("the frame is a mechanism: 1 motion has no stiffness");
+    said.says("help: --clamped holds the interface joints");
+    done(&["solve", &file, "--clamped"]);
+}

@@ -3,12 +3,13 @@
 use towermodes::MissingPart;
 
 use super::main_input::main_file::MainFile;
-use super::names::{is_fst, is_main_file, line_of};
+use super::names::{is_fst, is_main_file, is_named, line_of};
 use super::positional::Parameter;
 use super::record::{Kind, NON_NEGATIVE, Record, record};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::note::Note;
+use crate::records::Lines;
 use crate::resolver::FileResolver;
 use crate::source::Source;
 
@@ -292,12 +293,16 @@ pub(super) fn is_on(source: &Source, name: &str) -> bool {
 
 /// The value of a switch (a number or, in the first versions, true or false) and its byte.
 pub(super) fn switch(source: &Source, name: &str) -> Option<(i64, usize)> {
-    let token = line_of(&source.text, name)?.first()?;
-    let value = match token.integer(name) {
-        Ok(value) => value,
-        Err(_) => i64::from(token.logical(name).ok()?),
-    };
-    Some((value, token.span.start))
+    // A title may have the name behind its first word.
+    let mut lines = Lines::new(&source.text).filter(|line| is_named(line, name));
+    lines.find_map(|line| {
+        let token = line.first()?;
+        let value = match token.integer(name) {
+            Ok(value) => value,
+            Err(_) => i64::from(token.logical(name).ok()?),
+        };
+        Some((value, token.span.start))
+    })
 }
 
 /// Standard acceleration of gravity, m/s² (3rd General Conference on Weights and Measures, 1901).
