@@ -52,6 +52,9 @@ pub(super) fn below(
         has_weight: !options.without_gravity,
     };
     match switch(fst, "CompSub") {
+        Some((1, at)) if main.tower_hangs() => {
+            Err(ReadError::mistake(fst, hangs_below(at..at + 1)))
+        }
         Some((1, _)) => model.substructure(),
         _ if main.platform_dofs.contains(&true) => model.floater(),
         _ => Ok(Below::default()),
@@ -112,9 +115,6 @@ impl<'a> Model<'a> {
         let Some(file) = self.file("CompSub", &["SubFile", "SDFile"])? else {
             return Ok(Below::default());
         };
-        if self.main.tower_hangs() {
-            return Err(ReadError::mistake(self.fst, hangs_below(file.span)));
-        }
         let within = Within {
             folder: file.folder,
             files: self.files,

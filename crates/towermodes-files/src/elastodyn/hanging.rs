@@ -23,7 +23,11 @@ pub(super) fn mirrored(platform: &FloatingPlatform, gravity_m_per_s2: f64) -> Fl
     });
     let mut hydrostatic = platform.hydrostatic;
     let weight_n = platform.mass_kg * gravity_m_per_s2;
-    add_weight(&mut hydrostatic, weight_n, platform.center_m);
+    let above_m = platform.center_m[2] - hydrostatic.height_m;
+    // As under a tower that stands, the effect of the lateral offset is neglected.
+    for i in [3, 4] {
+        hydrostatic.matrix[i][i] -= weight_n * above_m;
+    }
     let table = platform.added_mass_by_frequency.as_deref();
     FloatingPlatform {
         mass_kg: body.mass_kg,
@@ -34,19 +38,6 @@ pub(super) fn mirrored(platform: &FloatingPlatform, gravity_m_per_s2: f64) -> Fl
         hydrostatic: referred(&hydrostatic),
         mooring: referred(&platform.mooring),
         ..FloatingPlatform::default()
-    }
-}
-
-/// The stiffness of a weight that turns with its body: that of the energy −m g (R r)·z.
-fn add_weight(stiffness: &mut ReferredMatrix, weight_n: f64, [x, y, z]: [f64; 3]) {
-    let matrix = &mut stiffness.matrix;
-    let above_m = z - stiffness.height_m;
-    for (entry, lever_m) in [((3, 3), -above_m), ((4, 4), -above_m)] {
-        matrix[entry.0][entry.1] += weight_n * lever_m;
-    }
-    for ((row, column), lever_m) in [((3, 5), x), ((4, 5), y)] {
-        matrix[row][column] += 0.5 * weight_n * lever_m;
-        matrix[column][row] += 0.5 * weight_n * lever_m;
     }
 }
 
