@@ -9,7 +9,7 @@ use super::record::{Kind, NON_NEGATIVE, Record, record};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::note::Note;
-use crate::records::Lines;
+use crate::records::{Lines, Token};
 use crate::resolver::FileResolver;
 use crate::source::Source;
 
@@ -293,16 +293,17 @@ pub(super) fn is_on(source: &Source, name: &str) -> bool {
 
 /// The value of a switch (a number or, in the first versions, true or false) and its byte.
 pub(super) fn switch(source: &Source, name: &str) -> Option<(i64, usize)> {
-    // A title may have the name behind its first word.
-    let mut lines = Lines::new(&source.text).filter(|line| is_named(line, name));
-    lines.find_map(|line| {
-        let token = line.first()?;
-        let value = match token.integer(name) {
-            Ok(value) => value,
-            Err(_) => i64::from(token.logical(name).ok()?),
-        };
-        Some((value, token.span.start))
-    })
+    let lines = Lines::new(&source.text).filter(|line| is_named(line, name));
+    let value = |token: &Token<'_>| token.integer(name).ok();
+    let flag = |token: &Token<'_>| token.logical(name).ok().map(i64::from);
+    let first = |value: &dyn Fn(&Token<'_>) -> Option<i64>| {
+        lines.clone().find_map(|line| {
+            let token = line.first()?;
+            Some((value(&token)?, token.span.start))
+        })
+    };
+    // A title may have the name behind a word that begins as a flag: "Floating MHK turbine".
+    first(&value).or_else(|| first(&flag))
 }
 
 /// Standard acceleration of gravity, m/s² (3rd General Conference on Weights and Measures, 1901).
