@@ -390,7 +390,9 @@ fn foundation_note(main: &MainFile, fst: Option<&Source>) -> Option<Note> {
     if !moves && base_m == 0.0 {
         return None;
     }
-    let is_dry = fst.is_some_and(|fst| !fst::is_on(fst, "CompHydro"));
+    // A substructure that is not read (ExtPtfm) carries the platform.
+    let is_dry =
+        fst.is_some_and(|fst| !fst::is_on(fst, "CompHydro") && !fst::is_on(fst, "CompSub"));
     let why = match moves {
         true if is_dry => {
             " although the platform moves: CompHydro is 0, and without water nothing carries it"

@@ -201,6 +201,18 @@ fn a_file_that_is_not_there_is_refused() {
     let other = "2 CompSub\n\"x.dat\" SubFile\n";
     let said = messages(&by_fst(other, 5, &options).expect("a tower"));
     said[0].says("(x.dat) is not read, because CompSub 2 is ExtPtfm, which is not modelled");
+    let main = [("PtfmPDOF", "True"), ("TowerBsHt", "10")];
+    let mut companions = files(TOWER);
+    companions
+        .files
+        .insert("main.dat".into(), main_text(5, &main));
+    let fst = format!("OpenFAST INPUT FILE\nx\n\"main.dat\" EDFile\n0 CompHydro\n{other}");
+    let said =
+        messages(&read_elastodyn(source("a.fst", fst), &companions, &options).expect("a tower"));
+    let clamped = said.iter().find(|note| note.contains("is clamped at"));
+    clamped
+        .expect("a note")
+        .says("(the platform moves); its foundation is in other files");
 }
 
 /// A model of several rotors has a tower in each of its main files.
