@@ -393,7 +393,7 @@ fn two_tubes(reactions: &str, pin: &str) -> String {
          ---------- MEMBERS ----------\n2 NMembers\nMemberID MJointID1 MJointID2 MPropSetID1 MPropSetID2 MType\n(-)\n\
          1 1 2 1 1 1c\n2 2 3 1 1 1c\n\
          ---- CIRCULAR BEAM CROSS-SECTION PROPERTIES ----\n1 NPropSets\nPropSetID YoungE ShearG MatDens XsecD XsecT\n(-)\n\
-         1 2.1e11 8.08e10 7850 2 0.03\nEND\n"
+         1 2.1e11 8.08e10 7850 2 0.03\n---- OUTPUT ----\nEND\n"
     )
 }
 

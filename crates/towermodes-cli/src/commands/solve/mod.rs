@@ -130,7 +130,7 @@ fn of_substructure(
     let mut notes = input.notes.clone();
     notes.push(input.note_on_parts());
     notes.extend(input.warnings(&frame));
-    let solution = solved_frame(&frame, options, arguments).map_err(|error| {
+    let solution = solved_frame(&frame, &options, arguments).map_err(|error| {
         note(&notes);
         let is_free = interface == Interface::Free && !input.interface_joints.is_empty();
         let is_mechanism = matches!(error, FrameSolveError::Mechanism { .. });
@@ -157,16 +157,16 @@ fn of_substructure(
 /// The modes of a frame: the number that is asked for, or the default as far as it has them.
 fn solved_frame(
     frame: &Frame,
-    options: FrameOptions,
+    options: &FrameOptions,
     arguments: &SolveArguments,
 ) -> Result<FrameSolution, FrameSolveError> {
-    match solve_frame(frame, &options) {
+    match solve_frame(frame, options) {
         Err(FrameSolveError::Modes { available, .. })
             if available > 0 && !arguments.asks_for_modes() =>
         {
             let options = FrameOptions {
                 modes: available,
-                ..options
+                ..options.clone()
             };
             solve_frame(frame, &options)
         }
