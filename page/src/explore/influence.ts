@@ -40,7 +40,7 @@ export class Influence {
     const text = byId("elasticity-text");
     const isFirst = text.textContent === "";
     setText(text, `Elasticity of ${result.mode}, % per %`);
-    this.panel.showElasticities(result.elasticities);
+    this.panel.showElasticities(result.elasticities, result.columns);
     const group = this.panel.mostInfluential();
     if (isFirst && group !== null && this.panel.open().length === 0) this.panel.unfold([group]);
   }

@@ -155,6 +155,8 @@ export interface Elasticities {
   mode: string;
   /** By name; numbers that are 0 have none. */
   elasticities: Record<string, number>;
+  /** Of a factor on all numbers of a column, by the name of the column. */
+  columns: Record<string, number>;
 }
 
 export interface Reproduction {

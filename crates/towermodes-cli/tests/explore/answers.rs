@@ -213,6 +213,32 @@ fn elasticities_are_those_of_sensitivities() {
     assert!(compared > 10, "{compared}");
 }
 
+/// A factor on a whole column is that of `sensitivities`: one on heights is no sum of heights, whose
+/// percent are percent of the height of the tower, and rows of a step move together.
+#[test]
+fn elasticities_of_columns_are_those_of_factors() {
+    for (tower, least) in [
+        ("examples/cans.toml", 3),
+        ("examples/nrel-5mw.toml", 3),
+        ("examples/monopile.toml", 3),
+        ("examples/guyed.toml", 3),
+    ] {
+        let explorer = Explorer::start(&[tower]);
+        let answer = explorer.answer("elasticities", &json!({ "numbers": {}, "mode": 1 }));
+        let columns = answer["columns"].as_object().expect("columns");
+        assert!(columns.contains_key("stations[*].height"), "{tower}");
+        assert!(columns.len() >= least, "{tower}: {columns:?}");
+        for (column, own) in columns {
+            let factor = format!("scale({column})");
+            let command = json_of(&["sensitivities", tower, &factor]);
+            let theirs = &command["numbers"][0]["modes"][0]["percent_per_percent"];
+            let [own, theirs] = [own, theirs].map(|one| one.as_f64().expect("a number"));
+            let holds = (own - theirs).abs() < 1e-6 * theirs.abs().max(1e-3);
+            assert!(holds, "{tower}, {column}: {own} {theirs}");
+        }
+    }
+}
+
 /// A file that is taken away and solved has the digits of the page; comments of a tower file stay.
 #[test]
 fn towers_taken_away_have_the_digits_of_the_page() {

@@ -20,6 +20,8 @@ interface Entry {
 }
 
 interface Column {
+  /** `stations[*].wall`. */
+  name: string;
   row: Row;
   indices: number[];
   /** What the factor multiplies while it is being slid. */
@@ -39,6 +41,8 @@ export class ParameterPanel {
   private sections: Section[];
   private values: number[] = [];
   private elasticities: Record<string, number> = {};
+  /** Of factors on columns, by their names. */
+  private factors: Record<string, number> = {};
   private largest = 0;
   private refused = new Set<string>();
   private refusal = "";
@@ -84,7 +88,7 @@ export class ParameterPanel {
   private column(section: Section, name: string, id: string): Column {
     const key = name.slice(name.lastIndexOf(".") + 1);
     const of = this.sheet.parameters.flatMap((parameter, index) => (parameter.column === name ? [index] : []));
-    const column: Column = { row: undefined as never, indices: of, base: null, words: `${name} ${section.group.title}`.toLowerCase() };
+    const column: Column = { name, row: undefined as never, indices: of, base: null, words: `${name} ${section.group.title}`.toLowerCase() };
     column.row = new Row({ id, label: `every ${key} ×`, meaning: "", unit: "" }, { low: 0.5, high: 1.5, home: 1 }, {
       input: (factor) => this.multiply(column, factor),
       settle: () => {
@@ -130,12 +134,7 @@ export class ParameterPanel {
   private showColumn(column: Column): void {
     // While it is slid, the factor is the user's.
     if (column.base === null) column.row.show(this.base(column).factor);
-    column.row.elasticity(this.largest > 0 ? this.sum(column) : null, this.largest);
-  }
-
-  /** The elasticity on a factor of all numbers of a column is the sum of theirs. */
-  private sum({ indices }: Column): number {
-    return indices.reduce((sum, index) => sum + (this.elasticities[this.sheet.parameters[index]?.name ?? ""] ?? 0), 0);
+    column.row.elasticity(this.factors[column.name] ?? null, this.largest);
   }
 
   /** What a closed group has to say. */
@@ -152,11 +151,11 @@ export class ParameterPanel {
     this.refusal = message;
   }
 
-  /** Shows elasticities, by name. */
-  showElasticities(elasticities: Record<string, number>): void {
+  /** Shows elasticities, by the names of numbers and of columns. */
+  showElasticities(elasticities: Record<string, number>, factors: Record<string, number>): void {
     this.elasticities = elasticities;
-    const sums = this.sections.flatMap(({ columns }) => columns.map((column) => this.sum(column)));
-    this.largest = Math.max(0, ...[...Object.values(elasticities), ...sums].map(Math.abs));
+    this.factors = factors;
+    this.largest = Math.max(0, ...[...Object.values(elasticities), ...Object.values(factors)].map(Math.abs));
     for (const section of this.sections) if (section.element.open) this.showSection(section);
   }
 
