@@ -48,7 +48,11 @@ impl<'d> Sliders<'d> {
             return self.of_height(parameter, value);
         }
         match value {
-            0.0 => self.of_zero(parameter.dimension()),
+            0.0 => {
+                let [low, high] = self.of_zero(parameter.dimension());
+                let is_amount = parameter.nature().is_amount();
+                [if is_amount { 0.0 } else { low }, high]
+            }
             _ if value.is_finite() => {
                 let ends = [(1.0 - SHARE) * value, (1.0 + SHARE) * value];
                 [ends[0].min(ends[1]), ends[0].max(ends[1])]
@@ -145,6 +149,7 @@ mod tests {
         is("stations[1].height", [0.1, 12.0]);
         is("stations[2].height", [90.0, 110.0]);
         is("wires[0].angle_deg", [-10.0, 10.0]);
+        is("rna.center[1]", [-5.0, 5.0]);
         for parameter in Parameter::all(&description) {
             let value = parameter.value(&description);
             let [low, high] = sliders.range(parameter);

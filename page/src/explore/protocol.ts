@@ -55,7 +55,7 @@ export interface Parameter {
   meaning: string;
   /** "m", "kg"; empty without a unit. */
   unit: string;
-  /** The value of the file. */
+  /** The value of the file. JSON has null for one that is infinite; the page has Infinity. */
   value: number;
   /** The range of its slider around the value of the file. */
   low: number;
@@ -67,7 +67,8 @@ export interface Parameter {
 /** A solved tower. */
 export interface Answer {
   refused: null;
-  /** Values of all parameters, in the order of the sheet (some numbers follow others). */
+  /** Values of all parameters, in the order of the sheet (some numbers follow others); infinite as
+   * in the sheet. */
   values: number[];
   /** Name and text: mass of the tower, mass of the RNA, height, buckling load factor, … */
   facts: Fact[];

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { baseOf, multiplied } from "./column.js";
+import { baseOf, isMultiplied, multiplied } from "./column.js";
 
 test("numbers that are a multiple of the file's are multiplied from the file", () => {
   const ofFile = [0.06, 0.027, 0, 0.019];
@@ -14,4 +14,15 @@ test("other numbers are multiplied from where they are", () => {
   const present = [0.06, 0.05];
   assert.deepEqual(baseOf([0.06, 0.027], present), { values: present, factor: 1 });
   assert.deepEqual(baseOf([0, 0], [0, 1]), { values: [0, 1], factor: 1 });
+});
+
+test("what is rigid stays rigid, whatever the factor", () => {
+  const ofFile = [Infinity, 2e11, 0];
+  const present = multiplied({ values: ofFile, factor: 1 }, 1.2);
+  assert.deepEqual(present, [Infinity, 2.4e11, 0]);
+  assert.deepEqual(baseOf(ofFile, present), { values: ofFile, factor: 1.2 });
+  assert.deepEqual(multiplied({ values: [Infinity], factor: 1 }, 0), [Infinity]);
+  // A number typed in the place of one that was rigid is multiplied from where it is.
+  assert.deepEqual(baseOf(ofFile, [1e12, 2e11, 0]), { values: [1e12, 2e11, 0], factor: 1 });
+  assert.ok(![0, Infinity, NaN].some(isMultiplied));
 });

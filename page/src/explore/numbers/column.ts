@@ -11,14 +11,20 @@ export interface Base {
 /** The file's numbers if the present ones are a common multiple of them, else the present ones
  * at factor 1. */
 export function baseOf(ofFile: number[], present: number[]): Base {
-  const at = ofFile.findIndex((value) => value !== 0);
+  const at = ofFile.findIndex(isMultiplied);
   const factor = at < 0 ? 1 : (present[at] ?? 0) / (ofFile[at] ?? 1);
-  const isMultiple = ofFile.every((value, index) => isClose(value * factor, present[index] ?? NaN));
+  const isMultiple = ofFile.every((value, index) =>
+    isMultiplied(value) ? isClose(value * factor, present[index] ?? NaN) : value === present[index]);
   return isMultiple && factor > 0 ? { values: ofFile, factor: tidy(factor) } : { values: present, factor: 1 };
 }
 
 export function multiplied(base: Base, factor: number): number[] {
-  return base.values.map((value) => tidy(value * factor));
+  return base.values.map((value) => (isMultiplied(value) ? tidy(value * factor) : value));
+}
+
+/** Whether a factor changes it: zero and what is rigid have no multiple. */
+export function isMultiplied(value: number): boolean {
+  return value !== 0 && Number.isFinite(value);
 }
 
 function isClose(a: number, b: number): boolean {

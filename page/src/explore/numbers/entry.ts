@@ -23,8 +23,9 @@ export function readNumber(typed: string): Entry {
   return { problem: `“${text}” is not a number. Type digits with a decimal point, for example 3.6e5.` };
 }
 
-/** The shortest text that reads back as the same number. */
+/** The shortest text that reads back as the same number; an infinite stiffness is no number. */
 export function writeNumber(value: number): string {
+  if (value === Infinity) return "rigid";
   const size = Math.abs(value);
   if (size !== 0 && (size >= 1e7 || size < 1e-4)) return value.toExponential().replace("e+", "e");
   return String(value);

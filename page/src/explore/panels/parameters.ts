@@ -1,7 +1,7 @@
 // All numbers of the tower as sliders, in groups that fold, with a search.
 
 import { byId, make, setClass, setHidden, setText } from "../dom.js";
-import { baseOf, multiplied, type Base } from "../numbers/column.js";
+import { baseOf, isMultiplied, multiplied, type Base } from "../numbers/column.js";
 import type { Group, Parameter, Sheet } from "../protocol.js";
 import { Row } from "./row.js";
 
@@ -133,7 +133,11 @@ export class ParameterPanel {
 
   private showColumn(column: Column): void {
     // While it is slid, the factor is the user's.
-    if (column.base === null) column.row.show(this.base(column).factor);
+    if (column.base === null) {
+      const { values, factor } = this.base(column);
+      column.row.enable(values.some(isMultiplied));
+      column.row.show(factor);
+    }
     column.row.elasticity(this.factors[column.name] ?? null, this.largest);
   }
 

@@ -2,7 +2,7 @@
 // back to the file.
 
 import { button, make, setAttribute, setClass, setHidden, setText } from "../dom.js";
-import { readNumber, tidy, writeNumber } from "../numbers/entry.js";
+import { readNumber, tidy, writeNumber, type Entry } from "../numbers/entry.js";
 import { roundRange, type Range } from "../numbers/range.js";
 
 export interface RowText {
@@ -45,7 +45,7 @@ export class Row {
 
   constructor(private text: RowText, private given: RowRange, private events: RowEvents) {
     this.value = given.home;
-    this.range = roundRange(given.low, given.high, given.home);
+    this.range = this.firstRange();
     this.back = button("↺", () => this.goBack(), "back");
     this.element = this.build();
     this.showRange();
@@ -89,7 +89,7 @@ export class Row {
     slider.addEventListener("change", () => events.settle());
     field.addEventListener("input", () => {
       this.isEditing = true;
-      const entry = readNumber(field.value);
+      const entry = this.read();
       if ("value" in entry) this.ask(entry.value);
     });
     field.addEventListener("change", () => this.typed());
@@ -103,10 +103,16 @@ export class Row {
     });
   }
 
+  /** What is in the field; only what is rigid in the file can be so again. */
+  private read(): Entry {
+    const isRigid = this.given.home === Infinity && this.field.value.trim() === writeNumber(Infinity);
+    return isRigid ? { value: Infinity } : readNumber(this.field.value);
+  }
+
   /** What is typed is complete. */
   private typed(): void {
     this.isEditing = false;
-    const entry = readNumber(this.field.value);
+    const entry = this.read();
     this.typing = "problem" in entry ? entry.problem : null;
     this.showProblem();
     if ("problem" in entry) return;
@@ -133,6 +139,11 @@ export class Row {
     this.slider.focus();
   }
 
+  /** Nothing can be set where a factor would change no number. */
+  enable(isOn: boolean): void {
+    if (this.field.disabled === isOn) this.field.disabled = !isOn;
+  }
+
   /** Shows the present value, unless the user is typing it. */
   show(value: number): void {
     const isOther = value !== this.value;
@@ -148,10 +159,13 @@ export class Row {
 
   private showValue(): void {
     const { field, slider, value } = this;
-    const typed = readNumber(field.value);
+    const typed = this.read();
     const isTyped = this.isEditing || this.typing !== null || ("value" in typed && typed.value === value);
     if (!isTyped) field.value = writeNumber(value);
-    if (Number(slider.value) !== value) slider.value = String(value);
+    // What is rigid has no place on a slider; its field takes a number.
+    const isOff = field.disabled || !Number.isFinite(value);
+    if (slider.disabled !== isOff) slider.disabled = isOff;
+    if (Number(slider.value) !== value) slider.value = String(Number.isFinite(value) ? value : this.range.high);
     setAttribute(slider, "aria-valuetext", `${writeNumber(value)} ${this.text.unit}`.trim());
     const isChanged = value !== this.given.home;
     this.element.classList.toggle("changed", isChanged);
@@ -163,11 +177,22 @@ export class Row {
   /** The range grows with the value, and is the first one again at the value of the file. */
   private widen(): void {
     if (this.isEditing) return;
-    const { low, high, home } = this.given;
-    const isFirst = this.value === home && document.activeElement !== this.slider;
+    const { home } = this.given;
+    const isFirst = this.value === home && (document.activeElement !== this.slider || !Number.isFinite(home));
     if (this.value >= this.range.low && this.value <= this.range.high && !isFirst) return;
-    this.range = isFirst ? roundRange(low, high, home) : roundRange(this.range.low, this.range.high, this.value);
+    this.range = isFirst ? this.firstRange() : this.widened();
     this.showRange();
+  }
+
+  private firstRange(): Range {
+    const { low, high, home } = this.given;
+    return roundRange(low, high, ...[home].filter(Number.isFinite));
+  }
+
+  /** In the place of what is rigid a number has a range of its own. */
+  private widened(): Range {
+    const { range, value, given } = this;
+    return Number.isFinite(given.home) ? roundRange(range.low, range.high, value) : roundRange(0, 2 * value);
   }
 
   private showRange(): void {

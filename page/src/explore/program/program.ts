@@ -23,12 +23,21 @@ export function answerBy(other: Program): void {
   program = other;
 }
 
-export function sheet(): Promise<Sheet> {
-  return ask("sheet", null).then((response) => response.json() as Promise<Sheet>);
+export async function sheet(): Promise<Sheet> {
+  const given = (await (await ask("sheet", null)).json()) as Sheet;
+  given.parameters.forEach((parameter) => (parameter.value = orInfinite(parameter.value)));
+  return given;
 }
 
-export function solve(state: State): Promise<Answer | Refusal> {
-  return ask("solve", state).then((response) => response.json() as Promise<Answer | Refusal>);
+export async function solve(state: State): Promise<Answer | Refusal> {
+  const result = (await (await ask("solve", state)).json()) as Answer | Refusal;
+  if (result.refused === null) result.values = result.values.map(orInfinite);
+  return result;
+}
+
+/** JSON has no infinity: the program writes null for the stiffness of what is rigid. */
+function orInfinite(value: number | null): number {
+  return value ?? Infinity;
 }
 
 export function elasticities(state: State, mode: number): Promise<Elasticities | Refusal> {
