@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { readNumber, tidy, writeNumber } from "./entry.js";
+import { readNumber, tidy, writeFull, writeNumber, writeShort } from "./entry.js";
 
 test("numbers with a decimal point and an exponent are read exactly", () => {
   const cases: [string, number][] = [
@@ -22,6 +22,20 @@ test("written numbers read back as the same", () => {
   }
   assert.equal(writeNumber(2.1e11), "2.1e11");
   assert.equal(writeNumber(350000), "350000");
+});
+
+test("a field shows seven digits with the whole exponent, and all digits to who types", () => {
+  const cases: [number, string, string][] = [
+    [1.7940356851508e11, "1.794036e11", "1.7940356851508e11"],
+    [3.2500000000000004, "3.25", "3.25"],
+    [6.499999999999999, "6.5", "6.5"],
+    [0.00803119703, "0.008031197", "0.00803119703"],
+    [-12345678.9, "-1.234568e7", "-1.23456789e7"],
+    [350000, "350000", "350000"],
+    [0, "0", "0"],
+    [Infinity, "rigid", "rigid"],
+  ];
+  for (const [value, short, full] of cases) assert.deepEqual([writeShort(value), writeFull(value)], [short, full]);
 });
 
 test("a product loses the digits of its rounding error", () => {

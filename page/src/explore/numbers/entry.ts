@@ -31,6 +31,16 @@ export function writeNumber(value: number): string {
   return String(value);
 }
 
+/** What a field shows while nobody types in it: seven digits, and the whole exponent. */
+export function writeShort(value: number): string {
+  return writeNumber(Number(value.toPrecision(7)));
+}
+
+/** All digits of a number but the noise of its last bits, for who types: 3.25, not 3.2500000000000004. */
+export function writeFull(value: number): string {
+  return writeNumber(Number(value.toPrecision(15)));
+}
+
 /** Without the digits beyond twelve that a product of two short numbers gets. */
 export function tidy(value: number): number {
   return Number(value.toPrecision(12));

@@ -2,7 +2,7 @@
 // back to the file.
 
 import { button, make, setAttribute, setClass, setHidden, setText } from "../dom.js";
-import { readNumber, tidy, writeNumber, type Entry } from "../numbers/entry.js";
+import { readNumber, tidy, writeFull, writeNumber, writeShort, type Entry } from "../numbers/entry.js";
 import { roundRange, type Range } from "../numbers/range.js";
 
 export interface RowText {
@@ -93,12 +93,14 @@ export class Row {
       if ("value" in entry) this.ask(entry.value);
     });
     field.addEventListener("change", () => this.typed());
+    for (const name of ["focus", "blur"]) field.addEventListener(name, () => this.showText());
     field.addEventListener("keydown", (event) => {
       if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
       event.preventDefault();
       const steps = (event.key === "ArrowUp" ? 1 : -1) * (event.shiftKey ? 10 : 1);
       this.ask(tidy(this.value + steps * this.range.step));
-      this.field.value = writeNumber(this.value);
+      this.isEditing = false;
+      this.showText();
       events.settle();
     });
   }
@@ -159,19 +161,32 @@ export class Row {
 
   private showValue(): void {
     const { field, slider, value } = this;
-    const typed = this.read();
-    const isTyped = this.isEditing || this.typing !== null || ("value" in typed && typed.value === value);
-    if (!isTyped) field.value = writeNumber(value);
+    this.showText();
     // What is rigid has no place on a slider; its field takes a number.
     const isOff = field.disabled || !Number.isFinite(value);
     if (slider.disabled !== isOff) slider.disabled = isOff;
     if (Number(slider.value) !== value) slider.value = String(Number.isFinite(value) ? value : this.range.high);
-    setAttribute(slider, "aria-valuetext", `${writeNumber(value)} ${this.text.unit}`.trim());
+    setAttribute(slider, "aria-valuetext", `${writeShort(value)} ${this.text.unit}`.trim());
     const isChanged = value !== this.given.home;
     this.element.classList.toggle("changed", isChanged);
     if (this.back.disabled === isChanged) this.back.disabled = !isChanged;
-    const title = isChanged ? `Back to ${writeNumber(this.given.home)} ${this.text.unit}`.trim() : "As in the file";
+    const title = isChanged ? `Back to ${writeFull(this.given.home)} ${this.text.unit}`.trim() : "As in the file";
     if (this.back.title !== title) this.back.title = title;
+  }
+
+  /** Shows the value in the field: all digits while the field has the focus. What is typed stays. */
+  private showText(): void {
+    const { field, value } = this;
+    if (this.isEditing || this.typing !== null) return;
+    const hasFocus = document.activeElement === field;
+    const typed = this.read();
+    if (hasFocus && "value" in typed && typed.value === value) return;
+    const text = hasFocus ? writeFull(value) : writeShort(value);
+    if (field.value === text) return;
+    // A key that leads to a field selects its text, to be typed over.
+    const isSelected = hasFocus && field.selectionStart === 0 && field.selectionEnd === field.value.length;
+    field.value = text;
+    if (isSelected) field.select();
   }
 
   /** The range grows with the value, and is the first one again at the value of the file. */
