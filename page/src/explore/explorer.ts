@@ -16,7 +16,7 @@ import { Findings } from "./panels/findings.js";
 import { MassTable, ModeTable } from "./panels/modes.js";
 import { ParameterPanel } from "./panels/parameters.js";
 import { Stage } from "./panels/stage.js";
-import { sentences, showRefusal, showTools, spoken } from "./panels/status.js";
+import { sentences, showRefusal, showStale, showTools, spoken } from "./panels/status.js";
 import { TakeMenu } from "./panels/take.js";
 import { ProgramEnded, solve, take } from "./program/program.js";
 import { SolveQueue, type Result } from "./program/queue.js";
@@ -45,6 +45,8 @@ export class Explorer {
   private shown: Solved | null = null;
   private variant: Solved | null = null;
   private refusal: Refusal["refused"] | null = null;
+  /** Whether the last question for modes has no answer. */
+  private isUnanswered = false;
   private chosen: number | null;
   private influence: Influence;
   private reveal = (name: string): void => this.numbers.reveal(name);
@@ -67,7 +69,7 @@ export class Explorer {
     this.chosen = memory.chosen ?? null;
     this.queue = new SolveQueue(solve, {
       done: (state, result, at, since) => this.done(state, result, at, since),
-      failed: (error) => this.failed(error),
+      failed: (error) => this.unanswered(error),
       idle: () => this.idle(),
     });
     this.numbers = new ParameterPanel(sheet, {
@@ -206,6 +208,7 @@ export class Explorer {
 
   private done(state: State, result: Result, at: number, since: number): void {
     withdraw("program");
+    this.isUnanswered = false;
     if (result.refused !== null) {
       this.refuse(result.refused);
       return;
@@ -256,8 +259,15 @@ export class Explorer {
     this.refusal = refusal;
     this.numbers.refuse(this.concerned(refusal.parameters), sentences(refusal));
     this.numbers.show(this.wanted());
-    showRefusal(this.refusal, this.reveal);
+    this.showState();
     this.showTools();
+  }
+
+  /** The program gives no modes of the present tower: those of the one before stay. */
+  private unanswered(error: unknown): void {
+    this.isUnanswered = true;
+    this.failed(error);
+    this.showState();
   }
 
   private failed(error: unknown): void {
@@ -290,8 +300,14 @@ export class Explorer {
     this.comparison.show(this.sheet.parameters, answer.values, variant?.answer.values ?? null);
     setText(byId("method"), `${answer.method} · ${answer.certificate}`);
     this.showReadout(shown);
-    showRefusal(this.refusal, this.reveal);
+    this.showState();
     this.showTools();
+  }
+
+  private showState(): void {
+    showRefusal(this.refusal, this.reveal);
+    const isOther = this.shown !== null && !isSame(this.shown.state, this.history.present);
+    showStale(this.refusal !== null || (this.isUnanswered && isOther));
   }
 
   private showReadout({ answer, followed }: Solved): void {

@@ -487,6 +487,14 @@ fn a_program_that_has_ended_is_named() {
     of.page.wait_for("document.querySelector('#notices').textContent.includes('towermodes explore examples/monopile.toml')");
     of.page
         .wait_for("location.hash.includes('rna.mass=300000')");
+    // The results are not those of the number that is set; of the number before they are.
+    let readout = "document.querySelector('#readout-state').textContent";
+    assert_eq!(of.page.text(readout), "last solved tower");
+    let opacity = "getComputedStyle(document.querySelector('#results')).opacity";
+    assert_eq!(of.page.text(opacity), "0.6");
+    of.page.click("#undo");
+    of.page.wait_for(&format!("{readout} === ''"));
+    assert_eq!(of.page.text(opacity), "1");
 }
 
 /// Every control has a name, nothing is wider than the window, in every width and theme.

@@ -18,13 +18,17 @@ export function showTools(history: History, hasVariant: boolean): void {
   setText(byId("keep"), hasVariant ? "Keep as new A" : "Keep as A");
 }
 
-/** Shows why there is no answer, and marks what is shown as that of the tower before. */
+/** Shows why the tower is refused. */
 export function showRefusal(refusal: Refusal["refused"] | null, reveal: Reveal): void {
   const text = refusal ? `Refused: ${sentences(refusal)}` : "";
   showWithNames(byId("refusal-text"), text, refusal?.parameters ?? [], reveal);
   setHidden(byId("refusal"), refusal === null);
-  setText(byId("readout-state"), refusal ? "last solved tower" : "");
-  document.body.classList.toggle("refused", refusal !== null);
+}
+
+/** Marks what is shown as that of the tower before, if the present one has no answer. */
+export function showStale(isStale: boolean): void {
+  setText(byId("readout-state"), isStale ? "last solved tower" : "");
+  document.body.classList.toggle("stale", isStale);
 }
 
 /** Message and hint of the program as sentences. Names of numbers stay as they are. */
