@@ -63,7 +63,7 @@ pub struct SheetParameter {
     pub group: usize,
     /// The name of its column, if its group is a list: `stations[*].wall`.
     pub column: Option<String>,
-    /// Its name within the group: `wall`, `2: wall`.
+    /// Its name within the group: `wall`, `3: wall`; rows count from 1, as in messages.
     pub label: String,
     /// What it is, in a few words.
     pub meaning: &'static str,
@@ -141,7 +141,7 @@ struct Name {
 }
 
 impl Name {
-    /// `stations[2].wall` is `wall` of row 2 of `stations[]`, in the column `stations[*].wall`.
+    /// `stations[2].wall` is `wall` of row 3 of `stations[]`, in the column `stations[*].wall`.
     fn new(parameter: Parameter) -> Self {
         let [group, key] = parameter.pattern();
         let name = parameter.to_string();
@@ -164,12 +164,11 @@ impl Name {
     }
 }
 
-/// What stands in the brackets of a name.
-fn rows(name: &str) -> Vec<&str> {
+/// The rows in the brackets of a name, counted from 1.
+fn rows(name: &str) -> Vec<String> {
     let after = name.split('[').skip(1);
-    after
-        .filter_map(|piece| Some(piece.split_once(']')?.0))
-        .collect()
+    let inside = after.filter_map(|piece| piece.split_once(']')?.0.parse::<usize>().ok());
+    inside.map(|index| (index + 1).to_string()).collect()
 }
 
 /// Heights and diameters of stations can be dragged.
@@ -201,7 +200,7 @@ mod tests {
         };
         let name = |name| Name::new(Parameter::parse(name, &description).expect("a number"));
         let wall = name("stations[1].wall");
-        assert_eq!((wall.group, wall.label.as_str()), ("stations[]", "1: wall"));
+        assert_eq!((wall.group, wall.label.as_str()), ("stations[]", "2: wall"));
         assert_eq!(wall.column.as_deref(), Some("stations[*].wall"));
         let single = name("rna.mass");
         assert_eq!((single.group, single.label.as_str()), ("rna", "mass"));

@@ -50,7 +50,7 @@ export interface Parameter {
   group: number;
   /** The name of its column, if its group is a list: `stations[*].wall`. */
   column: string | null;
-  /** The number within its group: "wall", or "2: wall". */
+  /** The number within its group: "wall", or "3: wall". */
   label: string;
   meaning: string;
   /** "m", "kg"; empty without a unit. */

@@ -78,7 +78,7 @@ export class ParameterPanel {
 
   private entry(parameter: Parameter, index: number): Entry {
     const { name, label, meaning, unit, low, high, value } = parameter;
-    const row = new Row({ id: `number-${index}`, label, meaning, unit }, { low, high, home: value }, {
+    const row = new Row({ id: `number-${index}`, name, label, meaning, unit }, { low, high, home: value }, {
       input: (value) => this.events.input({ [name]: value }),
       settle: () => this.events.settle(name),
     });
@@ -89,7 +89,7 @@ export class ParameterPanel {
     const key = name.slice(name.lastIndexOf(".") + 1);
     const of = this.sheet.parameters.flatMap((parameter, index) => (parameter.column === name ? [index] : []));
     const column: Column = { name, row: undefined as never, indices: of, base: null, words: `${name} ${section.group.title}`.toLowerCase() };
-    column.row = new Row({ id, label: `every ${key} ×`, meaning: "", unit: "" }, { low: 0.5, high: 1.5, home: 1 }, {
+    column.row = new Row({ id, name, label: `every ${key} ×`, meaning: "", unit: "" }, { low: 0.5, high: 1.5, home: 1 }, {
       input: (factor) => this.multiply(column, factor),
       settle: () => {
         column.base = null;

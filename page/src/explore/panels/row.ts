@@ -8,6 +8,8 @@ import { roundRange, type Range } from "../numbers/range.js";
 export interface RowText {
   /** Begins the ids of its elements. */
   id: string;
+  /** Its name in the tower file, where rows count from 0. */
+  name: string;
   label: string;
   meaning: string;
   unit: string;
@@ -54,7 +56,7 @@ export class Row {
 
   private build(): HTMLElement {
     const { id, label, meaning, unit } = this.text;
-    // "0: diameter" with "outer diameter" is "0: outer diameter".
+    // "1: diameter" with "outer diameter" is "1: outer diameter".
     const key = label.slice(label.lastIndexOf(" ") + 1);
     const isNamed = meaning.split(" ").includes(key);
     const heading = isNamed ? label.slice(0, -key.length) + meaning : label;
@@ -62,7 +64,7 @@ export class Row {
     const more = isNamed || label.endsWith(meaning) ? "" : meaning;
     if (more) name.append(` ${more}`);
     name.id = `${id}-name`;
-    name.title = name.textContent;
+    name.title = [name.textContent, this.text.name].filter(Boolean).join("\n");
     const spoken = [heading, more, unit && `in ${unit}`].filter(Boolean).join(", ");
     this.slider.type = "range";
     this.field.type = "text";
