@@ -9,7 +9,6 @@ import type { Moving } from "./modes/player.js";
 import { notice, say, withdraw } from "./notices.js";
 import { fromAddress } from "./numbers/address.js";
 import { AddressBar } from "./numbers/bar.js";
-import { tidy } from "./numbers/entry.js";
 import { History, isSame } from "./numbers/history.js";
 import { ComparePanel } from "./panels/compare.js";
 import { Findings } from "./panels/findings.js";
@@ -22,7 +21,7 @@ import { ProgramEnded, solve, take } from "./program/program.js";
 import { SolveQueue, type Result } from "./program/queue.js";
 import { Timings } from "./program/timings.js";
 import type { Answer, Refusal, Sheet, State } from "./protocol.js";
-import { handlesOf, nameOfDrag } from "./handles.js";
+import { describeDrag, draggedBy, handlesOf, valuesOf, type Dragged } from "./handles.js";
 import type { Drag } from "../view/scene.js";
 
 /** A refusal that names no number is shown at those that changed, if they are not more. */
@@ -53,6 +52,8 @@ export class Explorer {
   /** When the last state was asked for, by performance.now(). */
   private askedAt = -Infinity;
   private stage: Stage;
+  /** The numbers under the hand, from the start of a drag to the next one. */
+  private dragged: Dragged[] = [];
   private numbers: ParameterPanel;
   private modes = new ModeTable((id) => this.choose(id));
   private masses = new MassTable();
@@ -165,13 +166,15 @@ export class Explorer {
   }
 
   private drag(drag: Drag): void {
+    const isOver = drag.phase === "end" || drag.phase === "cancel";
+    if (drag.phase === "start") this.dragged = draggedBy(this.sheet.parameters, this.wanted(), drag);
+    this.stage.hold(isOver ? null : { text: describeDrag(this.dragged, drag), place: drag.place });
     if (drag.phase === "cancel") {
       this.history.cancel();
       this.ask(performance.now());
       return;
     }
-    const name = nameOfDrag(this.sheet.parameters, drag);
-    if (name !== null && drag.phase !== "start") this.input({ [name]: tidy(Number(drag.value_m.toFixed(3))) });
+    if (this.dragged.length > 0 && drag.phase !== "start") this.input(valuesOf(this.dragged, drag));
     if (drag.phase === "end") this.settle("");
   }
 

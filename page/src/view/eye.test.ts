@@ -43,12 +43,12 @@ test("a handle that is dragged sideways changes the diameter, upwards the height
   const wider = new Pull(handle, [206, 180], eye());
   assert.equal(wider.move([208, 181]), null);
   const first = wider.move([212, 181]);
-  assert.deepEqual({ ...first }, { station: 2, phase: "start", quantity: "diameter", value_m: 12 });
+  assert.deepEqual({ ...first }, { station: 2, phase: "start", quantity: "diameter", value_m: 12, place: [212, 181] });
   assert.equal(wider.move([206, 100])?.quantity, "diameter");
   const cancelled = wider.end([0, 0], "cancel");
-  assert.deepEqual({ ...cancelled }, { station: 2, phase: "cancel", quantity: "diameter", value_m: 6 });
+  assert.deepEqual({ ...cancelled }, { station: 2, phase: "cancel", quantity: "diameter", value_m: 6, place: [206, 180] });
   const higher = new Pull(handle, [194, 180], eye());
-  assert.deepEqual({ ...higher.move([195, 160]) }, { station: 2, phase: "start", quantity: "height", value_m: 70 });
+  assert.deepEqual({ ...higher.move([195, 160]) }, { station: 2, phase: "start", quantity: "height", value_m: 70, place: [195, 160] });
 });
 
 test("on the left of the tower outwards is to the left", () => {

@@ -109,6 +109,6 @@ export class Pull {
     const wider = this.side * (to[0] - this.from[0]) * this.eye.scale;
     const higher = (-(to[1] - this.from[1]) * this.eye.scale) / this.eye.rise;
     const value_m = this.quantity === "diameter" ? 2 * Math.max(radius_m + wider, 0.02 * radius_m) : height_m + higher;
-    return { station, phase, quantity: this.quantity ?? "diameter", value_m };
+    return { station, phase, quantity: this.quantity ?? "diameter", value_m, place: to };
   }
 }

@@ -100,6 +100,8 @@ export interface Drag {
   quantity: "diameter" | "height";
   /** Diameter or height, m. */
   value_m: number;
+  /** Where the pointer is, in pixels from the upper left corner of the view. */
+  place: [number, number];
 }
 
 /** A tap on the tower, without a drag. */

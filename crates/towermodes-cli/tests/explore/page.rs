@@ -246,8 +246,14 @@ fn a_station_is_dragged_in_the_view() {
         let event = json!({ "type": "mouseMoved", "x": at_x + 2.0 * f64::from(step), "y": at_y, "button": "left", "buttons": 1 });
         of.page.call("Input.dispatchMouseEvent", &event);
     }
+    // What is dragged stands beside the pointer.
+    let held = of.page.text("document.querySelector('#view .held').textContent");
+    held.begins("Station ");
+    held.says(": diameter ");
     mouse("mouseReleased", [at_x + 20.0, at_y]);
     of.is_shown();
+    let hidden = of.page.value("document.querySelector('#view .held').hidden");
+    assert_eq!(hidden, true);
     let state = of.page.value("window.towermodes.state.numbers");
     let names: Vec<&String> = state.as_object().expect("numbers").keys().collect();
     assert_eq!(names.len(), 1, "{state}");

@@ -2,7 +2,7 @@
 
 import { TowerView, isSupported } from "../../view/index.js";
 import type { Drag, Handle, Tap, TowerScene } from "../../view/scene.js";
-import { byId, make, setClass, setText } from "../dom.js";
+import { byId, make, setClass, setHidden, setText } from "../dom.js";
 import { Player, type Moving } from "../modes/player.js";
 import type { Mode } from "../protocol.js";
 
@@ -22,6 +22,10 @@ export class Stage {
   private amplitude = byId<HTMLInputElement>("amplitude");
   private speed = byId<HTMLInputElement>("speed");
   private lastTap: Tap | null = null;
+  /** What is in the hand, beside the pointer. */
+  private held = make("p", "held");
+  /** Whether the tower moves again when the hand lets go. */
+  private goesOn = false;
 
   constructor(private events: StageEvents) {
     this.player = new Player((pose, beside) => this.view?.pose(pose, beside), () => this.events.isAwaited());
@@ -33,6 +37,8 @@ export class Stage {
   private open(): void {
     const host = byId("view");
     if (isSupported()) {
+      this.held.hidden = true;
+      host.append(this.held);
       this.view = new TowerView(host, "The tower", {
         drag: (drag) => this.events.drag(drag),
         tap: (tap) => this.release(tap),
@@ -121,6 +127,25 @@ export class Stage {
     this.lastTap = tap;
     this.setTap(tap);
     this.play();
+  }
+
+  /** The tower stands still in the hand, and what is dragged stands beside the pointer; null lets
+   * go. */
+  hold(held: { text: string; place: [number, number] } | null): void {
+    const { player } = this;
+    if (held === null) {
+      setHidden(this.held, true);
+      if (this.goesOn) this.play();
+      this.goesOn = false;
+      return;
+    }
+    this.goesOn ||= player.isPlaying;
+    player.pause();
+    setText(this.held, held.text);
+    setHidden(this.held, false);
+    const [x, y] = held.place;
+    const isLeft = x < 0.5 * byId("view").clientWidth;
+    this.held.style.transform = `translate(${x}px, ${y}px) translate(${isLeft ? "1rem" : "calc(-100% - 1rem)"}, -100%)`;
   }
 
   private setTap(tap: Tap | null): void {
