@@ -5,11 +5,12 @@ use crate::pictures;
 use pictures::{look, plain, steel};
 use towermodes::{
     BeamFormula, CircularFooting, FloatingPlatform, FootingFormula, Foundation, FoundationSprings,
-    Inertia, Monopile, PileFormula, PileTube, RectangularFooting, ReferredMatrix, Rna, SoilProfile,
-    SoilRow, SoilSpring, SoilStiffness, StiffnessFoundation, SuctionCaisson, Tower,
-    TowerDescription, WinklerPile,
+    Ground, GroundLayer, Inertia, LayerSoil, Monopile, Options, PileFormula, PileTube,
+    RectangularFooting, ReferredMatrix, Rna, Sand, Scour, SoilModel, SoilProfile, SoilRow,
+    SoilSpring, SoilStiffness, StiffnessFoundation, SuctionCaisson, Tower, TowerDescription,
+    WinklerPile, solve,
 };
-use towermodes_report::figures;
+use towermodes_report::figures::{self, Substance};
 use towermodes_report::svg::Look;
 use towermodes_testing::{Says, changed, parts, stations, with};
 
@@ -195,4 +196,48 @@ fn much_around_a_tower() {
     let tower = Tower::new(description.clone()).expect("a tower");
     let svg = figures::tower(&description, &tower).to_svg(Look::Standalone);
     svg.says("North &lt;sea&gt; &amp; &quot;more&quot;");
+}
+
+/// Layers are soil from the surface that scour leaves to their lowest end, and no deeper below the
+/// tip than a tenth of the tower's height.
+#[test]
+fn layers_are_soil_around_the_pile() {
+    let layer = |ends_m| {
+        let friction_angle_deg = Some(35.0);
+        let sand = LayerSoil::Sand(with!(Sand, friction_angle_deg));
+        GroundLayer {
+            effective_unit_weight_n_per_m3: Some(1e4),
+            ..GroundLayer::new(ends_m, sand, SoilModel::Api)
+        }
+    };
+    // The pile reaches to -56 m, the tower is 144 m high.
+    for (lowest_m, drawn_m) in [(-60.0, -60.0), (-500.0, -56.0 - 14.4)] {
+        let layers = vec![layer([-20.0, -32.0]), layer([-32.0, lowest_m])];
+        let ground = Ground {
+            scour: with!(Scour, general_m = 2.0),
+            ..Ground::new(-20.0, layers)
+        };
+        let description = TowerDescription {
+            ground: Some(ground),
+            foundation: Foundation::Springs(parts::springs(0.0, 0.0, 0.0, 1e9, 1e9)),
+            rna: Rna::point(350e3),
+            ..steel(stations(&[(-56.0, 6.0, 0.06), (88.0, 3.87, 0.019)]))
+        };
+        look("layers", &description, 8);
+        let tower = Tower::new(description.clone()).expect("a tower");
+        let solution = solve(&tower, &Options::default()).expect("a solution");
+        let scene = figures::animation_data(&description, &tower, &solution);
+        let around = |of: Substance| scene.bodies.iter().filter(move |body| body.of == of);
+        assert_eq!(around(Substance::Ground).count(), 0);
+        let soil: Vec<_> = around(Substance::Soil).collect();
+        assert_eq!(soil.len(), 1);
+        let heights_m = soil[0].points.iter().map(|point| point[2]);
+        let ends_m = [
+            heights_m.clone().fold(0.0, f64::min),
+            heights_m.fold(-1e9, f64::max),
+        ];
+        for (end_m, expected_m) in ends_m.into_iter().zip([drawn_m, -22.0]) {
+            assert!((end_m - expected_m).abs() < 1e-3, "{ends_m:?}");
+        }
+    }
 }

@@ -247,12 +247,16 @@ fn a_station_is_dragged_in_the_view() {
         of.page.call("Input.dispatchMouseEvent", &event);
     }
     // What is dragged stands beside the pointer.
-    let held = of.page.text("document.querySelector('#view .held').textContent");
+    let held = of
+        .page
+        .text("document.querySelector('#view .held').textContent");
     held.begins("Station ");
     held.says(": diameter ");
     mouse("mouseReleased", [at_x + 20.0, at_y]);
     of.is_shown();
-    let hidden = of.page.value("document.querySelector('#view .held').hidden");
+    let hidden = of
+        .page
+        .value("document.querySelector('#view .held').hidden");
     assert_eq!(hidden, true);
     let state = of.page.value("window.towermodes.state.numbers");
     let names: Vec<&String> = state.as_object().expect("numbers").keys().collect();

@@ -91,7 +91,10 @@ impl<'a> Parts<'a> {
         let water = self.description.water;
         let of_frame = || self.substructure()?.ground_m();
         let bed_m = water.map(|water| water.bed_m.unwrap_or(self.tower.base_m()));
-        let bed_m = bed_m.or_else(of_frame);
+        // Scour lowers the surface of the layers below the bed.
+        let layers = self.description.ground.as_ref();
+        let layers_m = layers.map(|ground| ground.surface_m - ground.scour.general_m);
+        let bed_m = layers_m.or(bed_m).or_else(of_frame);
         let surfaces = self.description.soil.iter().filter_map(|rows| rows.last());
         let surface_m = surfaces.map(|row| row.height_m).reduce(f64::max);
         match (bed_m, surface_m) {

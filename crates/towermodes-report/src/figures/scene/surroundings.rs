@@ -13,6 +13,9 @@ const BELOW_KEEL: f64 = 0.08;
 /// Half the side of the water around a platform, as a fraction of the tower's height.
 const SEA: f64 = 0.5;
 
+/// Layers that reach deeper below the foot than this fraction of the tower's height are cut.
+const BELOW_FOOT: f64 = 0.1;
+
 /// How far ground and water reach beyond a frame, by its distance from the axis.
 const BESIDE: f64 = 1.25;
 
@@ -23,9 +26,7 @@ pub(super) fn ground(parts: &Parts<'_>) -> Vec<Body> {
     let half_m = half_side_m(parts);
     let slab_m = SLAB * height_m;
     let surface_m = parts.ground_m();
-    let rows = description.soil.iter().flatten();
-    let lowest_m = rows.map(|row| row.height_m).reduce(f64::min);
-    if let (Some(lowest_m), Some(surface_m)) = (lowest_m, surface_m) {
+    if let (Some(lowest_m), Some(surface_m)) = (lowest_soil_m(parts), surface_m) {
         let low_m = lowest_m.min(base_m);
         let heights_m = [low_m, surface_m.max(low_m + slab_m)];
         return vec![block(Substance::Soil, half_m, heights_m)];
@@ -35,6 +36,16 @@ pub(super) fn ground(parts: &Parts<'_>) -> Vec<Body> {
     let top_m = surface_m.or(is_held_below.then_some(base_m));
     let slab = |top_m| block(Substance::Ground, half_m, [top_m - slab_m, top_m]);
     top_m.map(slab).into_iter().collect()
+}
+
+/// The lowest height of soil that is given by rows of springs or by layers, m.
+fn lowest_soil_m(parts: &Parts<'_>) -> Option<f64> {
+    let rows = parts.description.soil.iter().flatten();
+    let rows_m = rows.map(|row| row.height_m);
+    let deepest_m = parts.foot_m() - BELOW_FOOT * parts.tower.height_m();
+    let layers = parts.description.ground.iter().flat_map(|of| &of.layers);
+    let layers_m = layers.map(|layer| layer.bottom_m.max(deepest_m));
+    rows_m.chain(layers_m).reduce(f64::min)
 }
 
 /// Half the side of soil, ground and water: wider than the frame under the tower.
