@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use towermodes::number::{four_digits, with_error};
-use towermodes::{Mode, Parameter, Solution, Tower, Warning};
+use towermodes::{Mode, Solution, Tower, Warning};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{Assessment, Campbell, Excited, Margin};
 use towermodes_files::TowerInput;
@@ -12,6 +12,7 @@ use towermodes_report::wording::{buckling_load_factor, completeness, computed_by
 
 use super::explorer::{Explorer, Solved};
 use super::refusal::{Refusal, names_at};
+use super::sheet::numbers;
 use super::state::State;
 
 /// A solved tower.
@@ -25,7 +26,7 @@ pub struct Answer {
     pub modes: Vec<AnsweredMode>,
     /// The proof that no mode is missing, in one line.
     pub certificate: String,
-    /// Method and mesh.
+    /// Method and mesh, and that the rotor of a turbine is rigid here.
     pub method: String,
     /// Possible input mistakes and limits of the results.
     pub warnings: Vec<Remark>,
@@ -145,7 +146,7 @@ impl Answer {
     pub(crate) fn new(solved: &Solved, file: &TowerInput) -> Self {
         let (tower, solution) = (&solved.tower, &solved.solution);
         let description = &solved.input.description;
-        let all = Parameter::all(&file.description).into_iter();
+        let all = numbers(file).into_iter();
         let campbell = solved.assessment.as_ref().map(|of| &of.campbell);
         let of_mode = |mode| AnsweredMode::new(mode, campbell);
         let warnings = solution.warnings.iter();
@@ -154,13 +155,25 @@ impl Answer {
             facts: facts(tower, solution),
             modes: solution.modes.iter().map(of_mode).collect(),
             certificate: completeness(&solution.certificate, solution.modes.len()),
-            method: computed_by(solution),
+            method: method(solution, file),
             warnings: warnings.map(|one| Remark::new(one, solved)).collect(),
             resonance: solved.assessment.as_ref().map(Resonance::new),
             diagram: campbell.map(|of| figures::campbell(of).to_svg(Look::Inline)),
             scene: animation_data(description, tower, solution),
             time: Timed::default(),
         }
+    }
+}
+
+/// The solver of a page knows towers alone.
+fn method(solution: &Solution, file: &TowerInput) -> String {
+    let computed = computed_by(solution);
+    match file.turbine {
+        Some(_) => format!(
+            "{computed}; the rotor is a rigid body: \
+             `towermodes campbell` and the report have the modes with flexible blades"
+        ),
+        None => computed,
     }
 }
 

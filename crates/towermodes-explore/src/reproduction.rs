@@ -5,12 +5,13 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use towermodes::Parameter;
 use towermodes::number::Plain;
-use towermodes_files::Setting;
+use towermodes_files::{Setting, TowerInput, rewritten};
 use towermodes_report::report::quoted;
 
 use super::explorer::Explorer;
 use super::sheet::column_of;
 use super::state::State;
+use super::take::left_out;
 
 /// The lines that reproduce a state.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -19,6 +20,8 @@ pub struct Reproduction {
     pub shell: String,
     /// A script for Python.
     pub python: String,
+    /// What the tower file of the state lacks of the old file, in sentences.
+    pub left_out: Vec<String>,
 }
 
 impl Reproduction {
@@ -27,6 +30,7 @@ impl Reproduction {
         Self {
             shell: commands.join("\n") + "\n",
             python: python(explorer, state),
+            left_out: explorer.left_out(state),
         }
     }
 }
@@ -35,6 +39,15 @@ impl Explorer {
     /// The lines that reproduce a state.
     pub fn reproduce(&self, state: &State) -> Reproduction {
         Reproduction::new(self, state)
+    }
+
+    /// What the tower file of a state lacks; nothing of a tower that cannot be.
+    fn left_out(&self, state: &State) -> Vec<String> {
+        let file = &self.exploration.input;
+        let changed = state.apply(file);
+        let sentences =
+            |changed: TowerInput| left_out(file, &rewritten(file, &changed.description));
+        changed.map(sentences).unwrap_or_default()
     }
 
     /// A command on the file with the numbers of a state, for a shell.

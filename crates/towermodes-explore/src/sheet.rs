@@ -1,7 +1,8 @@
 //! The numbers of a tower as groups of sliders, from the same list as the names of `--set`.
 
 use serde::Serialize;
-use towermodes::{Parameter, Place, TowerDescription};
+use towermodes::{Parameter, Place};
+use towermodes_files::TowerInput;
 
 use super::explorer::Explorer;
 use super::slider::Sliders;
@@ -30,7 +31,7 @@ impl Explorer {
     /// The numbers of the tower with the ranges of their sliders.
     pub fn sheet(&self) -> Sheet {
         let input = &self.exploration.input;
-        let (groups, parameters) = groups_and_parameters(&input.description);
+        let (groups, parameters) = groups_and_parameters(input);
         Sheet {
             version: env!("CARGO_PKG_VERSION"),
             file: self.exploration.file.clone(),
@@ -88,14 +89,23 @@ pub struct Dragged {
     pub quantity: &'static str,
 }
 
+/// The numbers of a page. The assembly of a turbine follows from nacelle, hub and blades: the file
+/// has no table of it, and with another one there is no turbine.
+pub(crate) fn numbers(input: &TowerInput) -> Vec<Parameter> {
+    let is_derived =
+        |one: &Parameter| input.turbine.is_some() && matches!(one.place(), Place::Rna { .. });
+    let mut numbers = Parameter::all(&input.description);
+    numbers.retain(|one| !is_derived(one));
+    numbers
+}
+
 /// Groups and numbers of a tower.
-pub(crate) fn groups_and_parameters(
-    description: &TowerDescription,
-) -> (Vec<Group>, Vec<SheetParameter>) {
+fn groups_and_parameters(input: &TowerInput) -> (Vec<Group>, Vec<SheetParameter>) {
+    let description = &input.description;
     let sliders = Sliders::new(description);
     let mut groups: Vec<Group> = Vec::new();
     let mut parameters = Vec::new();
-    for parameter in Parameter::all(description) {
+    for parameter in numbers(input) {
         let name = parameter.to_string();
         let parts = Name::new(parameter);
         let found = groups.iter().position(|group| group.name == parts.group);

@@ -2,13 +2,13 @@
 
 use serde::Deserialize;
 use thiserror::Error;
-use towermodes_files::rewritten;
+use towermodes_files::{FileFormat, Rewritten, TowerInput, rewritten};
 use towermodes_report::figures::{self, TitleWords, titled};
 use towermodes_report::raster::{self, RasterError};
 use towermodes_report::svg::{Figure, Look, Theme};
 use towermodes_report::wording::computed_by;
 
-use super::explorer::{Explorer, Solved};
+use super::explorer::{Exploration, Explorer, Solved};
 use super::refusal::Refusal;
 use super::state::State;
 
@@ -107,10 +107,11 @@ impl Taken {
             What::Tower => {
                 let (input, _) = explorer.changed(&take.state)?;
                 let file = rewritten(&explorer.exploration.input, &input.description);
+                let head = head(&explorer.exploration, &file);
                 Ok(Self {
                     name: format!("{stem}.toml"),
                     media_type: "application/toml",
-                    content: file.text.into_bytes(),
+                    content: (head + &file.text).into_bytes(),
                 })
             }
             What::Report => {
@@ -129,6 +130,42 @@ impl Taken {
             }
         }
     }
+}
+
+/// The comments above a file that is written anew: from which file, and what it lacks.
+fn head(of: &Exploration, file: &Rewritten) -> String {
+    if file.anew.is_none() {
+        return String::new();
+    }
+    let source = of.file.replace(char::is_control, " ");
+    let lines = [format!("From {source} by towermodes explore.")];
+    let lines = lines.into_iter().chain(left_out(&of.input, file));
+    lines.map(|line| format!("# {line}\n")).collect()
+}
+
+/// What a tower file lacks of the file that it is made from, in sentences.
+pub(crate) fn left_out(input: &TowerInput, file: &Rewritten) -> Vec<String> {
+    let Some(reason) = &file.anew else {
+        return Vec::new();
+    };
+    let mut lacks = vec![format!(
+        "comments of the old file are left out, because {reason}"
+    )];
+    lacks.extend(file.notes.iter().map(|note| note.message.clone()));
+    let has_turbine = file.text.contains("\n[turbine]\n");
+    let is_noted = input.format == FileFormat::Toml;
+    if input.turbine.is_some() && !has_turbine && !is_noted {
+        lacks.push("nacelle and rotor are one rigid body, without blades".to_owned());
+    } else if input.blade.is_some() && !has_turbine {
+        lacks.push("blades are left out".to_owned());
+    }
+    lacks.iter().map(|text| sentence(text)).collect()
+}
+
+fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(letters).chain(['.']).collect()
 }
 
 fn picture(solved: &Solved, take: &Take, stem: &str) -> Result<Taken, TakeError> {

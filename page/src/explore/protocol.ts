@@ -164,6 +164,8 @@ export interface Reproduction {
   /** Lines for a shell, and a script for Python. */
   shell: string;
   python: string;
+  /** What the tower file of the state lacks of the old file, in sentences. */
+  left_out: string[];
 }
 
 export interface Take {

@@ -9,12 +9,13 @@ use super::server::Explorer;
 use crate::pages::root;
 
 /// A tower of every format, and every kind of tower.
-const TOWERS: [&str; 10] = [
+const TOWERS: [&str; 11] = [
     "examples/floating.toml",
     "examples/guyed.toml",
     "examples/monopile.toml",
     "examples/monopile-layers.toml",
     "examples/nrel-5mw-table.toml",
+    "examples/nrel-5mw-turbine.toml",
     "examples/nrel-5mw.bmi",
     "examples/nrel-5mw.toml",
     "examples/nrel-5mw.yaml",
@@ -161,7 +162,7 @@ fn refusals_name_their_numbers() {
     explorer.is_well();
 }
 
-/// The names of the sheet are those of `parameters`, and each value is between its ends.
+/// The names of the sheet are those of `parameters`, but those of the assembly of a turbine, and each value is between its ends.
 #[test]
 fn sliders_are_the_numbers_of_the_tower() {
     for tower in TOWERS {
@@ -178,7 +179,11 @@ fn sliders_are_the_numbers_of_the_tower() {
             list.map(pair).collect()
         };
         let own = names(&sheet["parameters"], "value");
-        assert_eq!(own, names(&listed["parameters"], "value"), "{tower}");
+        let mut listed = names(&listed["parameters"], "value");
+        // The assembly of a turbine follows from its parts.
+        let is_turbine = tower.contains("turbine");
+        listed.retain(|(name, _)| !(is_turbine && name.starts_with("rna.")));
+        assert_eq!(own, listed, "{tower}");
         for one in sheet["parameters"].as_array().expect("parameters") {
             let ends = ["low", "value", "high"].map(|key| one[key].as_f64());
             let [Some(low), Some(value), Some(high)] = ends else {
@@ -269,6 +274,59 @@ fn towers_taken_away_have_the_digits_of_the_page() {
             let comments = |text: &str| text.matches('#').count();
             assert_eq!(comments(&file.text()), comments(&original));
         }
+    }
+}
+
+/// A file says what it lacks of the old one; where numbers are changed in the old text, nothing.
+#[test]
+fn towers_taken_away_say_what_they_lack() {
+    let taken = |tower, numbers: Value| {
+        let explorer = Explorer::start(&[tower]);
+        let question = json!({ "numbers": numbers, "what": "tower" }).to_string();
+        let file = explorer.ask("POST", "take", question.as_bytes()).text();
+        let lines = explorer.answer("reproduce", &json!({ "numbers": numbers }));
+        let sentences = lines["left_out"].as_array().expect("sentences").iter();
+        let sentences = sentences.map(|one| one.as_str().expect("a sentence").to_owned());
+        (file, sentences.collect::<Vec<_>>())
+    };
+    let wall = || json!({ "stations[0].wall": 0.04 });
+    let (file, lacks) = taken("examples/nrel-5mw-turbine.toml", wall());
+    assert_eq!(lacks, [""; 0]);
+    file.says_all("[turbine.blade] & wall");
+    // A page has no such slider, but an address may have the number.
+    let (file, lacks) = taken(
+        "examples/nrel-5mw-turbine.toml",
+        json!({ "rna.mass": 3.6e5 }),
+    );
+    assert_eq!(lacks.len(), 2);
+    lacks[0].begins("Comments of the old file are left out, because ");
+    lacks[1].says("blades of the turbine are left out");
+    file.begins("# From examples/nrel-5mw-turbine.toml by towermodes explore.\n# Comments");
+    file.says(&format!("\n# {}\n", lacks[1]));
+    let (file, lacks) = taken("examples/nrel-5mw.bmi", json!({}));
+    assert_eq!(
+        lacks[0],
+        "Comments of the old file are left out, because the old file is not TOML."
+    );
+    file.says(&lacks[0]);
+}
+
+/// The page solves a tower with a rigid rotor, and says so of a turbine.
+#[test]
+fn a_turbine_is_named_as_a_tower_with_a_rigid_rotor() {
+    for (tower, is_turbine) in [
+        ("examples/nrel-5mw-turbine.toml", true),
+        ("examples/small-turbine/ElastoDyn.dat", true),
+        ("examples/nrel-5mw.toml", false),
+    ] {
+        let explorer = Explorer::start(&[tower]);
+        let answer = explorer.answer("solve", &json!({ "numbers": {} }));
+        let method = answer["method"].as_str().expect("a text");
+        assert_eq!(
+            method.contains("the rotor is a rigid body"),
+            is_turbine,
+            "{method}"
+        );
     }
 }
 

@@ -2,6 +2,7 @@
 // state.
 
 import { button, byId, make, setText } from "../dom.js";
+import { notice, withdraw } from "../notices.js";
 import { reproduce, take } from "../program/program.js";
 import type { State, Take } from "../protocol.js";
 
@@ -66,7 +67,17 @@ export class TakeMenu {
   }
 
   private load(what: Take): void {
-    this.run(take(this.source.state(), what).then(({ name, content }) => save(name, content)));
+    this.run(this.saved(what));
+  }
+
+  private async saved(what: Take): Promise<void> {
+    const state = this.source.state();
+    const { name, content } = await take(state, what);
+    save(name, content);
+    if (what.what !== "tower") return;
+    const { left_out } = await reproduce(state);
+    if (left_out.length > 0) notice("taken", `${name} does not have all of the old file. ${left_out.join(" ")}`);
+    else withdraw("taken");
   }
 
   private run(work: Promise<void>): void {
