@@ -132,13 +132,15 @@ struct WholeColumn {
 fn common_factor(numbers: &[(String, f64)], state: &State) -> Option<f64> {
     const ROUNDED: f64 = 1e-11;
     let changed = |name: &String| state.numbers.get(name).copied();
-    let (first, old) = numbers.iter().find(|(_, old)| *old != 0.0)?;
+    let has_multiple = |old: f64| old != 0.0 && old.is_finite();
+    let (first, old) = numbers.iter().find(|(_, old)| has_multiple(*old))?;
     let quotient = changed(first)? / old;
     // The factor of a slider has few digits.
     let factor = (1e6 * quotient).round() / 1e6;
     let is_multiple = |(name, old): &(String, f64)| {
         let (new, product) = (changed(name).unwrap_or(*old), old * factor);
-        (new - product).abs() <= ROUNDED * product.abs()
+        // What is rigid stays so.
+        new == product || (new - product).abs() <= ROUNDED * product.abs()
     };
     (numbers.len() > 1 && numbers.iter().all(is_multiple)).then_some(factor)
 }

@@ -204,6 +204,71 @@ fn a_whole_column_is_multiplied() {
     of.page.was_quiet();
 }
 
+/// Towers of ElastoDyn have no torsion: GJ is infinite, and stays so under a factor on its column. A
+/// number in its place makes it elastic, and the button beside it rigid again.
+#[test]
+fn what_is_rigid_is_shown_as_rigid() {
+    let Some(of) = Explored::open(&["examples/small-turbine/ElastoDyn.dat"], WIDE) else {
+        return;
+    };
+    let name = "properties[0].gj_n_m2";
+    let row = of.row(name);
+    let field = format!("{row}.querySelector('input.field').value");
+    let is_off = |row: &str| {
+        let off = format!("{row}.querySelector('input[type=range]').disabled");
+        of.page.value(&off) == json!(true)
+    };
+    let column = |key: &str| {
+        format!(
+            "[...document.querySelectorAll('.row.column')].find(row => row.textContent.includes('every {key} '))"
+        )
+    };
+    assert_eq!(of.page.text(&field), "rigid");
+    assert!(is_off(&row));
+    assert!(is_off(&column("gj_n_m2")));
+    assert!(is_off(&column("polar_inertia_kg_m")));
+    assert!(!is_off(&column("ei_fore_aft_n_m2")));
+    let before = of.frequencies_hz();
+    of.enter(name, "1e11");
+    assert!(!is_off(&row));
+    assert_eq!(of.page.value("window.towermodes.isCurrent"), true);
+    of.page
+        .value(&format!("({row}.querySelector('.back').click(), 0)"));
+    of.is_shown();
+    assert_eq!(of.page.text(&field), "rigid");
+    assert_eq!(of.frequencies_hz(), before);
+    of.page.was_quiet();
+}
+
+/// A field has seven digits and the whole exponent; who types sees all digits.
+#[test]
+fn a_field_shows_few_digits_until_someone_types() {
+    let Some(of) = Explored::open(&["examples/nrel-5mw.bmi"], WIDE) else {
+        return;
+    };
+    let name = "properties[1].ei_fore_aft_n_m2";
+    let row = of.row(name);
+    let field = format!("{row}.querySelector('input.field')");
+    let read = || of.page.text(&format!("{field}.value"));
+    let value = of.sheet["parameters"][of.index(name)]["value"].as_f64();
+    let value = value.expect("a number");
+    let significand = format!("{value:.6e}");
+    let (digits, exponent) = significand.split_once('e').expect("an exponent");
+    let digits = digits.trim_end_matches('0').trim_end_matches('.');
+    assert_eq!(read(), format!("{digits}e{exponent}"));
+    let fits = of
+        .page
+        .value(&format!("{field}.scrollWidth <= {field}.clientWidth"));
+    assert_eq!(fits, true);
+    of.page.value(&format!("({field}.focus(), 0)"));
+    assert_eq!(read().parse(), Ok(value));
+    of.page.value(&format!("({field}.blur(), 0)"));
+    assert_eq!(read(), format!("{digits}e{exponent}"));
+    // Nothing has been typed.
+    assert_eq!(of.page.value("window.towermodes.state.numbers"), json!({}));
+    of.page.was_quiet();
+}
+
 /// The pointer goes down the tower until its form says that a station can be dragged; then it drags
 /// sideways. Escape would cancel; the end is one step.
 #[test]
