@@ -170,8 +170,7 @@ fn method(solution: &Solution, file: &TowerInput) -> String {
     let computed = computed_by(solution);
     match file.turbine {
         Some(_) => format!(
-            "{computed}; the rotor is a rigid body: \
-             `towermodes campbell` and the report have the modes with flexible blades"
+            "{computed}; the rotor is a rigid body (with flexible blades: towermodes campbell, report)"
         ),
         None => computed,
     }
