@@ -6,6 +6,9 @@ import { byId, make, setClass, setHidden, setText } from "../dom.js";
 import { Player, type Moving } from "../modes/player.js";
 import type { Mode } from "../protocol.js";
 
+/** From the pointer to the text above it, in pixels. */
+const ABOVE = 16;
+
 export interface StageEvents {
   /** Whether the next tower is about to come. */
   isAwaited(): boolean;
@@ -143,9 +146,11 @@ export class Stage {
     player.pause();
     setText(this.held, held.text);
     setHidden(this.held, false);
+    // Above the pointer, within the view.
     const [x, y] = held.place;
-    const isLeft = x < 0.5 * byId("view").clientWidth;
-    this.held.style.transform = `translate(${x}px, ${y}px) translate(${isLeft ? "1rem" : "calc(-100% - 1rem)"}, -100%)`;
+    const most = byId("view").clientWidth - this.held.offsetWidth;
+    const left = Math.max(0, Math.min(x - this.held.offsetWidth / 2, most));
+    this.held.style.transform = `translate(${left}px, ${Math.max(0, y - this.held.offsetHeight - ABOVE)}px)`;
   }
 
   private setTap(tap: Tap | null): void {
