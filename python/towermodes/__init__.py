@@ -24,6 +24,7 @@ from towermodes._damping import Damping
 from towermodes._errors import Mistake, OptionError, SolveError, TowerError
 from towermodes._first_order import FirstOrder
 from towermodes._found import Calibration, Design
+from towermodes._mooring import MooringAtRest, solve_mooring
 from towermodes._picture import Picture
 from towermodes._read import read
 from towermodes._sensitivity import Sensitivities
@@ -47,6 +48,7 @@ __all__ = [
     "FirstOrder",
     "Mistake",
     "Mode",
+    "MooringAtRest",
     "OptionError",
     "Picture",
     "Sensitivities",
@@ -61,6 +63,7 @@ __all__ = [
     "TurbineModes",
     "__version__",
     "read",
+    "solve_mooring",
     "solve_substructure",
 ]
 

@@ -6,7 +6,7 @@ The classes and functions of the package.
 from _typeshed import Incomplete, SupportsGetItem
 from typing import Any, Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Answer", "Converted", "Found", "Solution", "Tower", "TurbineModes", "calibrate", "campbell", "check", "close", "columns_of_stream", "compare", "damping", "design", "examine", "first_order", "mode_named", "read", "read_text", "rows_within", "run", "sensitivities", "solve_substructure", "source", "stream_of_columns", "stream_of_results", "sweep", "tower_file_keys", "turbine_campbell", "values_of_study", "values_of_table"]
+__all__ = ["VERSION", "Answer", "Converted", "Found", "Solution", "Tower", "TurbineModes", "calibrate", "campbell", "check", "close", "columns_of_stream", "compare", "damping", "design", "examine", "first_order", "mode_named", "read", "read_text", "rows_within", "run", "sensitivities", "solve_mooring", "solve_substructure", "source", "stream_of_columns", "stream_of_results", "sweep", "tower_file_keys", "turbine_campbell", "values_of_study", "values_of_table"]
 
 VERSION: Final[str]
 """
@@ -566,6 +566,11 @@ def run(words: "list[str]") -> "int":
 def sensitivities(tower: Tower, names: "list[str] | None", options: "dict[str, object]") -> "tuple[Incomplete, ...]":
     """
     The derivatives with respect to named changes, or to each number of the tower.
+    """
+
+def solve_mooring(path: "str") -> Answer:
+    """
+    The lines of a file of MoorDyn or MAP++ at the reference position of the platform.
     """
 
 def solve_substructure(path: "str", modes: SupportsIndex, clamped: bool, subdyn: bool) -> Answer:

@@ -49,6 +49,10 @@ pub(crate) fn input_of(file: &Path, reading: &ReadingArguments) -> Result<TowerI
             "this is a SubDyn file, which describes a substructure without a tower; it can be used only with solve",
         )
         .hint("for the tower, give the main file of ElastoDyn or the .fst file")),
+        Input::Mooring(_) => Err(Failure::usage(
+            "this file describes mooring lines without a tower; it can be used only with solve",
+        )
+        .hint("for the tower, give the .fst file, which names the file of the mooring lines")),
         Input::Blade(_) => Err(Failure::usage(
             "this is a deck of a rotating blade; it can be used only with solve",
         )),

@@ -147,6 +147,7 @@ const LINES: &str = "
     converge | converge examples/reference-tower.toml --segments 4,8
     verify | verify paper
     solve-several | solve examples/nrel-5mw.toml examples/reference-tower.toml
+    mooring | solve examples/spar_MoorDyn.dat
     substructure | solve examples/tripod_SubDyn.dat
     blade | solve BLADE
     design | design examples/nrel-5mw.toml crates/towermodes-cli/tests/inputs/design/mass.toml

@@ -10,7 +10,7 @@ use crate::places::Places;
 use crate::prescribed::Prescribed;
 use crate::source::Source;
 
-/// The kinds of file that describe a tower, a blade or a substructure.
+/// The kinds of file that describe a tower, a blade, a substructure or a mooring system.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileFormat {
     /// This program's own.
@@ -27,6 +27,10 @@ pub enum FileFormat {
     Hawc2,
     /// An input file of SubDyn.
     SubDyn,
+    /// An input file of MoorDyn.
+    MoorDyn,
+    /// An input file of MAP++.
+    Map,
 }
 
 impl FileFormat {
@@ -40,6 +44,8 @@ impl FileFormat {
             Self::WindIo => "windIO",
             Self::Hawc2 => "HAWC2",
             Self::SubDyn => "SubDyn",
+            Self::MoorDyn => "MoorDyn",
+            Self::Map => "MAP++",
         }
     }
 }

@@ -11,6 +11,7 @@ use crate::elastodyn::{read_elastodyn, read_elastodyn_tower};
 use crate::error::ReadError;
 use crate::hawc2::read_hawc2;
 use crate::input::{BladeInput, FileFormat, ReadOptions, RotorLock, TowerInput};
+use crate::mooring::{MooringInput, MooringSite, read_map, read_moordyn};
 use crate::note::Note;
 use crate::recognize::{recognize, unknown_file};
 use crate::resolver::{FileResolver, SiblingFiles};
@@ -32,6 +33,8 @@ pub enum Input {
     Blade(Box<BladeInput>),
     /// A jacket, tripod or monopile without a tower.
     Substructure(Box<SubdynInput>),
+    /// The mooring lines of a floater, without the floater.
+    Mooring(Box<MooringInput>),
 }
 
 /// A tower that is ready to be solved, and the input it was made of.
@@ -66,6 +69,7 @@ pub fn read_tower(path: impl AsRef<Path>) -> Result<Reading, ReadError> {
         Input::Tower(input) => input.check(),
         Input::Blade(_) => Err(ReadError::mistake(&source, wrong_file_of_blade())),
         Input::Substructure(_) => Err(ReadError::mistake(&source, wrong_file_of_substructure())),
+        Input::Mooring(_) => Err(ReadError::mistake(&source, wrong_file_of_mooring())),
     }
 }
 
@@ -79,6 +83,14 @@ fn wrong_file_of_substructure() -> Diagnostic {
     let found = "a SubDyn file, which describes a substructure without a tower".to_owned();
     Diagnostic::new(0..0, DiagnosticKind::WrongFile { found })
         .with_hint("`read_subdyn` reads it; for the tower give the main file of ElastoDyn")
+}
+
+fn wrong_file_of_mooring() -> Diagnostic {
+    let found =
+        "a file of MoorDyn or MAP++, which describes mooring lines without a tower".to_owned();
+    Diagnostic::new(0..0, DiagnosticKind::WrongFile { found }).with_hint(
+        "`read_moordyn` and `read_map` read it; for the tower give the main file of ElastoDyn or the .fst file",
+    )
 }
 
 impl TowerInput {
@@ -123,6 +135,8 @@ pub fn read_source(
         Some(FileFormat::SubDyn) => {
             return Ok(Input::Substructure(Box::new(read_subdyn(source, files)?)));
         }
+        Some(FileFormat::MoorDyn) => return mooring(read_moordyn(source, &MooringSite::default())),
+        Some(FileFormat::Map) => return mooring(read_map(source, &MooringSite::default())),
         None => return Err(unknown_file(&source)),
     };
     if options.without_rna {
@@ -135,6 +149,10 @@ pub fn read_source(
         put_at_equilibrium(&mut tower)?;
     }
     Ok(Input::Tower(Box::new(tower)))
+}
+
+fn mooring(input: Result<MooringInput, ReadError>) -> Result<Input, ReadError> {
+    input.map(|input| Input::Mooring(Box::new(input)))
 }
 
 /// Gives mooring lines their stiffness at the equilibrium.

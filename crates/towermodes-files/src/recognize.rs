@@ -4,7 +4,7 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::input::FileFormat;
 use crate::source::Source;
-use crate::{bmodes, elastodyn, hawc2, subdyn, windio};
+use crate::{bmodes, elastodyn, hawc2, mooring, subdyn, windio};
 
 /// The endings of names that show the format.
 const ENDINGS: [(&str, FileFormat); 4] = [
@@ -14,7 +14,8 @@ const ENDINGS: [(&str, FileFormat); 4] = [
     (".yml", FileFormat::WindIo),
 ];
 
-/// The format of a file, if it is one that describes a tower, a blade or a substructure.
+/// The format of a file, if it is one that describes a tower, a blade, a substructure or a
+/// mooring system.
 pub fn recognize(source: &Source) -> Option<FileFormat> {
     let (name, text) = (source.name.as_str(), source.text.as_str());
     let ends_with = |ending: &str| {
@@ -31,6 +32,8 @@ pub fn recognize(source: &Source) -> Option<FileFormat> {
         (elastodyn::is_fst(text), FileFormat::ElastoDyn),
         (elastodyn::is_tower_file(text), FileFormat::ElastoDynTower),
         (subdyn::is_subdyn(text), FileFormat::SubDyn),
+        (mooring::is_map(text), FileFormat::Map),
+        (mooring::is_moordyn(text), FileFormat::MoorDyn),
         (hawc2::is_hawc2(text, name), FileFormat::Hawc2),
         (bmodes::is_deck(text), FileFormat::Bmodes),
         (windio::is_windio(text, name), FileFormat::WindIo),

@@ -28,6 +28,9 @@ pub fn tower_input(input: Input) -> PyResult<TowerInput> {
         Input::Substructure(_) => Err(usage(
             "this is a SubDyn file, a substructure without a tower; solve_substructure solves it",
         )),
+        Input::Mooring(_) => Err(usage(
+            "this file describes mooring lines without a tower; solve_mooring solves it",
+        )),
         Input::Blade(_) => Err(usage(
             "this is a deck of a rotating blade, not of a tower; the program solves it: towermodes solve FILE",
         )),

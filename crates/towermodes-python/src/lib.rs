@@ -18,6 +18,7 @@ mod input;
 mod interrupt;
 mod lock;
 mod model;
+mod mooring;
 mod options;
 mod pickle;
 mod planned;
@@ -54,6 +55,8 @@ mod _towermodes {
     use crate::found::{Found, calibrate, design, source};
     #[pymodule_export]
     use crate::lock::close;
+    #[pymodule_export]
+    use crate::mooring::solve_mooring;
     #[pymodule_export]
     use crate::planned::{rows_within_table, values_of_study, values_of_table};
     #[pymodule_export]

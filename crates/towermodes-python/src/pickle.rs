@@ -44,7 +44,7 @@ type State = (
     Option<String>,
 );
 
-const FORMATS: [FileFormat; 7] = [
+const FORMATS: [FileFormat; 9] = [
     FileFormat::Toml,
     FileFormat::Bmodes,
     FileFormat::ElastoDyn,
@@ -52,6 +52,8 @@ const FORMATS: [FileFormat; 7] = [
     FileFormat::WindIo,
     FileFormat::Hawc2,
     FileFormat::SubDyn,
+    FileFormat::MoorDyn,
+    FileFormat::Map,
 ];
 
 const KINDS: [NoteKind; 8] = [

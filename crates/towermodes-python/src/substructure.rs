@@ -65,7 +65,7 @@ pub fn solve_substructure(
     };
     let input = match released(py, read).map_err(of_read)? {
         Input::Substructure(input) => *input,
-        Input::Tower(_) | Input::Blade(_) => {
+        Input::Tower(_) | Input::Blade(_) | Input::Mooring(_) => {
             return Err(usage(
                 "this is no SubDyn file; towermodes.read reads files of towers",
             ));

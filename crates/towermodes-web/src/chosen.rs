@@ -73,6 +73,7 @@ impl ChosenFiles {
             Ok(Input::Tower(input)) => input.check().map(|of| of.input),
             Ok(Input::Blade(_)) => Err(only_for_solve(main, "a deck of a rotating blade")),
             Ok(Input::Substructure(_)) => Err(only_for_solve(main, "a SubDyn file")),
+            Ok(Input::Mooring(_)) => Err(only_for_solve(main, "a file of mooring lines")),
             Err(error) => Err(error),
         };
         let tower = tower.map_err(|error| error.to_string() + &siblings.remedy(&main.name));

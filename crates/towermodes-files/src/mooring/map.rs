@@ -47,7 +47,7 @@ pub fn read_map(source: Source, site: &MooringSite) -> Result<MooringInput, Read
 }
 
 /// Whether a text is an input file of MAP++: its lines have no number of segments.
-pub(super) fn is_map(text: &str) -> bool {
+pub(crate) fn is_map(text: &str) -> bool {
     let words = text.to_ascii_uppercase();
     ["LINE DICTIONARY", "NODE PROPERTIES", "LINE PROPERTIES"]
         .iter()

@@ -23,5 +23,7 @@ mod tables;
 
 pub(crate) use input::Spans;
 pub use input::{MooringInput, MooringSite};
+pub(crate) use map::is_map;
 pub use map::read_map;
+pub(crate) use moordyn::is_moordyn;
 pub use moordyn::read_moordyn;

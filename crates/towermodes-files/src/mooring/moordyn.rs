@@ -49,6 +49,13 @@ pub fn read_moordyn(source: Source, site: &MooringSite) -> Result<MooringInput, 
     Ok(input)
 }
 
+/// Whether a text is an input file of MoorDyn: its lines have a number of segments.
+pub(crate) fn is_moordyn(text: &str) -> bool {
+    let words = text.to_ascii_uppercase();
+    let has_types = words.contains("LINE TYPES") || words.contains("LINE DICTIONARY");
+    has_types && words.contains("NUMSEG")
+}
+
 fn found(
     source: &Source,
     site: &MooringSite,

@@ -48,7 +48,7 @@ pub(super) fn depth_m(
     let (depth_m, message) = match (given_m, anchors) {
         (None, None) => {
             let what = "the depth of the water".to_owned();
-            let hint = "add a line such as `200.0 WtrDpth` to the table OPTIONS of a MoorDyn file; a .fst file has it too";
+            let hint = "add a line such as `200.0 WtrDpth` to the table OPTIONS of a MoorDyn file; a MAP++ file cannot contain it: give the .fst file that names the MAP++ file";
             return Err(Diagnostic::new(0..0, DiagnosticKind::Missing { what }).with_hint(hint));
         }
         (None, Some((anchor_m, place))) => {

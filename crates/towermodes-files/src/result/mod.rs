@@ -14,6 +14,7 @@ mod design;
 mod first_order;
 #[cfg(feature = "schema")]
 mod generated;
+mod mooring;
 mod parameters;
 mod schema;
 mod sensitivities;
@@ -43,6 +44,7 @@ pub use first_order::{
 };
 #[cfg(feature = "schema")]
 pub use generated::generated_schema_of;
+pub use mooring::{LineAtRest, SolvedMooring, write_mooring_csv, write_mooring_json};
 pub use parameters::{write_parameters_csv, write_parameters_json};
 pub use schema::{RESULTS, ResultKind};
 pub use sensitivities::{write_sensitivities_csv, write_sensitivities_json};

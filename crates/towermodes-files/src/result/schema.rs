@@ -54,6 +54,7 @@ results! {
     super::several::SeveralDocument<'_>: "solve-several", "solve FILE FILE", "towermodes solutions of several files";
     super::blade::BladeDocument<'_>: "blade", "solve BLADE", "towermodes blade solution";
     super::substructure::SubstructureDocument<'_>: "substructure", "solve SUBSTRUCTURE", "towermodes solution of a substructure";
+    super::mooring::MooringDocument<'_>: "mooring", "solve MOORING", "towermodes mooring lines at rest";
     super::parameters::ParametersDocument<'_>: "parameters", "parameters", "towermodes parameters";
     super::sensitivities::SensitivitiesDocument<'_>: "sensitivities", "sensitivities", "towermodes sensitivities";
     super::design::DesignDocument: "design", "design", "towermodes design";

@@ -24,6 +24,7 @@ macro_rules! examples {
   towermodes solve IEA-15-240-RWT.yaml --part tower --no-rna
   towermodes solve examples/*.toml --output frequencies.csv
   towermodes solve examples/tripod_SubDyn.dat --method subdyn
+  towermodes solve MoorDyn.dat
 
 Exit codes: 0 done, 1 the computation or the output failed, 2 wrong usage or wrong input."
     };
@@ -39,9 +40,10 @@ const SEGMENTS: &str = "Number of segments (bmodes and spectral: elements) [defa
 #[command(allow_negative_numbers = true, after_help = examples!(), after_long_help = LONG_HELP)]
 pub(crate) struct SolveArguments {
     /// Tower file (.toml), BModes deck (.bmi), ElastoDyn main or tower file (.dat, or the .fst that
-    /// refers to it), windIO turbine (.yaml), HAWC2 _st.dat or SubDyn file; the format is detected
-    /// from content and name; use - for standard input. Several files give one table of
-    /// frequencies, with a column for each file
+    /// refers to it), windIO turbine (.yaml), HAWC2 _st.dat, SubDyn file, or MoorDyn or MAP++ file
+    /// (tensions and stiffness of the lines at rest); the format is detected from content and name;
+    /// use - for standard input. Several files give one table of frequencies, with a column for
+    /// each file
     #[arg(required = true, value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
 
@@ -277,6 +279,31 @@ impl SolveArguments {
             return Err(message);
         }
         self.model.check_for_substructure()
+    }
+
+    /// Checks that no option is given that needs modes: mooring lines have none.
+    ///
+    /// # Errors
+    /// The message for an option that does not apply.
+    pub(crate) fn check_for_mooring(&self, format: SolveFormat) -> Result<(), &'static str> {
+        let given = self.reading.options();
+        let of_modes = self.method.is_some()
+            || self.segments.is_some()
+            || self.degree.is_some()
+            || self.points.is_some()
+            || self.sensitivities
+            || self.plot
+            || format == SolveFormat::Bmodes
+            || !self.reading.settings.is_empty()
+            || given.without_rna
+            || given.without_gravity
+            || self.model.is_given();
+        match of_modes {
+            true => Err(
+                "a file of mooring lines has no modes: of the options of solve only --format and --output apply",
+            ),
+            false => Ok(()),
+        }
     }
 
     /// The options for a substructure, and how its interface joints are held.

@@ -8,9 +8,10 @@ pub(crate) use arguments::{SolveArguments, SolveFormat};
 use towermodes::frame::{Frame, FrameOptions, FrameSolution, FrameSolveError, solve_frame};
 use towermodes::{Blade, BladeMode, BladeSolution, Solution, Solver, Tower, Warning};
 use towermodes_files::{
-    BladeInput, FileFormat, Input, Interface, Note, OutNodes, SolvedSubstructure, SubdynInput,
-    TowerInput, write_blade_csv, write_blade_json, write_csv, write_json,
-    write_json_with_sensitivities, write_substructure_csv, write_substructure_json,
+    BladeInput, FileFormat, Input, Interface, MooringInput, Note, OutNodes, SolvedMooring,
+    SolvedSubstructure, SubdynInput, TowerInput, write_blade_csv, write_blade_json, write_csv,
+    write_json, write_json_with_sensitivities, write_mooring_csv, write_mooring_json,
+    write_substructure_csv, write_substructure_json,
 };
 use towermodes_report::terminal::{blade_shapes, shapes};
 
@@ -24,8 +25,8 @@ use crate::progress::solve;
 use crate::table;
 use crate::terminal;
 
-/// Reads and solves the tower, the blade or the substructure and prints the result; warnings go to
-/// standard error.
+/// Reads and solves the tower, the blade, the substructure or the mooring lines and prints the
+/// result; warnings go to standard error.
 pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     for file in &arguments.files {
         check_not_input(file, arguments.destination.output())?;
@@ -39,6 +40,7 @@ pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         Input::Tower(tower) => of_tower(&tower, arguments, format)?,
         Input::Blade(blade) => of_blade(&blade, arguments, format)?,
         Input::Substructure(input) => of_substructure(&input, arguments, format)?,
+        Input::Mooring(input) => of_mooring(&input, arguments, format)?,
     };
     deliver(&result, arguments.destination.output())
 }
@@ -172,6 +174,33 @@ fn solved_frame(
         }
         result => result,
     }
+}
+
+fn of_mooring(
+    input: &MooringInput,
+    arguments: &SolveArguments,
+    format: SolveFormat,
+) -> Result<Vec<u8>, Failure> {
+    arguments.reading.check(&[FileFormat::MoorDyn])?;
+    arguments.check_for_mooring(format)?;
+    let mooring = input.mooring()?;
+    let state = input.at_rest(&mooring)?;
+    let mut notes = input.notes.clone();
+    notes.extend(input.warnings(&mooring, &state));
+    let solved = SolvedMooring {
+        mooring: &mooring,
+        state: &state,
+    };
+    let mut result = Vec::new();
+    match format {
+        SolveFormat::Table | SolveFormat::Bmodes => {
+            result.extend(table::mooring(&solved).into_bytes());
+        }
+        SolveFormat::Json => write_mooring_json(&solved, &notes, &mut result)?,
+        SolveFormat::Csv => write_mooring_csv(&solved, &mut result)?,
+    }
+    note(&notes);
+    Ok(result)
 }
 
 fn tower_text(tower: &Tower, solution: &Solution, arguments: &SolveArguments) -> String {

@@ -74,6 +74,11 @@ fn tower_of(file: &Path, arguments: &SolveArguments) -> Result<TowerInput, Failu
                 "this is a SubDyn file, whose modes are those of a substructure and not of a tower; solve it in its own command",
             ));
         }
+        Input::Mooring(_) => {
+            return Err(Failure::usage(
+                "this file describes mooring lines, which have no modes here; solve it in its own command",
+            ));
+        }
         Input::Blade(_) => {
             return Err(Failure::usage(
                 "this is a deck of a rotating blade, whose modes are not those of a tower; solve it in its own command",
