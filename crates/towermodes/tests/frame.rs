@@ -243,6 +243,45 @@ fn a_vertical_member_under_a_tower_is_the_lower_part_of_a_longer_tower() {
 }
 
 #[test]
+fn frequencies_do_not_depend_on_the_reference_point_of_a_transition_piece() {
+    let legs = [
+        [-5.0, -5.0, -10.0],
+        [5.0, -5.0, -10.0],
+        [0.0, 5.0, -11.0],
+        [-1.0, -1.0, 0.0],
+        [1.0, -1.0, 0.0],
+        [0.0, 1.0, 0.5],
+    ];
+    let jacket = frame(&legs, &[[0, 3], [1, 4], [2, 5], [0, 4], [1, 5]], &[0, 1, 2]);
+    let pile = frame(&VERTICAL, &[[0, 1]], &[0]);
+    for (below, joints) in [(jacket, vec![3, 4, 5]), (pile, vec![1])] {
+        let about = |reference_m: f64| {
+            let mut frame = below.clone();
+            frame.transition = Some(Transition {
+                position_m: [0.0, 0.0, reference_m],
+                joints: joints.clone(),
+                is_held: false,
+            });
+            let frame = Frame::new(frame).expect("a frame");
+            let platform = RigidBody::point(5e4, [0.3, 0.0, 1.0 - reference_m]);
+            let foundation = FrameFoundation::new(frame, platform).expect("a foundation");
+            let tower = tower_on(Foundation::Frame(Box::new(foundation)), 0.5, 9.81);
+            modes_of(&tower, Method::Spectral)
+        };
+        let at_joints = about(0.0);
+        for reference_m in [-9.0, 0.5, 4.0] {
+            for (own, expected) in about(reference_m).iter().zip(&at_joints) {
+                assert_eq!(own.0, expected.0);
+                assert!(
+                    (own.1 / expected.1 - 1.0).abs() < 1e-11,
+                    "reference at {reference_m} m: {own:?}, expected {expected:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
 fn water_and_growth_on_a_member_are_those_of_a_tower() {
     let mut below = frame(&VERTICAL, &[[0, 1]], &[0]);
     below.members[0].shears = false;

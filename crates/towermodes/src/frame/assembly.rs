@@ -11,7 +11,8 @@ use super::parts::Parts;
 use super::recipe::{FrameRecipe, Stretch};
 use super::rigid::{self, Motion, NONE, Vector, identity, rigid_transfer};
 use super::shape::{Sample, sampled};
-use super::tension::Tension;
+use super::tension::{ForcesAtRest, Tension};
+use super::turning_over::RigidLink;
 use crate::beam::MemberElement;
 use crate::space::{SpatialMatrix, add_scaled};
 use crate::tower::frame::{Frame, FrameMember, JointKind, MemberKind};
@@ -38,7 +39,9 @@ pub(super) struct Assembled {
     pub(super) joint_of_node: Vec<usize>,
     /// The elements of beams.
     pub(super) elements: Vec<PlacedElement>,
-    /// The tension in them, by edge.
+    /// Its rigid links.
+    pub(super) rigid_links: Vec<RigidLink>,
+    /// The tension in the elements, by edge.
     pub(super) tensions: Vec<(usize, Tension)>,
     /// Points of them.
     pub(super) samples: Vec<Sample>,
@@ -77,17 +80,17 @@ pub(super) enum Purpose {
     Rest,
 }
 
-/// Makes the equations of a frame, with the tension in its elements by edge.
+/// Makes the equations of a frame with its forces at rest.
 ///
 /// # Errors
 /// [`FrameSolveError`]: an impossible recipe, or rigid links in a loop that holds nothing.
 pub(super) fn assemble(
     frame: &Frame,
     recipe: FrameRecipe,
-    tensions: &[(usize, Tension)],
+    forces: &ForcesAtRest,
     purpose: Purpose,
 ) -> Result<Assembled, FrameSolveError> {
-    made(Assembly::new(frame, recipe, purpose), tensions)
+    made(Assembly::new(frame, recipe, purpose), forces)
 }
 
 /// The same with the transition piece carried by six free motions of its own, the first unknowns:
@@ -99,38 +102,40 @@ pub(super) fn assemble(
 pub(super) fn assemble_below_transition(
     frame: &Frame,
     recipe: FrameRecipe,
-    tensions: &[(usize, Tension)],
+    forces: &ForcesAtRest,
     purpose: Purpose,
 ) -> Result<Assembled, FrameSolveError> {
     let mut assembly = Assembly::new(frame, recipe, purpose);
     assembly.has_loose_transition = true;
-    made(assembly, tensions)
+    made(assembly, forces)
 }
 
-fn made(
-    mut assembly: Assembly<'_>,
-    tensions: &[(usize, Tension)],
-) -> Result<Assembled, FrameSolveError> {
+fn made(mut assembly: Assembly<'_>, forces: &ForcesAtRest) -> Result<Assembled, FrameSolveError> {
     assembly.recipe.check()?;
-    assembly = assembly.with_tensions(tensions);
+    assembly = assembly.with_tensions(&forces.tensions);
     assembly.place_joints();
     assembly.place_members();
     let joints = assembly.joints.clone();
     let transition = assembly.transition;
     let positions_m = assembly.graph.positions_m.clone();
     let joint_of_node = assembly.graph.joints.clone();
-    let (equations, elements, samples) = assembly.equations()?;
+    let (mut equations, elements, rigid_links, samples) = assembly.equations()?;
+    equations.turn_over(&rigid_links, &forces.turning);
     Ok(Assembled {
         positions_m,
         joint_of_node,
         equations,
         elements,
-        tensions: tensions.to_vec(),
+        rigid_links,
+        tensions: forces.tensions.clone(),
         samples,
         joints,
         transition,
     })
 }
+
+/// Equations, the places of their elements and rigid links, and points of members.
+type MadeEquations = (Equations, Vec<PlacedElement>, Vec<RigidLink>, Vec<Sample>);
 
 pub(super) struct Assembly<'a> {
     frame: &'a Frame,
@@ -385,10 +390,8 @@ impl<'a> Assembly<'a> {
     }
 
     /// The equations: what carries the nodes first, then what is left of the edges.
-    fn equations(
-        mut self,
-    ) -> Result<(Equations, Vec<PlacedElement>, Vec<Sample>), FrameSolveError> {
-        let mut elements = Vec::new();
+    fn equations(mut self) -> Result<MadeEquations, FrameSolveError> {
+        let (mut elements, mut rigid_links) = (Vec::new(), Vec::new());
         let mut nodes = vec![[NONE; KINDS]; self.graph.positions_m.len()];
         let description = self.frame.description();
         for support in &description.supports {
@@ -431,6 +434,12 @@ impl<'a> Assembly<'a> {
             let carrier = Carrier::Link(equations.links.len());
             elements.extend(self.placed(branch.edge, carrier, branch.reversed));
             let link = self.link(*branch, equations.unknowns);
+            if matches!(self.graph.edges[branch.edge].kind, EdgeKind::Rigid) {
+                rigid_links.push(RigidLink {
+                    edge: branch.edge,
+                    link: equations.links.len(),
+                });
+            }
             equations.unknowns += link.coordinates;
             equations.links.push(link);
         }
@@ -445,7 +454,7 @@ impl<'a> Assembly<'a> {
             }
         }
         equations.chords.append(&mut self.matrices);
-        Ok((equations, elements, self.samples))
+        Ok((equations, elements, rigid_links, self.samples))
     }
 
     /// The element of an edge, if it is one.

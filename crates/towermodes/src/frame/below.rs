@@ -81,7 +81,7 @@ impl FrameBelow {
         } = with_tensions(
             &foundation.frame,
             AtRest::under_tower(foundation, gravity_m_per_s2),
-            |frame, tensions, purpose| assemble_below_transition(frame, recipe, tensions, purpose),
+            |frame, forces, purpose| assemble_below_transition(frame, recipe, forces, purpose),
             |assembled| {
                 if let Some(node) = assembled.transition {
                     add_platform(assembled, node, foundation, gravity_m_per_s2);

@@ -19,6 +19,7 @@ use super::rigid::{Motion, NONE, rigid_transfer};
 use super::shape::{FrameShape, ShapeReader};
 use super::statics::{AtRest, with_tensions};
 use super::tension::Tension;
+use super::turning_over::turning_over;
 use crate::beam::MemberPart;
 use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
 use crate::subsystem::{
@@ -109,9 +110,9 @@ impl BareFrame {
         } = with_tensions(
             &foundation.frame,
             AtRest::under_tower(foundation, gravity_m_per_s2),
-            |frame, tensions, purpose| {
+            |frame, forces, purpose| {
                 let recipe = FrameRecipe::Spectral { degree };
-                assemble(frame, recipe, tensions, purpose)
+                assemble(frame, recipe, forces, purpose)
             },
             |assembled| {
                 if let Some(node) = assembled.transition {
@@ -401,11 +402,8 @@ pub(super) fn add_platform(
     add_scaled(&mut matrices[INERTIA], 1.0, &inertia);
     let weight_n = body.mass_kg * gravity_m_per_s2;
     let [x_m, y_m, z_m] = body.center_m;
-    add_scaled(
-        &mut matrices[GEOMETRIC],
-        weight_n,
-        &turning_over([x_m, y_m, z_m + rise_m]),
-    );
+    let turning = turning_over([0.0, 0.0, -weight_n], [x_m, y_m, z_m + rise_m]);
+    add_scaled(&mut matrices[GEOMETRIC], 1.0, &turning);
 }
 
 /// Adds a tower to a frame, with its base `rise_m` (m) above the transition piece. Returns the node
@@ -472,16 +470,6 @@ fn add_node(equations: &mut Equations, body: &[SpatialMatrix; 3]) -> usize {
     let [inertia, ground, geometric] = *body;
     equations.nodes.push([inertia, ground, geometric, NONE]);
     equations.nodes.len() - 1
-}
-
-/// The geometric stiffness of a unit weight at r on a rigid body: a force F of constant direction
-/// has (F·r) 1 − ½ (r Fᵀ + F rᵀ) for rotations.
-fn turning_over([x, y, z]: [f64; 3]) -> SpatialMatrix {
-    let mut matrix = NONE;
-    (matrix[3][3], matrix[4][4]) = (-z, -z);
-    (matrix[3][5], matrix[5][3]) = (0.5 * x, 0.5 * x);
-    (matrix[4][5], matrix[5][4]) = (0.5 * y, 0.5 * y);
-    matrix
 }
 
 /// The factors of the matrices of a frame, and that of the coordinates' own stiffness.

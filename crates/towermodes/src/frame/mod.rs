@@ -25,6 +25,7 @@ mod solve;
 mod static_stiffness;
 mod statics;
 mod tension;
+mod turning_over;
 
 pub(crate) use below::{FrameBelow, ReducedFrame};
 pub(crate) use carrying::{BareFrame, OnFrame};

@@ -139,6 +139,48 @@ impl Equations {
         }
     }
 
+    /// What each link passes on from all beyond it to the node that it hangs on, as force and moment
+    /// at its child: the forces of a motion of every node, less those of the unknowns x.
+    pub(super) fn passed_on(
+        &self,
+        (loads, motion): (&[f64; KINDS], Motion),
+        (stiffness, x): (&[f64; KINDS], &[f64]),
+    ) -> Vec<Motion> {
+        let still = vec![0.0; self.unknowns];
+        let mut forces = self.forces_of(loads, &still, (vec![motion; self.nodes.len()], motion));
+        let mut motions = Vec::new();
+        self.set_motions(x, &mut motions);
+        let held = self.forces_of(stiffness, x, (motions, [0.0; 6]));
+        for (force, held) in forces.iter_mut().flatten().zip(held.iter().flatten()) {
+            *force -= held;
+        }
+        let mut passed = vec![[0.0; 6]; self.links.len()];
+        for (link, passed) in self.links.iter().zip(&mut passed).rev() {
+            *passed = forces[link.child];
+            if let Some(parent) = link.parent {
+                add_transposed(&mut forces[parent], &link.transfer, passed);
+            }
+        }
+        passed
+    }
+
+    /// The forces of matrices on the nodes, for the unknowns x and motions of nodes and ground.
+    fn forces_of(
+        &self,
+        factors: &[f64; KINDS],
+        x: &[f64],
+        (motions, ground): (Vec<Motion>, Motion),
+    ) -> Vec<Motion> {
+        let mut sweep = Sweep {
+            motions,
+            forces: vec![[0.0; 6]; self.nodes.len()],
+            ground,
+            ..Sweep::default()
+        };
+        self.load(factors, &mut sweep, x, &mut vec![0.0; self.unknowns]);
+        sweep.forces
+    }
+
     /// Inertia forces of a motion that is 1 in every component at every node: a start vector.
     pub(super) fn start(&self, out: &mut [f64]) {
         let mut factors = [0.0; KINDS];

@@ -100,6 +100,6 @@ impl Places {
 }
 
 /// The lever (m) of a [`rigid_transfer`].
-fn lever_of(transfer: &SpatialMatrix) -> Vector {
+pub(super) fn lever_of(transfer: &SpatialMatrix) -> Vector {
     [transfer[1][5], transfer[2][3], transfer[0][4]]
 }

@@ -7,6 +7,7 @@ use super::parts::inverse_of_columns;
 use super::pencil::FramePencil;
 use super::recipe::FrameRecipe;
 use super::solve::check_stiffness;
+use super::tension::ForcesAtRest;
 use crate::eigen::Pencil;
 use crate::tower::frame::Frame;
 
@@ -22,7 +23,12 @@ const DEGREE: usize = 12;
 /// [`solve_frame`](super::solve_frame).
 pub fn static_stiffness(frame: &Frame, joint: usize) -> Result<[[f64; 6]; 6], FrameSolveError> {
     let recipe = FrameRecipe::Spectral { degree: DEGREE };
-    let assembled = assemble(frame, recipe, &[], Purpose::Frequencies)?;
+    let assembled = assemble(
+        frame,
+        recipe,
+        &ForcesAtRest::default(),
+        Purpose::Frequencies,
+    )?;
     let Some(node) = assembled.joints.get(joint).copied().flatten() else {
         let known = frame.description().joints.get(joint);
         let joint = known.map_or_else(|| joint.to_string(), |joint| joint.name.clone());

@@ -15,7 +15,8 @@ use super::elimination::Factors;
 use super::equations::{ELASTIC, Equations, GROUND, INERTIA, KINDS, motion_of};
 use super::order::Order;
 use super::rigid::{Motion, Vector};
-use super::tension::{Tension, tension_at};
+use super::tension::{ForcesAtRest, Tension, tension_at};
+use super::turning_over::of_rigid_links;
 use crate::tower::frame::{CoatKind, Frame, FrameDescription, FrameFoundation};
 
 /// Points of Gauss's rule on [0, 1] and their weights: exact for degree 7.
@@ -72,20 +73,15 @@ fn weighed(frame: &Frame, has_buoyancy: bool) -> FrameDescription {
     description
 }
 
-/// The tension in each element of the members of a frame, by edge; none where the stiffness does
-/// not hold the frame.
-pub(super) fn tensions(
-    frame: &Frame,
-    equations: &Equations,
-    elements: &[PlacedElement],
-    gravity_m_per_s2: f64,
-) -> Vec<(usize, Tension)> {
+/// The forces in a frame at rest; none where the stiffness does not hold the frame.
+fn forces_at_rest(frame: &Frame, at_rest: &Assembled, gravity_m_per_s2: f64) -> ForcesAtRest {
+    let (equations, elements) = (&at_rest.equations, &at_rest.elements);
     let order = Order::new(equations);
     let mut factors = Factors::default();
     let mut stiffness = [0.0; KINDS];
     (stiffness[GROUND], stiffness[ELASTIC]) = (1.0, 1.0);
     if equations.factorize(&order, (&stiffness, 1.0), &mut factors) != 0 {
-        return Vec::new();
+        return ForcesAtRest::default();
     }
     let mut x = equations.weight(gravity_m_per_s2);
     equations.solve(&order, &mut factors, &mut x);
@@ -101,7 +97,10 @@ pub(super) fn tensions(
             tension_of(frame, element, &moved, gravity_m_per_s2),
         )
     };
-    elements.iter().map(tension).collect()
+    ForcesAtRest {
+        tensions: elements.iter().map(tension).collect(),
+        turning: of_rigid_links(equations, &at_rest.rigid_links, &x, gravity_m_per_s2),
+    }
 }
 
 impl Equations {
@@ -259,24 +258,19 @@ fn integral([from, to]: [f64; 2], value: impl Fn(f64) -> f64) -> f64 {
 pub(super) fn with_tensions<E>(
     frame: &Frame,
     at_rest: AtRest,
-    assemble: impl Fn(&Frame, &[(usize, Tension)], Purpose) -> Result<Assembled, E>,
+    assemble: impl Fn(&Frame, &ForcesAtRest, Purpose) -> Result<Assembled, E>,
     mut carry: impl FnMut(&mut Assembled),
 ) -> Result<Assembled, E> {
-    let mut forces = Vec::new();
+    let mut forces = ForcesAtRest::default();
     let AtRest {
         gravity_m_per_s2,
         has_buoyancy,
     } = at_rest;
     if gravity_m_per_s2 != 0.0 {
         let heavy = Frame::unchecked(weighed(frame, has_buoyancy));
-        let mut at_rest = assemble(&heavy, &[], Purpose::Rest)?;
+        let mut at_rest = assemble(&heavy, &forces, Purpose::Rest)?;
         carry(&mut at_rest);
-        forces = tensions(
-            &heavy,
-            &at_rest.equations,
-            &at_rest.elements,
-            gravity_m_per_s2,
-        );
+        forces = forces_at_rest(&heavy, &at_rest, gravity_m_per_s2);
     }
     let mut assembled = assemble(frame, &forces, Purpose::Shapes)?;
     carry(&mut assembled);

@@ -1,4 +1,16 @@
-//! The tension along an element at rest.
+//! The forces in a frame at rest that change its stiffness: tensions along elements, and forces in
+//! rigid links.
+
+use crate::space::SpatialMatrix;
+
+/// The forces in a frame at rest that change its stiffness.
+#[derive(Debug, Clone, Default)]
+pub(super) struct ForcesAtRest {
+    /// The tension in each element of the members, by edge.
+    pub(super) tensions: Vec<(usize, Tension)>,
+    /// The stiffness of the force in each rigid link, by edge.
+    pub(super) turning: Vec<(usize, SpatialMatrix)>,
+}
 
 /// The tension at five equally spaced points of an element, N, from where it begins on its member.
 pub(super) type Tension = [f64; 5];
