@@ -18,6 +18,7 @@ use crate::hydrodyn::{HydrodynInput, HydrodynPlatform, WaterDefaults, read_hydro
 use crate::input::ReadOptions;
 use crate::mooring::{MooringInput, MooringSite, read_map, read_moordyn};
 use crate::note::Note;
+use crate::places::TABLE;
 use crate::resolver::FileResolver;
 use crate::source::Source;
 use crate::subdyn::{Interface, SoildynInput, read_soildyn, read_subdyn};
@@ -204,6 +205,10 @@ impl<'a> Model<'a> {
             ..Below::default()
         };
         let site = self.site(&water);
+        // What no other file has is that of HydroDyn.
+        below
+            .places
+            .push((Place::Foundation { key: TABLE }, 0, 0..0));
         below.sources.extend(water.sources);
         self.moor(&mut platform, &site, &mut below)?;
         if self.main.tower_hangs() {

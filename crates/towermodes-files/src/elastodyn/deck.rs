@@ -289,6 +289,9 @@ impl Model {
             (Place::Rna { key: "inertia" }, "NacYIner"),
             (Place::Rna { key: TABLE }, "NacMass"),
             (Place::Gravity, "Gravity"),
+            (Place::Foundation { key: "mass" }, "PtfmMass"),
+            (Place::Foundation { key: "center" }, "PtfmCMzt"),
+            (Place::Foundation { key: "inertia" }, "PtfmRIner"),
             (Place::Rotor { key: "blades" }, "NumBl"),
         ];
         let main = usize::from(self.found.fst.is_some());

@@ -14,20 +14,23 @@ pub fn completeness(certificate: &Certificate, listed: usize) -> String {
         true => " except for the other mode of the last pair",
         false => "",
     };
-    let outside = outside(certificate);
-    format!(
-        "complete{outside}{except}: exactly {} below {} Hz",
-        counted(certificate.count, "mode"),
-        four_digits(certificate.below_hz)
-    )
+    let below_hz = four_digits(certificate.below_hz);
+    match certificate.uncertain_hz {
+        Some(ends_hz) => format!("complete{except} below {below_hz} Hz {}", outside(ends_hz)),
+        None => format!(
+            "complete{except}: exactly {} below {below_hz} Hz",
+            counted(certificate.count, "mode"),
+        ),
+    }
 }
 
-/// " outside 0.1639 to 0.1767 Hz" where added mass by frequency leaves an interval uncertain.
-fn outside(certificate: &Certificate) -> String {
-    certificate.uncertain_hz.map_or_else(String::new, |ends| {
-        let [from, to] = ends.map(four_digits);
-        format!(" outside {from} to {to} Hz")
-    })
+/// "outside 0.1639 to 0.1767 Hz", the interval that added mass by frequency leaves uncertain, with
+/// as many digits as its ends need.
+fn outside([from_hz, to_hz]: [f64; 2]) -> String {
+    let shown = |count| [from_hz, to_hz].map(|end_hz| digits(end_hz, count));
+    let mut ends = (4..16).map(shown);
+    let [from, to] = ends.find(|[from, to]| from != to).unwrap_or(shown(16));
+    format!("outside {from} to {to} Hz")
 }
 
 /// The certificate as a report explains it: the theorem, the count, and the conclusion.
@@ -43,12 +46,18 @@ pub fn proof_of_completeness(certificate: &Certificate, listed: usize) -> String
             format!("{listed} of them are listed; the others have the frequency of the last one")
         }
     };
-    format!(
-        "The number of negative pivots of K − ω²M (Sylvester's law of inertia) proves that the computed model has exactly {count} below {} Hz; \
-         {all}. No mode in this range{} is missing.",
-        digits(certificate.below_hz, 6),
-        outside(certificate)
-    )
+    let below_hz = digits(certificate.below_hz, 6);
+    match certificate.uncertain_hz {
+        Some(ends_hz) => format!(
+            "The numbers of negative pivots of K − ω²M (Sylvester's law of inertia) prove that no mode below {below_hz} Hz is missing {}. \
+             There the added mass decreases so fast with frequency that a mode may appear again, which is not listed.",
+            outside(ends_hz)
+        ),
+        None => format!(
+            "The number of negative pivots of K − ω²M (Sylvester's law of inertia) proves that the computed model has exactly {count} below {below_hz} Hz; \
+             {all}. No mode in this range is missing."
+        ),
+    }
 }
 
 #[cfg(test)]
@@ -71,7 +80,7 @@ mod tests {
             uncertain_hz: Some([0.16391, 0.17672]),
             ..certificate
         };
-        let outside = "complete outside 0.1639 to 0.1767 Hz: exactly 9 modes below 8.323 Hz";
+        let outside = "complete below 8.323 Hz outside 0.1639 to 0.1767 Hz";
         assert_eq!(completeness(&uncertain, 9), outside);
         let cut =
             "complete except for the other mode of the last pair: exactly 9 modes below 8.323 Hz";

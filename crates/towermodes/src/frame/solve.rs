@@ -6,9 +6,10 @@ use super::assembly::{Assembled, Purpose, assemble};
 use super::error::FrameSolveError;
 use super::mechanism::{least_lambda, mechanism};
 use super::pencil::FramePencil;
-use super::recipe::FrameRecipe;
+use super::recipe::{FrameRecipe, MOST_DEGREE};
 use super::shape::{FrameShape, ShapeReader};
 use super::statics::{AtRest, with_tensions};
+use super::tension::ForcesAtRest;
 use crate::eigen::{EigenWorkspace, lowest};
 use crate::tower::frame::Frame;
 
@@ -49,8 +50,8 @@ pub struct FrameMode {
     pub frequency_hz: f64,
     /// Bound on the algebraic error of the frequency, Hz.
     pub error_hz: f64,
-    /// Estimate of the discretization error, Hz: the change from the degree before; 0 where the
-    /// recipe is given.
+    /// Estimate of the discretization error, Hz: the difference from the degree before, of a given
+    /// degree that from a higher one; 0 for SubDyn's elements, whose number is given.
     pub discretization_error_hz: f64,
     /// Its shape, m and rad, so that the modal mass is 1 kg.
     pub shape: FrameShape,
@@ -79,18 +80,30 @@ pub fn solve_frame(
     frame: &Frame,
     options: &FrameOptions,
 ) -> Result<FrameSolution, FrameSolveError> {
-    if let Some(recipe) = options.recipe {
-        return solve_once(frame, options, recipe);
-    }
     let at = |degree| solve_once(frame, options, FrameRecipe::Spectral { degree });
+    match options.recipe {
+        Some(recipe @ FrameRecipe::Subdyn { .. }) => return solve_once(frame, options, recipe),
+        Some(FrameRecipe::Spectral { degree }) => {
+            let mut own = at(degree)?;
+            compare(&mut own, &at(neighbour(degree))?);
+            return Ok(own);
+        }
+        None => {}
+    }
     let mut degree = FIRST_DEGREE;
-    let mut coarse = at(degree)?;
+    let mut coarse = loop {
+        match at(degree) {
+            // A higher degree has more modes.
+            Err(FrameSolveError::Modes { modes, .. }) if modes > 0 && degree < LAST_DEGREE => {
+                degree += STEP;
+            }
+            other => break other?,
+        }
+    };
     loop {
         degree += STEP;
         let mut fine = at(degree)?;
-        for (mode, before) in fine.modes.iter_mut().zip(&coarse.modes) {
-            mode.discretization_error_hz = (mode.frequency_hz - before.frequency_hz).abs();
-        }
+        compare(&mut fine, &coarse);
         let has_converged = |mode: &FrameMode| {
             mode.discretization_error_hz <= CONVERGED * mode.frequency_hz + 2.0 * mode.error_hz
         };
@@ -98,6 +111,22 @@ pub fn solve_frame(
             return Ok(fine);
         }
         coarse = fine;
+    }
+}
+
+/// The degree whose frequencies show the error of those of another degree: a higher one where that
+/// is possible.
+fn neighbour(degree: usize) -> usize {
+    match degree + STEP <= MOST_DEGREE {
+        true => degree + STEP,
+        false => degree - STEP,
+    }
+}
+
+/// The discretization errors of modes by those of elements of another degree.
+fn compare(solution: &mut FrameSolution, other: &FrameSolution) {
+    for (mode, other) in solution.modes.iter_mut().zip(&other.modes) {
+        mode.discretization_error_hz = (mode.frequency_hz - other.frequency_hz).abs();
     }
 }
 
@@ -110,7 +139,12 @@ pub fn count_frame_modes(
     recipe: FrameRecipe,
     below_hz: f64,
 ) -> Result<usize, FrameSolveError> {
-    let assembled = assemble(frame, recipe, &[], Purpose::Frequencies)?;
+    let assembled = assemble(
+        frame,
+        recipe,
+        &ForcesAtRest::default(),
+        Purpose::Frequencies,
+    )?;
     let omega = TAU * below_hz;
     Ok(FramePencil::new(assembled.equations).count_below_lambda(omega * omega))
 }
@@ -135,7 +169,7 @@ fn solve_once(
     } = with_tensions(
         frame,
         at_rest,
-        |frame, tensions, purpose| assemble(frame, recipe, tensions, purpose),
+        |frame, forces, purpose| assemble(frame, recipe, forces, purpose),
         |_| {},
     )?;
     let available = equations.unknowns;

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::description::{Attachment, Carrier, MooringDescription, MooringLine};
+use super::description::{Attachment, Carrier, MooringDescription, MooringLine, MooringPoint};
 use super::error::MooringItem;
 use super::state::{LineState, MooringState};
 use super::system::Mooring;
@@ -43,6 +43,12 @@ pub enum MooringWarning {
         z_m: f64,
         /// The depth, m.
         depth_m: f64,
+    },
+    /// A point without lines.
+    #[error("no line ends at point {}, which has no effect; check that no line is missing", .point + 1)]
+    WithoutLine {
+        /// The point.
+        point: usize,
     },
     /// A line that floats.
     #[error(
@@ -110,9 +116,9 @@ impl MooringWarning {
     /// The part that it is about.
     pub fn item(&self) -> MooringItem {
         match *self {
-            Self::AnchorAboveSeabed { point, .. } | Self::AnchorAboveWater { point, .. } => {
-                MooringItem::Point(point)
-            }
+            Self::AnchorAboveSeabed { point, .. }
+            | Self::AnchorAboveWater { point, .. }
+            | Self::WithoutLine { point } => MooringItem::Point(point),
             Self::Floats { line_type, .. } => MooringItem::LineType(line_type),
             Self::Slack { line, .. }
             | Self::Stretched { line, .. }
@@ -128,6 +134,7 @@ impl Mooring {
         let mooring = &self.description;
         let mut warnings = floating(mooring);
         warnings.extend(anchors(mooring));
+        warnings.extend(without_line(mooring));
         for (line, (given, found)) in mooring.lines.iter().zip(&state.lines).enumerate() {
             warnings.extend(stretch(mooring, line, given, found));
             warnings.extend(of_line(mooring, line, given, found, state));
@@ -171,6 +178,20 @@ fn anchors(mooring: &MooringDescription) -> Vec<MooringWarning> {
         }),
     });
     found.collect()
+}
+
+/// Points that no line ends at, and that neither weigh nor float.
+fn without_line(mooring: &MooringDescription) -> impl Iterator<Item = MooringWarning> {
+    let is_end = |point: usize| {
+        let mut lines = mooring.lines.iter();
+        lines.any(|line| line.points.contains(&point))
+    };
+    let points = mooring.points.iter().enumerate();
+    let is_idle = move |(index, point): &(usize, &MooringPoint)| {
+        !is_end(*index) && point.mass_kg == 0.0 && point.volume_m3 == 0.0
+    };
+    let idle = points.filter(is_idle);
+    idle.map(|(point, _)| MooringWarning::WithoutLine { point })
 }
 
 fn stretch(

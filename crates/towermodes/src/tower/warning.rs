@@ -431,6 +431,17 @@ pub enum Warning {
         /// Height of the highest joint of the transition piece, m.
         joints_m: f64,
     },
+    /// A tower beside the joints that carry it.
+    #[error(
+        "the axis of the tower is {} m beside the middle of the joints that carry it; check the reference point of the transition piece and the positions of these joints",
+        Rounded(*.beside_m)
+    )]
+    TowerBesideJoints {
+        /// The transition piece.
+        site: Site,
+        /// The distance, m.
+        beside_m: f64,
+    },
     /// A transition piece whose reference point is far from the tower.
     #[error(
         "the reference point of the transition piece is at z = {} m, but the tower begins at z = {} m; the body of the transition piece is placed from this point: give the height of the lowest station",
@@ -468,6 +479,20 @@ pub enum Warning {
         residual_n: f64,
         /// The same as a fraction of the weight.
         share: f64,
+    },
+    /// Weights, buoyancy and mooring lines of a floating tower that push it aside or tilt it.
+    #[error(
+        "weights, buoyancy and mooring lines leave {} N horizontally and a moment of {} N m at the reference position, so the platform drifts or tilts from there; \
+         check that no mooring line is missing, and the horizontal positions of masses, buoyancy and fairleads",
+        Rounded(*.force_n), Rounded(*.moment_n_m)
+    )]
+    PushedAside {
+        /// The key of the buoyancy.
+        site: Site,
+        /// The horizontal force that is left, N.
+        force_n: f64,
+        /// The moment about horizontal axes that is left, N m.
+        moment_n_m: f64,
     },
     /// Principal moments of inertia that no mass distribution has.
     #[error(
@@ -523,7 +548,7 @@ pub enum Warning {
     },
     /// Added mass that decreases with frequency so fast that the count of modes proves nothing.
     #[error(
-        "the list of modes is proved complete outside {:.4} to {:.4} Hz only: there the added mass decreases so fast with frequency that a mode may appear twice",
+        "the list of modes is proved complete outside {:.4} to {:.4} Hz only: there the added mass decreases so fast with frequency that a mode may appear again, which is not listed",
         Plain(*.from_hz), Plain(*.to_hz)
     )]
     UncertainAddedMass {
@@ -670,9 +695,11 @@ impl Warning {
             | Self::BedOffSurface { site, .. }
             | Self::DryUnderWater { site, .. }
             | Self::OutOfBalance { site, .. }
+            | Self::PushedAside { site, .. }
             | Self::Mooring { site, .. }
             | Self::Frame { site, .. }
             | Self::HighTransition { site, .. }
+            | Self::TowerBesideJoints { site, .. }
             | Self::FarReference { site, .. }
             | Self::TriangleInequality { site, .. } => Some(site),
             Self::SoilUnresolved { .. }

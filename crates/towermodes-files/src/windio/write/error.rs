@@ -18,6 +18,14 @@ pub enum WindIoWriteError {
         /// Length of the tower, m.
         length_m: f64,
     },
+    /// What carries the tower would be lost, and the written tower would look clamped.
+    #[error(
+        "the tower stands on {carrier}, which is not written in windIO: to write the tower alone, read the file with --clamped, or give a tower file [foundation] type = \"clamped\""
+    )]
+    Carried {
+        /// What carries the tower.
+        carrier: &'static str,
+    },
     /// The tower is not the one of the description.
     #[error("the description has neither stations nor properties")]
     NoSections,

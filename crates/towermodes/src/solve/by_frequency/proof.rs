@@ -76,7 +76,9 @@ impl Counts<'_> {
                 .into());
             }
         };
-        let uncertain_hz = self.uncertain_below(below);
+        let uncertain = self.uncertain_below(below);
+        let uncertain = uncertain.map(|ends| self.with_lost_modes(ends, below, roots));
+        let uncertain_hz = uncertain.map(|ends| ends.map(|end| end / TAU));
         Ok(Certificate {
             complete: uncertain_hz.is_none(),
             count: last.count,
@@ -92,8 +94,8 @@ impl Counts<'_> {
         count_below(model, lambda)
     }
 
-    /// The least interval (Hz) that has all below an angular frequency in which there may be other
-    /// modes.
+    /// The least interval (rad/s) that has all below an angular frequency in which there may be
+    /// other modes.
     fn uncertain_below(&mut self, limit: f64) -> Option<[f64; 2]> {
         let by_frequency = self.tower.inertia_by_frequency()?;
         let mut uncertain: Option<[f64; 2]> = None;
@@ -113,7 +115,22 @@ impl Counts<'_> {
                 uncertain = Some([low.min(from), high.max(to)]);
             }
         }
-        uncertain.map(|ends| ends.map(|end| end / TAU))
+        uncertain
+    }
+
+    /// The interval, extended to 0 if other modes than those listed are below it, and to `limit` if
+    /// other modes are above it. N at its ends decides: where N falls within the interval, a mode
+    /// of the same number stands above it again, and the list has only the first of the two.
+    fn with_lost_modes(&mut self, ends: [f64; 2], limit: f64, roots: &[Root]) -> [f64; 2] {
+        let [is_low, is_high] = ends.map(|end| {
+            let listed = roots.iter().filter(|root| root.frequency < end).count();
+            self.below(&self.tower.with_added_mass_at(end), end * end) == listed
+        });
+        let [low, high] = ends;
+        [
+            if is_low { low } else { 0.0 },
+            if is_high { high } else { limit },
+        ]
     }
 
     /// Whether the counts at the ends of a part of an interval prove that no mode is in it: with

@@ -4,6 +4,7 @@ use super::super::error::Problem;
 use super::super::parts::material::Material;
 use super::super::parts::rigid_body::RigidBody;
 use super::super::pieces::section::Tube;
+use super::super::validate::inertia::{indefinite, negative_inertia};
 use super::axes::{Axes, are_orthonormal, difference, member_axes, norm};
 use super::coat::{CoatKind, FrameCoat};
 use super::description::{FrameDescription, FrameRider, FrameSupport, JointKind};
@@ -437,7 +438,10 @@ fn check_matrix(name: &'static str, matrix: &SpatialMatrix) -> Result<(), FrameP
             }
         }
     }
-    Ok(())
+    match indefinite(name, matrix) {
+        Some(problem) => Err(problem.into()),
+        None => Ok(()),
+    }
 }
 
 fn check_axes(axes: &Axes) -> Result<(), FrameProblem> {
@@ -522,7 +526,10 @@ fn check_mass(
     for value in body.inertia_kg_m2.tensor().as_flattened() {
         finite("inertia", *value)?;
     }
-    Ok(())
+    match negative_inertia(&body.inertia_kg_m2) {
+        Some(problem) => Err(problem.into()),
+        None => Ok(()),
+    }
 }
 
 fn check_transition(description: &FrameDescription) -> Result<(), FrameProblem> {

@@ -7,6 +7,10 @@ use crate::tower::{Ineffective, Place, Site, Tower, Warning};
 
 /// A transition piece is at most this high, m.
 const HIGH_M: f64 = 12.0;
+/// A tower may begin this far below the highest joint of its transition piece, m.
+const BELOW_M: f64 = 0.5;
+/// The axis of a tower is at most this far beside the middle of the joints that carry it, m.
+const BESIDE_M: f64 = 1.0;
 
 pub(super) fn check(
     tower: &Tower,
@@ -65,9 +69,27 @@ fn transition(tower: &Tower, foundation: &FrameFoundation) -> Option<Warning> {
             base_m,
         });
     }
-    ((base_m - highest_m).abs() > HIGH_M).then_some(Warning::HighTransition {
-        site,
-        base_m,
-        joints_m: highest_m,
-    })
+    if !(-BELOW_M..=HIGH_M).contains(&(base_m - highest_m)) {
+        return Some(Warning::HighTransition {
+            site,
+            base_m,
+            joints_m: highest_m,
+        });
+    }
+    let beside_m = beside_m(foundation)?;
+    (beside_m > BESIDE_M).then_some(Warning::TowerBesideJoints { site, beside_m })
+}
+
+/// The distance of the axis of the tower from the middle of the joints that carry it, m.
+fn beside_m(foundation: &FrameFoundation) -> Option<f64> {
+    let description = foundation.frame.description();
+    let joints = &description.transition.as_ref()?.joints;
+    let middle = |axis: usize| {
+        let positions_m = joints
+            .iter()
+            .map(|j| description.joints[*j].position_m[axis]);
+        positions_m.sum::<f64>() / joints.len() as f64
+    };
+    let [x_m, y_m, _] = foundation.reference_m();
+    Some((middle(0) - x_m).hypot(middle(1) - y_m))
 }

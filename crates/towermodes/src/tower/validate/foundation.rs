@@ -4,7 +4,7 @@ use super::super::parts::floating_platform::FloatingPlatform;
 use super::super::parts::foundation_springs::FoundationSprings;
 use super::super::parts::mooring_lines::MooringLines;
 use super::super::support::base::Base;
-use super::inertia::check_inertia;
+use super::inertia::{check_inertia, indefinite};
 use super::inputs::check_inputs;
 use super::scale::{coordinate, error, not_negative, positive};
 use crate::mooring::MooringItem;
@@ -25,8 +25,6 @@ const ROUNDED: f64 = 1e-6;
 const SLIGHTLY: f64 = 0.05;
 /// … or by this fraction of their diagonal entries.
 const NOISE: f64 = 1e-3;
-/// A scaled eigenvalue above minus this is not negative.
-const NEGATIVE: f64 = 1e-9;
 
 pub(super) fn check_foundation(foundation: &Foundation) -> Result<(), TowerError> {
     match foundation.support() {
@@ -138,11 +136,15 @@ fn check_platform(platform: &FloatingPlatform) -> Result<(), TowerError> {
     if let Some(table) = &platform.added_mass_by_frequency {
         check_table(table)?;
     }
-    let (key, frequencies): (_, &[f64]) = match platform.added_mass_by_frequency {
-        Some(_) => (BY_FREQUENCY, &[0.0, f64::INFINITY]),
-        None => ("added_mass", &[0.0]),
+    let (key, frequencies) = match &platform.added_mass_by_frequency {
+        Some(table) => {
+            let rows = table.rows.iter().map(|(frequency, _)| *frequency);
+            let all = rows.chain([0.0, f64::INFINITY]).collect();
+            (BY_FREQUENCY, all)
+        }
+        None => ("added_mass", vec![0.0]),
     };
-    for &frequency in frequencies {
+    for frequency in frequencies {
         let held = Foundation::Floating(Box::new(platform.with_added_mass_at(frequency)));
         let what = "mass of the platform with its added mass";
         let base = Base::new(&held, platform.center_m[2], 0.0);
@@ -193,6 +195,8 @@ fn check_frame(foundation: &FrameFoundation) -> Result<(), TowerError> {
     let quantity = "the mass of the transition piece";
     let mass_kg = foundation.platform.mass_kg;
     not_negative(site(FramePart::Transition), quantity, mass_kg, " kg")?;
+    let inertia = &foundation.platform.inertia_kg_m2;
+    check_inertia(site(FramePart::Transition), inertia)?;
     check_restoring(foundation)?;
     match foundation.frame.check() {
         Ok(()) => Ok(()),
@@ -317,22 +321,14 @@ pub(in crate::tower) fn largest_asymmetry(matrix: &SpatialMatrix) -> f64 {
     shares.fold(0.0, f64::max)
 }
 
-/// Refuses a matrix with a negative eigenvalue; whether it is negative is judged where its diagonal
-/// is scaled to one.
+/// Refuses a matrix with a negative eigenvalue.
 fn check_not_indefinite(
     key: &'static str,
     what: &'static str,
     matrix: &SpatialMatrix,
 ) -> Result<(), TowerError> {
-    let scale = |i: usize| match matrix[i][i] {
-        diagonal if diagonal > 0.0 => diagonal.sqrt(),
-        _ => 1.0,
-    };
-    let scaled: SpatialMatrix =
-        std::array::from_fn(|i| std::array::from_fn(|j| matrix[i][j] / scale(i) / scale(j)));
-    if eigenpairs(scaled).0[0] >= -NEGATIVE {
-        return Ok(());
+    match indefinite(what, matrix) {
+        Some(problem) => error(at(key), problem),
+        None => Ok(()),
     }
-    let eigenvalue = eigenpairs(*matrix).0[0];
-    error(at(key), Problem::Indefinite { what, eigenvalue })
 }

@@ -1,22 +1,48 @@
-//! The check of an inertia tensor.
+//! The checks of inertia tensors and of matrices that must not have a negative eigenvalue.
 
 use super::super::parts::inertia::Inertia;
 use super::scale::{error, finite};
+use crate::space::SpatialMatrix;
+use crate::symmetric::eigenpairs;
 use crate::tower::error::{Place, Problem, TowerError};
 
 /// A principal moment of inertia may be negative by this fraction of the largest: tensors are
 /// rounded.
 const ROUNDED: f64 = 1e-9;
+/// A scaled eigenvalue above minus this is not negative.
+const NEGATIVE: f64 = 1e-9;
 
 /// Refuses a tensor that no body has: with an infinite entry or a negative principal moment.
 pub(super) fn check_inertia(place: Place, inertia: &Inertia) -> Result<(), TowerError> {
     for value in inertia.tensor().into_iter().flatten() {
         finite(place, "an entry of the inertia", value, " kg m2")?;
     }
+    match negative_inertia(inertia) {
+        Some(problem) => error(place, problem),
+        None => Ok(()),
+    }
+}
+
+/// A tensor with a negative principal moment.
+pub(in crate::tower) fn negative_inertia(inertia: &Inertia) -> Option<Problem> {
     let principal_kg_m2 = inertia.principal_kg_m2();
     let largest = principal_kg_m2[2].max(-principal_kg_m2[0]);
-    if principal_kg_m2[0] >= -ROUNDED * largest {
-        return Ok(());
+    let is_negative = principal_kg_m2[0] < -ROUNDED * largest;
+    is_negative.then_some(Problem::NegativeInertia { principal_kg_m2 })
+}
+
+/// A matrix with a negative eigenvalue; whether it is negative is judged where its diagonal is
+/// scaled to one.
+pub(in crate::tower) fn indefinite(what: &'static str, matrix: &SpatialMatrix) -> Option<Problem> {
+    let scale = |i: usize| match matrix[i][i] {
+        diagonal if diagonal > 0.0 => diagonal.sqrt(),
+        _ => 1.0,
+    };
+    let scaled: SpatialMatrix =
+        std::array::from_fn(|i| std::array::from_fn(|j| matrix[i][j] / scale(i) / scale(j)));
+    if eigenpairs(scaled).0[0] >= -NEGATIVE {
+        return None;
     }
-    error(place, Problem::NegativeInertia { principal_kg_m2 })
+    let eigenvalue = eigenpairs(*matrix).0[0];
+    Some(Problem::Indefinite { what, eigenvalue })
 }

@@ -4,7 +4,7 @@ mod damping;
 mod drivetrain;
 mod foundation;
 mod ground;
-mod inertia;
+pub(in crate::tower) mod inertia;
 mod inputs;
 mod rotor;
 mod scale;
