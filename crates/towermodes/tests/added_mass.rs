@@ -175,11 +175,15 @@ impl<'a> Dense<'a> {
 fn counts_of_modes_are_those_of_dense_matrices() {
     let mut random = Random(31);
     let mut solver = Solver::new(on_segments(12));
-    let (mut checked, mut complete) = (0, 0);
-    for case in 0..50 {
+    let (mut checked, mut complete, mut refused) = (0, 0, 0);
+    for case in 0..60 {
         let table = random_table(&mut random);
         let description = with_table(table.clone());
-        let tower = Tower::new(description.clone()).expect("a tower");
+        // The mass of the platform with its added mass may be negative in a random table.
+        let Ok(tower) = Tower::new(description.clone()) else {
+            refused += 1;
+            continue;
+        };
         let solution = solver.solve(&tower).expect("modes");
         let dense = Dense::of(&description, &table);
         let modes_hz = all_frequencies(&solution);
@@ -200,6 +204,7 @@ fn counts_of_modes_are_those_of_dense_matrices() {
         }
     }
     assert!(checked >= 1000 && complete >= 40, "{checked}, {complete}");
+    assert!(refused <= 10, "{refused}");
 }
 
 /// An added mass that falls in heave by `high_kg` between two angular frequencies. What else it has

@@ -139,8 +139,8 @@ impl Equations {
         }
     }
 
-    /// What each link passes on from all beyond it to the node that it hangs on, as force and moment
-    /// at its child: the forces of a motion of every node, less those of the unknowns x.
+    /// The force and moment at the child of each link that it passes on to its parent, from all
+    /// nodes beyond it: the forces of a motion of every node, less the forces of the unknowns x.
     pub(super) fn passed_on(
         &self,
         (loads, motion): (&[f64; KINDS], Motion),

@@ -142,7 +142,7 @@ fn check(description: &FrameDescription) -> Result<(), FrameError> {
     }
     for (index, (joint, matrix)) in description.added_masses.iter().enumerate() {
         let place = || FramePlace::AddedMass(index, joint_name(description, *joint));
-        let checked = existing(description, *joint).and_then(|()| check_matrix("inertia", matrix));
+        let checked = existing(description, *joint).and_then(|()| check_inertia(matrix));
         checked.map_err(|problem| at(place(), problem))?;
     }
     for rider in &description.riders {
@@ -293,7 +293,7 @@ fn check_member(description: &FrameDescription, member: &FrameMember) -> Result<
             member.joints[0] != member.joints[1]
         }
         MemberKind::Spring(spring) => {
-            check_matrix("stiffness", &spring.stiffness)?;
+            check_stiffness(&spring.stiffness)?;
             if let Some(axes) = &spring.axes {
                 check_axes(axes)?;
             }
@@ -315,7 +315,7 @@ fn check_rider(description: &FrameDescription, rider: &FrameRider) -> Result<(),
     let is_beam = matches!(member.kind, MemberKind::Beam { .. });
     let fraction = rider.fraction;
     let checked = match is_beam && (0.0..=1.0).contains(&fraction) {
-        true => check_matrix("inertia", &rider.inertia),
+        true => check_inertia(&rider.inertia),
         false => Err(FrameProblem::RiderPlace { fraction }),
     };
     let place = || FramePlace::Member(rider.member, member.name.clone());
@@ -438,11 +438,31 @@ fn check_matrix(name: &'static str, matrix: &SpatialMatrix) -> Result<(), FrameP
             }
         }
     }
-    match indefinite(name, matrix) {
+    Ok(())
+}
+
+/// A symmetric matrix that gives no energy back.
+fn check_stiffness(matrix: &SpatialMatrix) -> Result<(), FrameProblem> {
+    check_matrix(STIFFNESS, matrix)?;
+    match indefinite(STIFFNESS, matrix) {
         Some(problem) => Err(problem.into()),
         None => Ok(()),
     }
 }
+
+/// A symmetric matrix without negative masses and moments of inertia. Couplings may be too large
+/// for a body: files of soil have them without the moments of inertia.
+fn check_inertia(matrix: &SpatialMatrix) -> Result<(), FrameProblem> {
+    check_matrix(INERTIA, matrix)?;
+    for (i, row) in matrix.iter().enumerate() {
+        let unit = if i < 3 { " kg" } else { " kg m2" };
+        not_negative("inertia", unit, row[i])?;
+    }
+    Ok(())
+}
+
+const STIFFNESS: &str = "stiffness";
+const INERTIA: &str = "inertia";
 
 fn check_axes(axes: &Axes) -> Result<(), FrameProblem> {
     match are_orthonormal(axes) {
@@ -503,8 +523,8 @@ fn check_support(
             true => Ok(()),
             false => Err(FrameProblem::SupportOnHinge),
         })
-        .and_then(|()| check_matrix("stiffness", &support.stiffness))
-        .and_then(|()| check_matrix("inertia", &support.inertia));
+        .and_then(|()| check_stiffness(&support.stiffness))
+        .and_then(|()| check_inertia(&support.inertia));
     checked.map_err(|problem| at(place(), problem))?;
     let before = &description.supports[..index];
     match before.iter().any(|other| other.joint == support.joint) {
