@@ -1,5 +1,5 @@
 //! Progress of long computations on the last line of the terminal (standard error), shown after
-//! half a second and removed at the end.
+//! half a second and removed at the end. Where standard error is a file, a line every half minute.
 
 use std::fmt::Write;
 use std::io::IsTerminal;
@@ -28,7 +28,7 @@ const KNOWN: f64 = 0.03;
 const BETWEEN_LINES: Duration = Duration::from_secs(30);
 
 /// When a long computation writes a line into a log, which shows that it goes on.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Log {
     /// Number of lines that are written.
     lines: u32,
@@ -90,9 +90,12 @@ impl Drop for Cleared {
     }
 }
 
-/// The progress line; nothing if standard error is not a terminal.
+/// The progress line, or lines in a log.
 pub(crate) struct Progress {
+    now: Arc<Mutex<Now>>,
+    /// None if standard error is not a terminal.
     line: Option<Arc<Line>>,
+    begun: Instant,
 }
 
 impl Progress {
@@ -108,29 +111,32 @@ impl Progress {
 
     /// Progress of several computations, by their names and relative costs.
     pub(crate) fn of_weighted(pieces: impl IntoIterator<Item = (String, f64)>) -> Self {
-        let now = Now::new(pieces.into_iter().collect());
+        let now = Arc::new(Mutex::new(Now::new(pieces.into_iter().collect())));
         let is_seen = std::io::stderr().is_terminal();
         Self {
-            line: is_seen.then(|| Arc::new(Line::new(now))),
+            line: is_seen.then(|| Arc::new(Line::new(Arc::clone(&now)))),
+            now,
+            begun: Instant::now(),
         }
     }
 
     /// One more computation is finished, and the next one begins.
     pub(crate) fn done(&self) {
-        if let Some(line) = &self.line {
-            locked(&line.now).next();
-        }
+        locked(&self.now).next();
     }
 
     /// A solver for the current computation that reports its progress. The line stays until the
     /// solver is dropped too.
     pub(crate) fn solver(&self, options: Options) -> Solver {
-        let solver = Solver::new(options);
-        let Some(line) = &self.line else {
-            return solver;
-        };
-        let line = Arc::clone(line);
-        solver.watched(move |progress| locked(&line.now).hear(progress))
+        let (now, line, begun) = (Arc::clone(&self.now), self.line.clone(), self.begun);
+        Solver::new(options).watched(move |progress| {
+            let mut now = locked(&now);
+            now.hear(progress);
+            let elapsed = begun.elapsed();
+            if line.is_none() && now.log.is_due(elapsed) {
+                report(&(self::line(&now, elapsed.as_secs_f64()) + "\n"));
+            }
+        })
     }
 }
 
@@ -153,6 +159,7 @@ struct Now {
     /// The finished fraction of the current computation.
     share: f64,
     stage: Option<Stage>,
+    log: Log,
 }
 
 impl Now {
@@ -162,6 +169,7 @@ impl Now {
             at: 0,
             share: 0.0,
             stage: None,
+            log: Log::default(),
         }
     }
 
@@ -212,18 +220,16 @@ fn locked(now: &Mutex<Now>) -> std::sync::MutexGuard<'_, Now> {
 /// The line on the terminal, drawn by its own thread after [`QUIET`] and removed on drop.
 struct Line {
     bar: ProgressBar,
-    now: Arc<Mutex<Now>>,
     stop: Option<Sender<()>>,
     drawer: Option<JoinHandle<()>>,
 }
 
 impl Line {
-    fn new(now: Now) -> Self {
+    fn new(now: Arc<Mutex<Now>>) -> Self {
         let bar = ProgressBar::with_draw_target(Some(STEPS), ProgressDrawTarget::hidden());
-        let now = Arc::new(Mutex::new(now));
         bar.set_style(style(Arc::clone(&now)));
         let (stop, stopped) = channel::<()>();
-        let (drawn, seen) = (bar.clone(), Arc::clone(&now));
+        let (drawn, seen) = (bar.clone(), now);
         let draw = move || {
             let fraction = locked(&seen).fraction();
             drawn.set_position((fraction * STEPS as f64) as u64);
@@ -242,7 +248,6 @@ impl Line {
         });
         Self {
             bar,
-            now,
             stop: Some(stop),
             // Without a thread there is no progress line.
             drawer: drawer.ok(),

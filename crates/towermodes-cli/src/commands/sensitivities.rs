@@ -13,7 +13,7 @@ use crate::args::parsers::tolerance_parser;
 use crate::args::{Destination, Format, InputArguments, PictureFile, SolverArguments, csv_lines};
 use crate::failure::Failure;
 use crate::output::{check_not_input, check_place};
-use crate::progress::Progress;
+use crate::progress::searching;
 use crate::recipe::{Analysis, Answer};
 use crate::table;
 
@@ -130,10 +130,9 @@ pub(crate) fn influences_of(
     changes: Option<&[Change]>,
     options: &Options,
 ) -> Result<Influences, Failure> {
-    let progress = Progress::of_one();
-    let mut solver = progress.solver(options.clone());
+    let (mut solver, line) = searching(options.clone());
     let done = influences(description, changes, &mut solver);
-    drop((solver, progress));
+    drop((solver, line));
     Ok(done?)
 }
 
