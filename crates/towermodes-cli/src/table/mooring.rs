@@ -52,8 +52,8 @@ fn lines(solved: &SolvedMooring<'_>) -> String {
         "from",
         "to",
         "length m",
-        "tension at from kN",
-        "at to kN",
+        "first tension kN",
+        "second tension kN",
         "horizontal kN",
         "on seabed m",
     ];

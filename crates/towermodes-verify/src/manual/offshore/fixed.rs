@@ -112,12 +112,13 @@ fn of(name: String, tower: TowerDescription, remark: &'static str, values: &str)
 }
 
 /// The same with a spring that undoes what the source leaves out: the weight of the tower turns
-/// over on the stretch from the reference point of the transition piece to its base.
+/// over on the stretch from the reference point of the transition piece to its base. With weight
+/// on members, forces in rigid links turn over too: the weight of tower and transition piece, from
+/// the interface joints to the reference point.
 fn without_arm(mut tower: TowerDescription) -> TowerDescription {
     let checked = Tower::new(tower.clone()).expect("a tower of the manual");
     let weight_n = (checked.mass_kg() + checked.rna().mass_kg) * checked.gravity_m_per_s2();
     if let Foundation::Frame(foundation) = &mut tower.foundation {
-        let arm_m = checked.base_m() - foundation.reference_m()[2];
         let mut frame = foundation.frame.description().clone();
         let carrying = frame
             .transition
@@ -129,10 +130,17 @@ fn without_arm(mut tower: TowerDescription) -> TowerDescription {
         // To a joint at the same place that does not move.
         let anchor = frame.joints.len();
         let position_m = frame.joints[carrying].position_m;
+        let reference_m = foundation.reference_m()[2];
+        let from_m = match foundation.weight_on_members {
+            true => position_m[2],
+            false => reference_m,
+        };
+        let piece_n = foundation.platform.mass_kg * checked.gravity_m_per_s2();
+        let moment_n_m = weight_n * (checked.base_m() - from_m) + piece_n * (reference_m - from_m);
         frame.joints.push(FrameJoint::new("anchor", position_m));
         frame.supports.push(FrameSupport::clamped(anchor));
         let mut stiffness = [[0.0; 6]; 6];
-        (stiffness[3][3], stiffness[4][4]) = (weight_n * arm_m, weight_n * arm_m);
+        (stiffness[3][3], stiffness[4][4]) = (moment_n_m, moment_n_m);
         let spring = FrameSpring {
             stiffness,
             axes: Some([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
