@@ -50,7 +50,7 @@ def test_curvature_that_is_too_large_is_a_warning(nrel: tm.Tower) -> None:
     mean_hz = scatter.mean_hz["fore-aft 1"]
     assert scatter.mean_shift_hz["fore-aft 1"] / mean_hz == pytest.approx(shift, rel=1e-3)
     # The others are notes of the changes.
-    [warning] = [text for text in scatter.warnings if "not to be trusted" in text]
+    [warning] = [text for text in scatter.warnings if "not reliable" in text]
     assert warning.startswith("fore-aft 1: the curvature moves the mean by ")
     assert "34 % of its standard deviation" in warning
     assert warning in repr(scatter)

@@ -70,7 +70,7 @@ def test_columns_are_left_out(nrel: tm.Tower) -> None:
         assert list(result.inputs) == ["rna.mass"]
         with pytest.raises(ValueError, match="no column 'town' to ignore"):
             nrel.sweep(given, ignore=["site", "town"])
-    with pytest.raises(ValueError, match="all columns are left out"):
+    with pytest.raises(ValueError, match="all columns are skipped"):
         nrel.sweep({"#id": [1.0]})
 
 
@@ -187,7 +187,7 @@ def test_a_name_of_several_numbers_says_which_entry_has_none() -> None:
     for name in ("ground.layer[*].friction_angle", "scale(ground.layer[*].friction_angle)"):
         with pytest.raises(ValueError, match=r"ground\.layer\[1\] has no friction angle") as caught:
             tower.with_({name: 1.0})
-        assert str(caught.value).endswith(f"name those that there are: {instead}")
+        assert str(caught.value).endswith(f"use the names that exist: {instead}")
     stiffer = tower.with_({f"scale({instead})": 1.01})
     assert stiffer.parameters["ground.layer[2].friction_angle"] == pytest.approx(36.36)
 

@@ -90,7 +90,7 @@ def test_mistakes_of_dicts_have_names(nrel: tm.Tower) -> None:
 
 def test_what_cannot_be_reached_is_refused_with_the_nearest(nrel: tm.Tower) -> None:
     measured = [{"mode": "fore-aft 1", "frequency": 5.0, "deviation": 0.001}]
-    with pytest.raises(tm.SolveError, match="no value of the fitted numbers gives fore-aft 1"):
+    with pytest.raises(tm.SolveError, match="no value of the fitted inputs gives fore-aft 1"):
         nrel.calibrate({"measured": measured}, free=["rna.mass"])
     variables = {"stations[*].wall": {"between": [0.012, 0.040], "each": "number"}}
     study = {"variables": variables, "frequencies": {"fore-aft 1": {"min": 0.36}}}

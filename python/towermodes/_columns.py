@@ -54,7 +54,7 @@ def _chosen(names: list[str], ignore: list[str]) -> list[int]:
             raise ValueError(message)
     left_out = [name in ignore or name.startswith("#") for name in names]
     if names and all(left_out):
-        message = "all columns are left out; at least one must name a number to change"
+        message = "all columns are skipped; at least one must name an input value to change"
         raise ValueError(message)
     return [place for place, is_out in enumerate(left_out) if not is_out]
 

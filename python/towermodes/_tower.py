@@ -427,7 +427,7 @@ class Tower:
                 rows; an exception in it ends the sweep.
 
         Raises:
-            ValueError: A column is not a number of this tower, columns have different lengths, or
+            ValueError: A column is not an input of this tower, columns have different lengths, or
                 there are no such rows.
             TypeError: A column does not hold numbers.
             SolveError: This tower itself cannot be solved.

@@ -211,7 +211,7 @@ impl From<SensitivityError> for Failure {
 }
 
 /// Where the names of numbers are listed.
-const NAMES: &str = "`towermodes parameters FILE` lists the names of all numbers";
+const NAMES: &str = "`towermodes parameters FILE` lists the names of all input values";
 
 impl From<ParameterError> for Failure {
     fn from(error: ParameterError) -> Self {
@@ -297,7 +297,7 @@ impl From<DesignError> for Failure {
     fn from(error: DesignError) -> Self {
         let hint = match &error {
             DesignError::Infeasible(_) => {
-                Some("widen the bounds of the variables, the bands or the limits that are named")
+                Some("widen the named bounds of the variables, frequency bands or limits")
             }
             DesignError::Solve(error) => hint_for_sweep(error),
             _ => None,
@@ -350,7 +350,7 @@ impl Failure {
     fn with_remedy(self, remedy: Option<Remedy>) -> Self {
         match remedy {
             Some(Remedy::IgnoreColumn { name }) => self.hint_of(format!(
-                "--ignore \"{name}\" leaves the column out, as does a # before its name"
+                "--ignore \"{name}\" skips the column; so does a # before its name"
             )),
             Some(Remedy::Csv) => self.hint("--format csv"),
             None => self,
@@ -366,7 +366,7 @@ fn hint_for_sweep(error: &SolveError) -> Option<&'static str> {
             Some("reduce --modes or --segments")
         }
         SolveError::Buckles { .. } => Some(
-            "the base itself must be a tower that stands, even if its rows are; --set NAME=VALUE changes a number of the base",
+            "the base tower itself must be stable, even if its rows are; --set NAME=VALUE changes an input value of the base tower",
         ),
         error => remedy(error),
     }

@@ -45,10 +45,15 @@ pub(crate) fn warn(warnings: &[Warning], input: &TowerInput) {
     }
 }
 
-/// A warning with file and line of the input; none if they are not known.
+/// A warning with file and line of the input, or with the setting of the command line; none if
+/// they are not known.
 pub(crate) fn warning_text(warning: &Warning, input: &TowerInput) -> Option<String> {
-    let (file, line) = input.line_of(warning.place()?)?;
-    Some(format!("{file}:{line}: {warning}"))
+    let place = warning.place()?;
+    let (file, line) = input.line_of(place)?;
+    Some(match input.setting_of(place) {
+        Some(setting) => format!("with {file} {setting}: {warning}"),
+        None => format!("{file}:{line}: {warning}"),
+    })
 }
 
 /// A message of a program that goes on.

@@ -19,7 +19,7 @@ const EXAMPLES: &str = r#"
     nrel-5mw.yaml | The rotor-nacelle assembly is one rigid body
     reference-tower-350t.toml | The rotor-nacelle assembly is one rigid body
     reference-tower.toml | There is no rotor-nacelle assembly. & The base is clamped
-    small-turbine/ElastoDyn.dat | Torsion and axial deformation are not included & RotSpeed = 17 rpm is the speed at which the simulation begins & Not checked: operating speeds unknown. & The table of the input has no rotary inertia.
+    small-turbine/ElastoDyn.dat | Torsion and axial deformation are not included & RotSpeed = 17 rpm is the initial speed of the simulation & Not checked: operating speeds unknown. & The table of the input has no rotary inertia.
 "#;
 
 /// Larger pages are hard to send.

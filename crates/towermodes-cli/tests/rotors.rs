@@ -109,12 +109,12 @@ fn the_speed_of_the_start_is_no_range_of_operation() {
             let output = run(command);
             let [out, err] = texts(&output);
             assert_eq!(output.status.code(), Some(1), "{out}{err}");
-            out.says_all("Not checked: operating speeds unknown. & meets 1P at");
+            out.says_all("Not checked: operating speeds unknown. & crosses 1P at");
             out.says("3 blades, operating speeds unknown | not checked");
             for word in ["PASS", "FAIL", "soft-stiff", "No warnings"] {
                 assert!(!out.contains(word), "{word}: {out}");
             }
-            err.says("is the speed at which the simulation begins");
+            err.says("is the initial speed of the simulation");
             err.says_all("error: not checked: operating speeds unknown & --rpm LOWEST,HIGHEST");
         }
         // With speeds there are verdicts.

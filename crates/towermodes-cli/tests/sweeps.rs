@@ -170,7 +170,7 @@ fn a_column_of_an_omitted_rna_is_refused() {
     let done = done.expect("the program runs");
     let said = String::from_utf8_lossy(&done.stderr);
     assert_eq!(done.status.code(), Some(2), "{said}");
-    said.says("a column changes a number of the RNA");
+    said.says("a column changes an input value of the RNA");
     let study = fs::read_to_string(folder.0.join("study.toml")).expect("the study");
     let without = format!("{study}[sweep.reading]\nno_rna = true\n");
     fs::write(folder.0.join("study.toml"), without).expect("written");
@@ -256,7 +256,7 @@ fn a_mixture_of_slices_is_refused_and_missing_rows_are_named() {
         .collect();
     fs::write(folder.0.join("c.csv"), half.join("\n")).expect("written");
     let said = folder.refused(&["--rows", "100..150", "--check", "c.csv"], 1);
-    said.says("c.csv is not whole: it ends before row 107");
+    said.says("c.csv is incomplete: it ends before row 107");
 }
 
 /// Files cannot become longer than two blocks: as on a full disk a write fails.

@@ -160,7 +160,7 @@ impl TowerInput {
         if let Some(settings) = self.settings.last().filter(|_| file < self.sources.len()) {
             let hint = diagnostic.hint.map_or(String::new(), |hint| hint + "; ");
             let by = &settings.name;
-            diagnostic.hint = Some(format!("{hint}the file shows the numbers before {by}"));
+            diagnostic.hint = Some(format!("{hint}the file shows the values before {by}"));
         }
         ReadError::mistake(self.source(file), diagnostic)
     }
@@ -211,6 +211,16 @@ impl TowerInput {
         let source = self.source(*file);
         let (line, _) = line_and_column(&source.text, span.start);
         Some((&source.name, line))
+    }
+
+    /// The setting by name, such as `rna.mass=360000`, to which a value is due; none for a value
+    /// of a file.
+    pub fn setting_of(&self, place: Place) -> Option<&str> {
+        let (file, span) = self.places.own(place)?;
+        let settings = self.settings.get(file.checked_sub(self.sources.len())?)?;
+        let before = settings.text.get(..span.start)?;
+        let start = before.rfind('\n').map_or(0, |end| end + 1);
+        settings.text.get(start..)?.lines().next()
     }
 
     /// The radius of the rotor, m, if the files have a blade.

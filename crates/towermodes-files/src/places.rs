@@ -55,7 +55,7 @@ impl Places {
         let hint = hint.filter(|hint| is_toml || is_set || !of_toml(hint));
         // The file beside a tower file is the table of its stations, whose header has the units.
         let hint = match is_toml && file > 0 && !is_set {
-            true => Some("the unit is that of the column's header"),
+            true => Some("the unit is given in the header of the column"),
             false => hint,
         };
         let diagnostic = match hint {

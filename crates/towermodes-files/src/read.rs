@@ -163,9 +163,9 @@ fn put_at_equilibrium(tower: &mut TowerInput) -> Result<(), ReadError> {
             Ok(())
         }
         _ => {
-            let message = "there is no floating platform with mooring lines, which could have their stiffness at the equilibrium";
+            let message = "there is no floating platform with mooring lines, whose stiffness could be computed at the equilibrium";
             let kind = DiagnosticKind::Unsupported(message.to_owned());
-            let hint = "leave out --equilibrium (in Python: equilibrium)";
+            let hint = "omit --equilibrium (in Python: equilibrium)";
             let mistake = Diagnostic::new(0..0, kind).with_hint(hint);
             Err(ReadError::mistakes(&tower.sources[0], vec![mistake]))
         }
@@ -191,7 +191,7 @@ fn with_rotor(mut tower: TowerInput, options: &ReadOptions) -> Result<TowerInput
     tower.tower()?;
     let xx = |description: &TowerDescription| description.rna.inertia_kg_m2.xx;
     tower.notes.push(Note::new(format!(
-        "the rotor turns freely: the inertia xx of the RNA is {} kg m2 instead of {} kg m2",
+        "the rotor rotates freely: the inertia xx of the RNA is {} kg m2 instead of {} kg m2",
         Plain(xx(&freed)),
         Plain(xx(&tower.description))
     )));
@@ -214,7 +214,7 @@ fn with_free_turbine(mut tower: TowerInput) -> Result<TowerInput, ReadError> {
             return Err(ReadError::mistake(&tower.sources[0], mistake));
         }
     }
-    let message = "the rotor turns freely: rotor and generator of [turbine] do not roll with the nacelle about the shaft";
+    let message = "the rotor rotates freely: rotor and generator of [turbine] do not roll with the nacelle about the shaft";
     tower.notes.push(Note::new(message));
     Ok(tower)
 }

@@ -139,7 +139,7 @@ fn remedy(value: &str) -> String {
             format!("write {whole}, or {decimal} if the comma is a decimal comma")
         }
         (Ok(_), Some(_)) => format!("write a decimal point: {decimal}"),
-        _ => "write the number alone, in SI units".to_owned(),
+        _ => "write only the number, in SI units".to_owned(),
     }
 }
 
@@ -246,9 +246,9 @@ fn note(change: &Change, setting: &Setting, by: &str, towers: [&TowerDescription
     };
     let result = match (is_set, parameters.len()) {
         (true, 1) => String::new(),
-        (true, count) => format!(": {count} numbers"),
+        (true, count) => format!(": {count} values"),
         (false, 1) => format!(": now {after}{space}{unit}"),
-        (false, count) => format!(": {count} numbers, now {after}{space}{unit}"),
+        (false, count) => format!(": {count} values, now {after}{space}{unit}"),
     };
     let name = change.name();
     Note::new(format!("{name}{value}{result}; the file has {before}"))
@@ -258,7 +258,7 @@ fn note(change: &Change, setting: &Setting, by: &str, towers: [&TowerDescription
 fn of_several_units(change: &Change, setting: &Setting, by: &str) -> Note {
     let (name, count) = (change.name(), change.parameters().len());
     let value = Plain(setting.value);
-    Note::new(format!("{name} = {value} by {by}: {count} numbers"))
+    Note::new(format!("{name} = {value} by {by}: {count} values"))
 }
 
 /// "0.019 to 0.027", or one number if all are equal.

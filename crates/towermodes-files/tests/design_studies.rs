@@ -171,7 +171,7 @@ fn names_are_found_in_the_tower() {
         "\"stations[*].diameter\" = { between = [3, 6.5], each = \"height\", order = \"free\" }",
         "\"rna.mass\" = { between = [1, 2], each = \"height\" }",
     );
-    message.says("numbers of stations");
+    message.says("input values of stations");
     let (_, _, message, _) = mistake(
         "\"stations[*].diameter\" = { between = [3, 6.5], each = \"height\", order = \"free\" }",
         "\"scale(rna.mass)\" = { between = [1, 2], step = 0.1 }",

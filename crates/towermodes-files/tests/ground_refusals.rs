@@ -315,7 +315,7 @@ fn strata_caissons_and_springs_that_cannot_be() {
         r#"
         spring_formula = "vesic"\n |  | 13:23 | `soil_youngs_modulus` has no effect without `spring_formula` | add spring_formula
         "vesic" | "gazetas" | 15:23 | `soil_poissons_ratio` has no effect with spring_formula = "gazetas" | remove it
-        exponent | soil_spring = 1e8\nexponent | 16:15 | `soil_spring` has no effect beside `spring_formula` | keep one of the two
+        exponent | soil_spring = 1e8\nexponent | 16:15 | `soil_spring` has no effect together with `spring_formula` | keep one of the two
         exponent = 0.0 | exponent = 1.0\nformula = "poulos-davis" | 16:12 | here they grow with the power 1.0833 of the depth | use formula = "exact"
         "#,
     );

@@ -103,7 +103,7 @@ fn other_files_are_recognized() {
     let table = r#"
          | the file is empty
         [tower]\n | a tower file, not measured frequencies
-        [sweep]\n | the study of a sweep, not measured frequencies
+        [sweep]\n | a sweep study, not measured frequencies
         [calibrate]\n | measured
         [[measured]\n | invalid TOML
         "#;

@@ -381,7 +381,7 @@ fn tables_of_properties_with_a_mistake() {
         gj_n_m2 | gj_nm2 | 9:1 | `gj_nm2` is not a key | did you mean `gj_n_m2`?
         ea_n = [1.4e11, 1.3e11, 1.1e11, 0.6e11]\n |  | 4:1 | has no `ea_n` | axial stiffness
         z_m = [0.0, 40.0, 40.0, 90.0]\n |  | 4:1 | has no `z_m` | heights
-        [1.4e11, 1.3e11, 1.1e11, 0.6e11] | [1.4e11, 1.3e11] | 10:8 | ea_n has 2 values instead of 4 as z_m | one value for each height
+        [1.4e11, 1.3e11, 1.1e11, 0.6e11] | [1.4e11, 1.3e11] | 10:8 | ea_n has 2 values instead of 4, the number of values in z_m | one value for each height
         [5000,␣ | ["x",␣ | 6:18 | mass_kg_per_m must be a number
         [5000,␣ | [nan,␣ | 6:18 | mass_kg_per_m is NaN
         5.0e11, 4.5e11, 1.2e11 | 0.0, 4.5e11, 1.2e11 | 7:29 | EI fore-aft is 0 N m2

@@ -63,7 +63,7 @@ fn all_three_forms_change_the_tower_and_are_noted() {
         notes[old.notes.len()..],
         [
             "rna.mass = 360000 kg by --set; the file has 350000",
-            "scale(stations[*].wall) = 2 by --set: 2 numbers, now 0.0494 to 0.0702 m; the file has 0.0247 to 0.0351",
+            "scale(stations[*].wall) = 2 by --set: 2 values, now 0.0494 to 0.0702 m; the file has 0.0247 to 0.0351",
             "add(stations[0].diameter) = 0.5 by --set: now 6.5 m; the file has 6",
         ]
     );
@@ -74,7 +74,7 @@ fn texts_that_are_no_settings() {
     refused(&["rna.mass"], "is not NAME=VALUE");
     refused(&["=3"], "is not NAME=VALUE");
     refused(&["rna.mass=heavy"], "is `heavy`, but must be a number");
-    refused(&["rna.mass=360 t"], "write the number alone, in SI units");
+    refused(&["rna.mass=360 t"], "write only the number, in SI units");
     refused(&["rna.mass=0,5"], "write a decimal point: 0.5");
     let words = "write 350000, or 350.000 if the comma is a decimal comma";
     refused(&["rna.mass=350,000"], words);
@@ -121,7 +121,7 @@ fn an_error_in_the_file_beside_a_setting_says_so() {
     // The second row is below the first, which was raised.
     let input = set("nrel-5mw.toml", &["stations[0].height=90"]);
     let error = input.tower().expect_err("no tower").to_string();
-    error.says_all("nrel-5mw.toml: & the file shows the numbers before --set");
+    error.says_all("nrel-5mw.toml: & the file shows the values before --set");
 }
 
 #[test]

@@ -204,7 +204,7 @@ fn a_profile_gives_the_shear_modulus_with_the_keys_of_its_layer() {
     let file = "tower.toml";
     refused(&without, table, file, (19, 1), &["has no `correlation`"]);
     let second = tower.replace("top = -14.0", "shear_modulus = 1e7\ntop = -14.0");
-    let words = ["`cone_resistance` has no effect beside shear_modulus"];
+    let words = ["`cone_resistance` has no effect together with shear_modulus"];
     refused(&second, table, "tower.toml", (25, 11), &words);
 }
 
@@ -220,7 +220,7 @@ fn a_profile_beside_a_table_of_stations_keeps_its_places() {
         .replace("\n30,1.005,", "\n30,0,");
     let words = [
         "undrained shear strength",
-        "the unit is that of the column's header",
+        "the unit is given in the header of the column",
     ];
     refused(&tower, &zero, "clay.csv", (5, 4), &words);
     refused(TOWER, &zero, "clay.csv", (5, 4), &words);
@@ -248,7 +248,7 @@ fn headers_of_profiles_that_are_wrong_are_refused() {
         su [kPa] | undrained_strenght [kPa] | 1:11 | did you mean `undrained_strength`?
         su [kPa] | undrained_strenght_kpa | 1:11 | did you mean `undrained_strength`?
         su [kPa] | water content | 1:11 | columns are depth or height
-        su [kPa] | friction_angle | 1:11 | one value for each layer
+        su [kPa] | friction_angle | 1:11 | this value is constant in a layer
         su [kPa] | su | 1:11 | the unit of the column undrained_strength is missing
         su [kPa] | su [m] | 1:11 | there is no unit of pressure `m`
         depth [m] | depth [kPa] | 1:1 | there is no unit of length `kpa`
@@ -286,7 +286,7 @@ fn rows_of_profiles_that_are_wrong_are_refused() {
         130.5 | 130 kPa | 4:4 | must be a number
         130.5 |  | 4:4 | undrained_strength is missing
         130.5 | -130.5 | 4:4 | is -130.5, but must be zero or positive
-        \n30, | \n21, | 6:1 | the depth turns back here, after line 5
+        \n30, | \n21, | 6:1 | the direction of the depth reverses here, after line 5
         \n30, | \n22, | 6:1 | the height -24 m occurs 3 times
         10,70,30,borehole 3\n14, | 14.5, | 2:1 | begins below the top of the layer, -14 m, at the height -16.5 m
         40,200,80,\n |  | 6:1 | ends above the bottom of the layer, -40 m, at the height -32 m
@@ -316,7 +316,7 @@ fn what_is_wrong_in_the_tower_file_is_shown_there() {
             profile,
             "profile = \"clay.csv\"\nundrained_strength = 1e5",
             (25, 22),
-            "`undrained_strength` has no effect beside its column in profile",
+            "`undrained_strength` has no effect together with its column in profile",
         ),
         ("top = -14.0\n", "", (19, 1), "has no `top`"),
         (
@@ -329,6 +329,8 @@ fn what_is_wrong_in_the_tower_file_is_shown_there() {
     for (old, new, place, words) in cases {
         refused_tower(old, new, place, &[words]);
     }
-    let alone = tower_from_toml(TOWER).expect_err("a text has no files beside it");
-    alone[0].message().says("a text has no files beside it");
+    let alone = tower_from_toml(TOWER).expect_err("a text without a folder cannot refer to files");
+    alone[0]
+        .message()
+        .says("a text without a folder cannot refer to files");
 }

@@ -249,7 +249,7 @@ fn headers_that_say_too_little_or_too_much_are_refused() {
         (1, 1),
         &[
             "expected a header with names of columns here, found numbers",
-            "write a header as",
+            "write a header such as",
         ],
     );
     refused("", (1, 1), &["the file is empty"]);
@@ -355,8 +355,10 @@ fn a_table_that_cannot_be_read_is_shown_where_it_is_named() {
     let (line, column, said) = &mistakes[0];
     assert_eq!((*line, *column), (11, 12), "{said}");
     said.says("other.csv: no such file");
-    let alone = tower_from_toml(TOWER).expect_err("a text has no files beside it");
-    alone[0].message().says("a text has no files beside it");
+    let alone = tower_from_toml(TOWER).expect_err("a text without a folder cannot refer to files");
+    alone[0]
+        .message()
+        .says("a text without a folder cannot refer to files");
 }
 
 #[test]

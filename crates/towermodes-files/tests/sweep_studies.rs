@@ -156,7 +156,7 @@ fn correlations_are_those_of_the_text() {
 fn correlations_that_are_wrong() {
     let first = "between = [\"rna.mass\", \"material.density\"]";
     let table = r#"
-        between = ["rna.mas", "material.density"] | 12:1 | `rna.mas` is not among the varied numbers (did you mean `rna.mass`?)
+        between = ["rna.mas", "material.density"] | 12:1 | `rna.mas` is not among the varied inputs (did you mean `rna.mass`?)
         between = "rna.mass" | 13:11 | between must be a list
         between = ["rna.mass"] | 13:11 | between has 1 name instead of 2
         between = ["rna.mass", 3] | 13:24 | must be a text
@@ -171,7 +171,7 @@ fn correlations_that_are_wrong() {
         score_coefficient = 0.5 | score_coefficient = 1.5 | 12:1 | it must be from -1 to 1
         score_coefficient = 0.5 | score_coefficient = nan | 14:21 | NaN
         score_coefficient = 0.5 | coefficient = 0.5 | 12:1 | `rna.mass` is not one; give `score_coefficient`
-        score_coefficient = 0.5 | score_coefficient = 0.5\ncoefficient = 0.5 | 15:15 | `coefficient` has no effect beside `score_coefficient`
+        score_coefficient = 0.5 | score_coefficient = 0.5\ncoefficient = 0.5 | 15:15 | `coefficient` has no effect together with `score_coefficient`
         { normal = [1.0, 0.02] } | { triangular = [0.95, 1.0, 1.05] } | 9:31 | write { normal = [mean, deviation], truncated = [lowest, highest] }
         "material.density", "material.youngs_modulus" | "material.density", "rna.mass" | 15:1 | is given twice
         "#,
@@ -198,7 +198,11 @@ fn correlations_that_are_wrong() {
     refused_text(grid, "7:1", "a grid has every combination of its values");
     let table =
         "[sweep]\nbase = \"t.toml\"\ntable = \"values.csv\"\n[[sweep.correlation]]\nbetween = []\n";
-    refused_text(table, "4:1", "`correlation` has no effect beside `table`");
+    refused_text(
+        table,
+        "4:1",
+        "`correlation` has no effect together with `table`",
+    );
 }
 
 #[test]
@@ -270,8 +274,8 @@ fn rows_and_seeds() {
         1_000 | "many" | 4:8 | rows must be a number, found a text
         rows = 1_000\n |  | 1:1 | has no `rows`
         seed = 7 | seed = -1 | 5:8 | at least 0
-        sampling = "sobol" | table = "t.csv" | 4:8 | `rows` has no effect beside `table`
-        seed = 7 | table = "t.csv" | 5:9 | `table` has no effect beside `sampling`
+        sampling = "sobol" | table = "t.csv" | 4:8 | `rows` has no effect together with `table`
+        seed = 7 | table = "t.csv" | 5:9 | `table` has no effect together with `sampling`
         "#,
     );
 }
@@ -284,7 +288,7 @@ fn distributions() {
         [3.3e5, 3.7e5] | 7:14 | { uniform = [lowest, highest] }
         { unifrm = [1, 2] } | 7:16 | did you mean `uniform`?
         { } | 7:14 | the distribution of `rna.mass` is missing
-        { uniform = [1, 2], values = [1] } | 7:43 | `values` has no effect beside `uniform`
+        { uniform = [1, 2], values = [1] } | 7:43 | `values` has no effect together with `uniform`
         "#;
     for [to, place, words] in rows(table) {
         refused(uniform, to, place, words);
@@ -339,7 +343,7 @@ fn modes() {
 #[test]
 fn other_files() {
     refused_text("", "1:1", "the file is empty");
-    let words = "a tower file, not the study of a sweep";
+    let words = "a tower file, not a sweep study";
     refused_text("[tower]\nstations = []\n", "1:1", words);
     refused_text("[sweep\n", "1:7", "invalid TOML");
     let study = description_from_toml(GOOD).expect_err("no tower");

@@ -239,7 +239,7 @@ fn a_changed_assembly_is_written_as_a_rigid_body() {
     assert!(file.anew.is_some() && file.text.contains("[rna]"));
     file.notes[0]
         .message
-        .says("blades of the turbine are left out");
+        .says("blades of the turbine are omitted");
     // Numbers of the tower are changed in the text, and the turbine stays.
     let mut thicker = before.description.clone();
     thicker.stations[0].wall_thickness_m = 0.035;
@@ -254,7 +254,7 @@ const MISTAKES: &str = r#"
     overhang | overhag | did you mean `overhang`?
     overhang = -4.0 | overhang = nan | overhang is NaN, not a finite number
     tower_to_shaft = 2.0 | tower_to_shaft = inf | tower_to_shaft is inf
-    blades = 3 | blades = 2 | a rotor of 2 blades is not solved
+    blades = 3 | blades = 2 | a rotor of 2 blades is not supported
     blades = 3 | blades = 3.5 | a whole number from 3 to 10
     blades = 3 | blades = 3000 | at most
     tilt_deg = -5.0 | tilt_deg = 50.0 | the tilt of the shaft is 50.00 degrees
@@ -278,7 +278,7 @@ const MISTAKES: &str = r#"
     [0.0, 0.5, 1.0] | [0.0, 0.5, 0.9] | must be given from 0 to 1
     0.5, 1.0]\nmass | 1.5, 1.0]\nmass | the sections must increase along the span
     90.0, 80.0] | 0.0, 80.0] | the mass per length of section 2 is 0
-    [1e7, 9e6, 8e6] | [1e7, 9e6] | ei_flap_n_m2 has 2 values instead of 3 as span
+    [1e7, 9e6, 8e6] | [1e7, 9e6] | ei_flap_n_m2 has 2 values instead of 3, the number of values in span
     1.8e7] | -1.8e7] | the edge stiffness of section 3 is -1.8e7
     [1e6, 9e5, 8e5] | [1e6, inf, 8e5] | must be infinite in all sections
     [0.001, 0.002, 0.003] | [0.001, 9.0, 0.003] | the tension centre of section 2 is too far
@@ -312,13 +312,12 @@ fn every_mistake_has_its_sentence_and_its_line() {
 #[test]
 fn two_descriptions_of_the_same_parts_are_refused() {
     let error = refused(&format!("{SMALL}[rna]\nmass = 1e4\n"));
-    error.says("`rna` has no effect beside [turbine]");
     error.says_all("[turbine] and [rna] both describe what the tower carries & t.toml:7:");
     error.says("t.toml:44:");
     let error = refused(&format!("{SMALL}[drivetrain]\nrotor_inertia = 1e4\n"));
-    error.says("`drivetrain` has no effect beside [turbine]");
+    error.says("`drivetrain` has no effect together with [turbine]");
     let few = refused(&format!("{SMALL}[rotor]\nblades = 2\nrpm = 12\n"));
-    few.says_all("a rotor of 2 blades is not solved & give [rna] in place of [turbine]");
+    few.says_all("a rotor of 2 blades is not supported & give [rna] in place of [turbine]");
     let error = refused(&format!("{SMALL}[rotor]\nblades = 4\nrpm = 12\n"));
     error.says_all("[turbine] has 3 blades and [rotor] has 4 & t.toml:13:");
 }
@@ -391,7 +390,7 @@ fn a_blade_may_be_in_a_file_of_its_own() {
     let error = with_file(BLADE, "twist_deg = [0.0, 0.0]\n")
         .expect_err("both")
         .to_string();
-    error.says("`twist_deg` has no effect beside file");
+    error.says("`twist_deg` has no effect together with file");
     let missing = SMALL
         .split("span =")
         .next()

@@ -491,7 +491,7 @@ fn mistakes_are_shown_where_they_are() {
     let table = r#"
         [6.0, 4.0] | [6.0, -4.0] | -4.0 | 0 | outer diameter is -4 m
         [6.0, 4.0] | [6.0, .nan] | .nan | 0 | not a finite number
-        [6.0, 4.0] | [6.0, 4.0, 3.0] | [6.0, 4.0 | 0 | has 3 values instead of 2 as its grid
+        [6.0, 4.0] | [6.0, 4.0, 3.0] | [6.0, 4.0 | 0 | has 3 values instead of 2, the number of values in its grid
         [6.0, 4.0] | [6.0, four] | four | 0 | must be a number, found `four`
         [0.0, 0.25, 1.0] | [0.0, 0.25, 0.9] | 0.9] | 0 | is 0.9, but must be 1
         [0.0, 0.25, 1.0] | [0.1, 0.25, 1.0] | 0.1, | 0 | is 0.1, but must be 0

@@ -176,7 +176,9 @@ fn a_table_that_is_not_used_may_be_broken() {
     let found = notes(&text, "elastic properties of the tower cannot be read");
     assert_eq!(found.len(), 1, "{:?}", read(&text).notes);
     assert_eq!(found[0].0, line + 2);
-    found[0].1.says("has 7 values instead of 11 as its grid");
+    found[0]
+        .1
+        .says("has 7 values instead of 11, the number of values in its grid");
     assert_eq!(read(&text).description, read(LAYERED).description);
 }
 

@@ -165,7 +165,7 @@ pub fn of_slice(error: SliceError) -> PyErr {
 fn argument_for(remedy: Remedy) -> String {
     match remedy {
         Remedy::IgnoreColumn { name } => {
-            format!("ignore=[{name:?}] leaves the column out, as does a # before its name")
+            format!("ignore=[{name:?}] skips the column; so does a # before its name")
         }
         Remedy::Csv => "write it as CSV".to_owned(),
     }

@@ -146,7 +146,7 @@ fn no_design(error: DesignError, located: Option<String>) -> PyErr {
         DesignError::Sensitivity(error) => no_derivatives(&error),
         DesignError::Infeasible(_) => unsolved(
             &message,
-            Some("widen the bounds of the variables, the bands or the limits that are named"),
+            Some("widen the named bounds of the variables, frequency bands or limits"),
         ),
         DesignError::NoDerivative { .. } | DesignError::NoCombination { .. } => {
             unsolved(&message, None)

@@ -297,11 +297,11 @@ fn a_slice_that_is_not_whole_is_refused() {
         (half, "it ends before row 148"),
         (
             whole.clone() + &whole,
-            "it has more rows than its first line says",
+            "it has more rows than stated in its first line",
         ),
         (
             whole.clone() + whole.lines().last().expect("a row"),
-            "more rows than its first line",
+            "more rows than stated in its first line",
         ),
         (
             whole.replace("\n101,", "\n102,"),

@@ -188,7 +188,7 @@ fn mistakes_are_shown_with_row_and_column() {
     mistake(&[("rna.mass", Values::Timestamp(vec![1]))], 1)
         .says("column `rna.mass` has the type INT64 (Timestamp)");
     mistake(&[mass(&[Some(1.0)]), ("row", Values::Long(vec![0]))], 1)
-        .says("column 2: `row` is not a number of this tower");
+        .says("column 2: unknown input name `row`");
     mistake(&[mass(&[])], 0).says("has no rows below the names of its columns");
 }
 

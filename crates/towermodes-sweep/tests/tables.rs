@@ -93,18 +93,18 @@ fn any_range_of_rows_is_read() {
 
 #[test]
 fn mistakes_are_shown_with_line_and_column_and_what_is_right() {
-    let unknown = "`rna.mas` is not a number of this tower: did you mean `rna.mass`?";
+    let unknown = "unknown input name `rna.mas`; did you mean `rna.mass`?";
     let table = r#"
         | has no columns;␣
         \n\n | has no columns;␣
         rna.mass\n | has no rows below the names of its columns
-        3.5e5,1\n | the first line begins with the number `3.5e5`; it must name the numbers
-        row,rna.mass\n1,2\n | column 1: `row` is not a number of this tower
-        rna.mass,a,b,c\n1,2,3,4\n | column 2: `a` is not a number of this tower
+        3.5e5,1\n | the first line begins with the number `3.5e5`; it must name the input values
+        row,rna.mass\n1,2\n | column 1: unknown input name `row`
+        rna.mass,a,b,c\n1,2,3,4\n | column 2: unknown input name `a`
         rna.mass,\n1,2\n | column 2 has no name
         rna.mass,rna.mass\n1,2\n | columns 1 and 2 have the same name `rna.mass`
         stations[*].wall,stations[1].wall\n1,2\n | `stations[1].wall` sets stations[1].wall
-        #a,#b\n1,2\n | all columns are left out
+        #a,#b\n1,2\n | all columns are skipped
         rna.mass,stations[1].wall\nkg,m\n3e5,0.02\n | line 2 has no numbers but `kg`; if these are units
         rna.mass,stations[1].wall\n3e5,0.02\n3e5,\n | line 3, column `stations[1].wall`: the cell is empty
         rna.mass\n3e5\nabc\n | line 3, column `rna.mass`: `abc` is not a number
@@ -152,7 +152,7 @@ fn columns_are_left_out_by_name() {
     let sentence = opened(text, &["rows"]).map(|_| ()).expect_err("refused");
     sentence.begins("has no column `rows` to ignore; its columns are `row`, `rna.mass`");
     let sentence = opened(text, &["row"]).map(|_| ()).expect_err("refused");
-    sentence.begins("column 3: `fore_aft_1_hz` is not a number of this tower");
+    sentence.begins("column 3: unknown input name `fore_aft_1_hz`");
 }
 
 #[test]

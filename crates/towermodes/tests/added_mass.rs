@@ -248,7 +248,7 @@ fn where_a_mode_appears_again_the_list_is_not_called_complete() {
     assert!(low < again_hz && again_hz < high);
     assert_eq!(high, certificate.below_hz);
     let warnings: Vec<String> = solution.warnings.iter().map(ToString::to_string).collect();
-    let says = |warning: &String| warning.contains("proved complete outside");
+    let says = |warning: &String| warning.contains("proved complete only outside");
     assert!(warnings.iter().any(says), "{warnings:?}");
 }
 

@@ -292,21 +292,21 @@ fn a_wrong_name_is_answered_with_what_would_be_right() {
         station[1].wall | did you mean `stations[1].wall`?
         stations[1].Wall | did you mean `stations[1].wall`?
         scale(stations[*].wal) | did you mean `stations[*].wall`?
-        stations[1].thickness | the numbers of stations[] are height, diameter, wall
-        stations[2].wall | index 2 is too large, its stations have the indices 0 to 1
-        soil[0].rows[7].x | index 7 is too large, its rows have only index 0
+        stations[1].thickness | the input values of stations[] are height, diameter, wall
+        stations[2].wall | index 2 is too large, the stations of this tower have the indices 0 to 1
+        soil[0].rows[7].x | index 7 is too large, the rows of this tower have only index 0
         stations[x].wall | `x` is not an index
         stations[-1].wall | `-1` is not an index
-        material.density | it has 2 materials; write `materials.steel.density`
-        foundation.radius | it has no foundation of type "half-space"
-        properties[0].ea_n | it has no table of section properties
-        turbine.hub.mass | numbers of [turbine] have no names for --set, sweeps, designs and derivatives; change it in the tower file
-        banana | its numbers are those of materials[], tower, stations[]
-         | the name of the number is missing
+        material.density | this tower has 2 materials; write `materials.steel.density`
+        foundation.radius | this tower has no foundation of type "half-space"
+        properties[0].ea_n | this tower has no table of section properties
+        turbine.hub.mass | input values of [turbine] have no names for --set, sweeps, designs and derivatives; change it in the tower file
+        banana | names begin with materials[], tower, stations[]
+         | the name of the input value is missing
         scale(rna.mass | is not a change
         grow(rna.mass) | is not a change
         rna.mass, rna.center[0] | is not a change
-        add(rna.mass,) | the name of the number is missing
+        add(rna.mass,) | the name of the input value is missing
         add(rna.mass, rna.mass) | sets rna.mass, which
         "#;
     for [name, expected] in rows(table) {
@@ -314,7 +314,7 @@ fn a_wrong_name_is_answered_with_what_would_be_right() {
     }
     let empty = changed!(tubes(), soil = vec![Vec::new()]);
     let error = Parameter::parse("soil[0].rows[0].x", &empty).expect_err("no rows");
-    error.says("its rows have no index");
+    error.says("the rows of this tower have no index");
     let long = format!("stations[{}].wall", "9".repeat(100_000));
     message(&long).says("is not an index");
 }

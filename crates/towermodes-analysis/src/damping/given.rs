@@ -22,7 +22,7 @@ pub struct GivenDamping {
 #[non_exhaustive]
 pub enum GivenDampingError {
     /// A loss factor of a part that no tower has, or of a material that this one does not have.
-    #[error("a loss factor is given for `{name}`, which is no part of the tower; {}", parts(.materials))]
+    #[error("a loss factor is given for the unknown part `{name}`; {}", parts(.materials))]
     NoPart {
         /// The name.
         name: String,
@@ -41,10 +41,10 @@ pub enum GivenDampingError {
 fn parts(materials: &[String]) -> String {
     let named = materials.iter().filter(|name| !name.is_empty());
     let named: Vec<String> = named.take(20).map(|name| format!("`{name}`")).collect();
-    let parts = "the parts are tower, substructure, foundation, soil, wires and water";
+    let parts = "choose tower, substructure, foundation, soil, wires or water";
     match named.is_empty() {
         true => parts.to_owned(),
-        false => format!("{parts}, and the materials {}", named.join(", ")),
+        false => format!("{parts}, or one of the materials {}", named.join(", ")),
     }
 }
 

@@ -57,18 +57,24 @@ impl fmt::Display for DampingRemark {
                 name,
                 fraction,
                 mode,
-            } => write!(
-                f,
-                "the damping of the {name} is not included: it has {} % of the energy of the {mode} and no loss factor",
-                four_digits(100.0 * fraction)
-            ),
+            } => {
+                let energy = match name.as_str() {
+                    "water" => "kinetic",
+                    _ => "strain",
+                };
+                write!(
+                    f,
+                    "the damping of the {name} is not included: no loss factor is given, although the {name} has {} % of the {energy} energy of the {mode}",
+                    four_digits(100.0 * fraction)
+                )
+            }
             Self::Unused { part } => write!(
                 f,
                 "the loss factor of the {part} has no effect: the tower has no {part}"
             ),
             Self::Afloat => write!(
                 f,
-                "the damping of the floating platform by waves, drag and moorings is not included: it follows from no loss factor"
+                "the damping of the floating platform by waves, drag and moorings is not included: it cannot be given by loss factors"
             ),
             Self::Unusual { name, loss_factor } => write!(
                 f,

@@ -154,7 +154,7 @@ impl fmt::Display for Remark {
                 growing,
             } => write!(
                 f,
-                "unstable at {}: up to {growing} mode{} there grow without limit, because the stiffness is not positive definite and counts show too few modes of negative energy",
+                "unstable at {}: up to {growing} mode{} there grow without limit, because the stiffness is not positive definite and the eigenvalue counts show too few modes of negative energy",
                 at_speeds(*speeds, *lowest_rpm, *highest_rpm),
                 if *growing == 1 { "" } else { "s" },
             ),
@@ -175,7 +175,7 @@ impl fmt::Display for Remark {
                 let last = unproven_hz.last().unwrap_or(first);
                 write!(
                     f,
-                    "; counts do not exclude two more modes in {} interval{} between {} and {} Hz",
+                    "; the eigenvalue counts do not exclude two more modes in {} interval{} between {} and {} Hz",
                     unproven_hz.len(),
                     if unproven_hz.len() == 1 { "" } else { "s" },
                     four_digits(first[0]),
@@ -184,14 +184,14 @@ impl fmt::Display for Remark {
             }
             Self::Unresisted { motions } => write!(
                 f,
-                "{motions} motion{} slower than 1.6e-6 Hz {} not in the diagram: nothing resists {}, or a stiffness that is next to nothing, as of a yaw drive of some 0.001 N m/rad",
+                "{motions} motion{} slower than 1.6e-6 Hz {} not in the diagram: {} no stiffness or almost none (for example a yaw drive of 0.001 N m/rad)",
                 if *motions == 1 { "" } else { "s" },
                 if *motions == 1 { "is" } else { "are" },
-                if *motions == 1 { "it" } else { "them" },
+                if *motions == 1 { "it has" } else { "they have" },
             ),
             Self::NegativeEnergy { label, from_rpm } => write!(
                 f,
-                "{label} has negative energy from {} rpm: on the blades its wave runs backward, more slowly than the rotor turns, so that it runs forward in the fixed frame; damping there makes the mode grow",
+                "{label} has negative energy from {} rpm: above this speed the mode is unstable with damping in the fixed frame, because the rotor speed exceeds the frequency of the mode on the blades (a backward wave on the blades that runs forward in the fixed frame)",
                 Rpm(*from_rpm)
             ),
         }

@@ -60,9 +60,9 @@ impl Campbell {
         let missed = self.not_met(&missed);
         let verb = match (met.is_empty(), missed.is_empty()) {
             (true, true) => return None,
-            (false, true) => format!("meets {met}"),
-            (true, false) => format!("does not meet {missed}"),
-            (false, false) => format!("meets {met}, but not {missed}"),
+            (false, true) => format!("crosses {met}"),
+            (true, false) => format!("does not cross {missed}"),
+            (false, false) => format!("crosses {met}, but not {missed}"),
         };
         let hz = four_digits(*hz);
         Some(format!("{}, {hz} Hz at standstill, {verb}.", line.label))

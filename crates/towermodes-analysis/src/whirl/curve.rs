@@ -34,7 +34,7 @@ pub struct CurvePoint {
     pub rotor_speed_rpm: f64,
     /// Its index in the list of modes at this speed, from 0.
     pub mode: usize,
-    /// Its frequency, with the bounds that counts prove.
+    /// The frequency, with bounds from eigenvalue counts.
     pub frequency: CoupledFrequency,
     /// The estimated error of the mesh, Hz; known at the ends of the diagram and of the operating
     /// range.

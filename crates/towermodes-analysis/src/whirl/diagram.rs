@@ -73,8 +73,8 @@ impl CoupledCampbell {
         points.any(|point| point.name == name && point.frequency.has_negative_energy)
     }
 
-    /// Whether counts prove at every speed that no mode below the limit is missing and that none is
-    /// unstable.
+    /// Whether eigenvalue counts prove at every speed that no mode below the limit is missing and
+    /// that no mode is unstable.
     #[must_use]
     pub fn is_certified(&self) -> bool {
         self.speeds.iter().all(|speed| speed.modes.is_complete)

@@ -14,8 +14,8 @@ pub(crate) struct FoundArguments {
     #[arg(long, short, value_enum, default_value_t = TextFormat::Table)]
     pub(crate) format: TextFormat,
 
-    /// Write the tower with the numbers found to this file, in TOML; of a tower file in TOML only
-    /// the numbers are changed, and its comments are kept
+    /// Write the resulting tower to this file, in TOML; if FILE is a tower file in TOML, only its
+    /// values are changed, and its comments are kept
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
 }

@@ -38,25 +38,25 @@ pub(crate) struct ReadingArguments {
     #[arg(help_heading = MODEL, long)]
     no_gravity: bool,
 
-    /// Clamp a tower of OpenFAST or windIO at its base, without the jacket or platform below it; of
-    /// a SubDyn file hold the interface joints
+    /// Clamp a tower of OpenFAST or windIO at its base, without the jacket or platform below it;
+    /// for a SubDyn file, hold the interface joints
     #[arg(help_heading = OTHERS, long)]
     pub(crate) clamped: bool,
 
-    /// Give the mooring lines of a floating platform their stiffness at the equilibrium of weights,
-    /// buoyancy and lines, instead of the reference position of the file
+    /// Use the stiffness of mooring lines at the equilibrium of weights, buoyancy and lines,
+    /// instead of their stiffness at the reference position of the file
     #[arg(help_heading = MODEL, long)]
     equilibrium: bool,
 
-    /// Change a number of the tower by name, as often as needed: 'rna.mass=360000' replaces the
-    /// number, 'scale(stations[*].wall)=1.1' multiplies it, 'add(stations[*].height)=2' adds to it;
+    /// Change an input value of the tower by name; may be repeated: 'rna.mass=360000' replaces the
+    /// value, 'scale(stations[*].wall)=1.1' multiplies it, 'add(stations[*].height)=2' adds to it;
     /// values in the units of the tower file. Single quotes protect brackets and parentheses from
     /// the shell; `towermodes parameters FILE` lists the names
     #[arg(help_heading = MODEL, long = "set", value_name = "NAME=VALUE", value_parser = setting_parser)]
     pub(crate) settings: Vec<Setting>,
 
-    /// Rotation of the rotor about its shaft, in an ElastoDyn model or a tower file with
-    /// [drivetrain]
+    /// Rotor parked (locked) or free to rotate about its shaft (free), in an ElastoDyn model or a
+    /// tower file with [drivetrain]
     #[arg(help_heading = OTHERS, long, value_enum, default_value_t = Rotor::Locked, conflicts_with = "no_rna")]
     rotor: Rotor,
 
@@ -98,7 +98,7 @@ enum Part {
 /// Whether the rotor can rotate about its shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Rotor {
-    /// Locked by the brake: rotor and generator move with the nacelle.
+    /// Parked with the brake on: rotor and generator move with the nacelle.
     Locked,
     /// Free to rotate: no torque acts on the shaft.
     Free,
@@ -126,7 +126,9 @@ impl ReadingArguments {
         let names: Vec<&str> = names.collect();
         let is_changed = |text: &str| names.iter().any(|name| name.contains(text));
         if given.without_rna && is_changed("rna.") {
-            return Err("--set of a number of the RNA contradicts --no-rna; remove one of them");
+            return Err(
+                "--set of an input value of the RNA contradicts --no-rna; remove one of them",
+            );
         }
         if given.without_gravity && is_changed("gravity") {
             return Err("--set of gravity contradicts --no-gravity; remove one of them");
@@ -143,7 +145,7 @@ impl ReadingArguments {
         names: impl Iterator<Item = &'a str>,
     ) -> Result<(), &'static str> {
         Self::check_names(given, names).map_err(|_| match given.without_rna {
-            true => "--no-rna omits the RNA, but a column changes a number of the RNA; remove one of them",
+            true => "--no-rna omits the RNA, but a column changes an input value of the RNA; remove one of them",
             false => "--no-gravity omits gravity, but a column changes it; remove one of them",
         })
     }

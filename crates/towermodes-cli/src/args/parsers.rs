@@ -29,9 +29,12 @@ pub(crate) fn tolerance_parser(text: &str) -> Result<(Option<String>, Tolerance)
         Some(number) => (number.trim(), true),
         None => (value.trim(), false),
     };
-    let amount: f64 = number
-        .parse()
-        .map_err(|_| format!("`{value}` is not a number; write 2%, NAME=2% or NAME=AMOUNT"))?;
+    let amount: f64 = number.parse().map_err(|_| match &name {
+        Some(name) => {
+            format!("`{value}` is not a tolerance value; write {name}=2% or {name}=AMOUNT")
+        }
+        None => format!("`{value}` has no tolerance value; write 2%, {value}=2% or {value}=AMOUNT"),
+    })?;
     if !(amount.is_finite() && amount >= 0.0) {
         return Err("a tolerance is a number of at least 0".to_owned());
     }
@@ -39,7 +42,7 @@ pub(crate) fn tolerance_parser(text: &str) -> Result<(Option<String>, Tolerance)
         (true, _) => Ok((name, Tolerance::Percent(amount))),
         (false, Some(_)) => Ok((name, Tolerance::Amount(amount))),
         (false, None) => Err(format!(
-            "an amount needs the name of its number, because units differ; write NAME={number}, or {number}% for every number"
+            "an amount needs the name of its input, because units differ; write NAME={number}, or {number}% for every input"
         )),
     }
 }

@@ -17,8 +17,8 @@ const MAX_MULTIPLE: usize = 100;
 /// Rotor data that replace those of the file.
 #[derive(Debug, Args)]
 pub(crate) struct RotorArguments {
-    /// Required distance of excitation and natural frequency, percent of the natural frequency
-    /// [default: 5]
+    /// Required separation between excitation and natural frequency, percent of the natural
+    /// frequency [default: 5]
     #[arg(help_heading = ROTOR, long, value_name = "PERCENT", value_parser = margin_parser)]
     margin: Option<f64>,
 

@@ -10,8 +10,9 @@ const SOIL: &str = "Soil";
 /// Factors of the stiffness of the soil.
 #[derive(Debug, Args)]
 pub(crate) struct SoilArguments {
-    /// Factors of the stiffness of soil and foundation for which frequencies and verdicts are given
-    /// too, comma-separated; 1 alone switches the band off [default: 0.5,1,2 where there is soil]
+    /// Factors on the stiffness of soil and foundation, comma-separated: a second table has the
+    /// frequencies and verdicts for each factor; `--soil-factor 1` omits this table [default:
+    /// 0.5,1,2 if the tower has soil]
     #[arg(help_heading = SOIL, long, value_name = "LIST", value_delimiter = ',', value_parser = factor)]
     soil_factor: Vec<f64>,
 }

@@ -76,9 +76,9 @@ pub(crate) struct ModelArguments {
     #[arg(long)]
     no_rotary_inertia: bool,
 
-    /// Added mass of a floating platform that depends on frequency: own (each mode has that of
-    /// its own frequency), infinite (as a linearization by OpenFAST), zero, or that of a
-    /// frequency in Hz [default: own]
+    /// Frequency-dependent added mass of a floating platform: own (each mode has the added mass at
+    /// its own frequency), infinite (at infinite frequency, as in a linearization by OpenFAST),
+    /// zero (at zero frequency), or a frequency in Hz [default: own]
     #[arg(long, value_name = "AT", value_parser = added_mass_parser)]
     added_mass: Option<AddedMassAt>,
 

@@ -13,32 +13,33 @@ const MOST_SPEEDS: usize = 1000;
 /// How the generator is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum GeneratorState {
-    /// It turns at the constant speed; the shaft twists between it and the hub
+    /// Fixed generator speed; the shaft can twist between generator and hub
     Locked,
-    /// It turns freely with the rotor
+    /// No generator torque: the generator rotates freely with the rotor
     Free,
 }
 
 /// How a turbine with flexible blades is solved.
 #[derive(Debug, Args)]
 pub(crate) struct TurbineArguments {
-    /// Use the tower alone, with the rotor and the nacelle as a rigid body, and a blade alone
+    /// Analyse the tower (rigid rotor-nacelle assembly) and one blade separately
     #[arg(help_heading = TURBINE, long)]
     pub(crate) uncoupled: bool,
 
-    /// Hold the generator at the rotor speed (locked) or let it turn (free) [default: as in the
-    /// input]
+    /// Generator at fixed speed (locked) or free to rotate with the rotor (free) [default: as in
+    /// the input]
     #[arg(help_heading = TURBINE, long, value_name = "STATE", conflicts_with = "uncoupled")]
     generator: Option<GeneratorState>,
 
-    /// Highest frequency of the modes, Hz [default: what the excitations reach, and the second
-    /// bending modes of the tower where they are less than twice as high, but not more than 40
+    /// Highest frequency computed, Hz [default: the highest excitation frequency; raised to include
+    /// the second bending modes of the tower if they lie below twice that frequency; at most 40
     /// modes at rest]
     #[arg(help_heading = TURBINE, long, value_name = "HZ", conflicts_with = "uncoupled", value_parser = frequency_parser)]
     pub(crate) limit: Option<f64>,
 
     /// Number of equally spaced rotor speeds from standstill to 1.2 times the highest operating
-    /// speed; both ends of operation are added, and speeds where modes come close [default: 25]
+    /// speed; the lowest and the highest operating speed are added, and further speeds where curves
+    /// come close [default: 25]
     #[arg(help_heading = TURBINE, long, value_name = "N", conflicts_with = "uncoupled", value_parser = number_parser(2, MOST_SPEEDS))]
     pub(crate) speeds: Option<usize>,
 }

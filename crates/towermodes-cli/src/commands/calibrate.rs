@@ -23,7 +23,7 @@ const EXAMPLES: &str = "Examples:
   towermodes calibrate tower.toml measured.toml --free rna.mass
   towermodes calibrate tower.toml measured.toml --format json
 
-MEASURED is a TOML file with [[measured]] for each frequency and with the numbers to be fitted; for example:
+MEASURED is a TOML file with the measured frequencies and the input values to be fitted; for example:
   [calibrate.unknowns]
   \"rna.mass\" = { prior = [350e3, 5e3] }
   \"foundation.rocking\" = { bounds = [1e9, 1e12] }
@@ -33,9 +33,9 @@ MEASURED is a TOML file with [[measured]] for each frequency and with the number
   frequency = 0.2585
   deviation = 0.001
 
-A prior has mean and standard deviation, a measurement frequency and standard deviation in Hz. The fit explains the measurements; it does not validate the model. `towermodes parameters FILE` lists the names of the numbers.
+A prior has mean and standard deviation, a measurement frequency and standard deviation in Hz. A good fit does not show that the model is valid. `towermodes parameters FILE` lists the names of the input values.
 
-Exit codes: 0 the numbers are fitted, 1 the measurements do not determine them, the computation or the output failed, 2 wrong usage or wrong input.";
+Exit codes: 0 the values are fitted, 1 the measurements do not determine them, the computation or the output failed, 2 wrong usage or wrong input.";
 
 /// The arguments of `calibrate`.
 #[derive(Debug, Args)]
@@ -44,11 +44,11 @@ pub(crate) struct CalibrateArguments {
     #[command(flatten)]
     input: InputArguments,
 
-    /// What was measured and what is to be fitted: a TOML file with [[measured]]
+    /// TOML file with the measured frequencies ([[measured]]) and the input values to fit
     measured: PathBuf,
 
-    /// Fit only these numbers, with the priors and bounds that MEASURED has for them [default: all
-    /// of [calibrate.unknowns]]
+    /// Fit only these input values; their priors and bounds come from MEASURED [default: all of
+    /// [calibrate.unknowns]]
     #[arg(long, value_name = "NAME,...")]
     free: Vec<String>,
 
@@ -120,7 +120,7 @@ fn problem_of(
     match problem.unknowns.is_empty() {
         false => Ok(problem),
         true => Err(Failure::usage(format!(
-            "{}: no number is to be fitted; add for example \"foundation.rocking\" = {{}} to [calibrate.unknowns], or give --free NAME",
+            "{}: no input value is to be fitted; add for example \"foundation.rocking\" = {{}} to [calibrate.unknowns], or give --free NAME",
             file.source.name
         ))),
     }

@@ -20,8 +20,8 @@ const EXAMPLES: &str = "Examples:
   towermodes damping tower.toml --chord-moment 6073 --rpm 6.9,12.1
   towermodes damping tower.toml --output damping.json
 
-The damping ratio of a mode is the sum of half the loss factor of each part times the fraction of the strain energy that the part has in the mode; for water, of the kinetic energy. A loss factor is twice a damping ratio, and the logarithmic decrement divided by pi. No loss factor is assumed; the book lists those of standards.
-The rotor adds damping to fore-aft motion in operation; with --chord-moment, or chord_moment in the tower file, it is computed for the lowest and the highest operating speed.
+The damping ratio of a mode is the sum over all parts of (loss factor / 2) x (share of the part in the strain energy of the mode); for water, its share in the kinetic energy. A loss factor is twice a damping ratio, or the logarithmic decrement divided by pi. No loss factor is assumed; the book lists values from standards.
+In operation the rotor adds aerodynamic damping to fore-aft motion. With --chord-moment, or chord_moment in the tower file, this damping is computed for the lowest and the highest operating speed.
 
 Exit codes: 0 done, 1 the computation or the output failed, 2 wrong usage or wrong input.";
 
@@ -40,7 +40,8 @@ pub(crate) struct DampingArguments {
     #[arg(long = "loss-factor", value_name = "PART=VALUE", value_parser = loss_factor_parser)]
     loss_factors: Vec<(String, f64)>,
 
-    /// Integral of chord times radius over one blade, m3 [default: from the file]
+    /// First moment of the area of one blade about the rotor axis: integral of chord times radius,
+    /// m3 [default: from the file]
     #[arg(help_heading = ROTOR, long, value_name = "M3", value_parser = positive_parser)]
     chord_moment: Option<f64>,
 

@@ -26,7 +26,7 @@ const EXAMPLES: &str = "Examples:
   towermodes design tower.toml design.toml --format json
   towermodes design tower.toml design.toml --plot before-after.svg
 
-A study is a TOML file with [design]; for example:
+A design file is a TOML file with [design]; for example:
   [design.variables]
   \"stations[*].wall\" = { between = [0.012, 0.060], each = \"can\", order = \"falling\", step = 0.001 }
   \"scale(stations[*].diameter)\" = { between = [0.8, 1.2] }
@@ -39,7 +39,7 @@ A study is a TOML file with [design]; for example:
   diameter_to_wall = 200
   cone_angle = 3
 
-The search from the original tower uses exact derivatives and ends at a local minimum of the mass (its KKT residual is 0 at an exact one); the tower found is solved once more. If none is found that meets the limits, the message gives the nearest one. `towermodes parameters FILE` lists the names of the numbers.
+The search starts from the original tower, uses exact derivatives and ends at a local minimum of the mass; its KKT residual is printed as a check (0 at an exact minimum). The final tower is solved again with error estimates. If no tower is found that meets the limits, the message gives the nearest one. `towermodes parameters FILE` lists the names of the input values.
 
 Exit codes: 0 the tower is found, 1 no tower is found that meets the limits, the computation or the output failed, 2 wrong usage or wrong input.";
 
@@ -50,13 +50,13 @@ pub(crate) struct DesignArguments {
     #[command(flatten)]
     input: InputArguments,
 
-    /// What is chosen and what is to be reached: a TOML file with [design]
+    /// Design file: a TOML file with the design variables, frequency targets and limits ([design])
     study: PathBuf,
 
     #[command(flatten)]
     found: FoundArguments,
 
-    /// Draw the tower before and after, with the bands of its frequencies (.svg or .png)
+    /// Draw the tower before and after, with the target bands of its frequencies (.svg or .png)
     #[arg(long, value_name = "PATH")]
     plot: Option<PathBuf>,
 }
@@ -127,7 +127,7 @@ fn refused(error: StudyError) -> Failure {
     match error {
         StudyError::Input(error) | StudyError::Window(error) => Failure::from(error),
         StudyError::NoRotorSpeeds => Failure::usage(
-            "the study of the design names multiples of the rotor speed, which the tower file does not contain",
+            "the design file uses multiples of the rotor speed, but the tower file has no [rotor] rpm",
         )
         .hint(ROTOR),
     }

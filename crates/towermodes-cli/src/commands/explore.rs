@@ -24,9 +24,9 @@ const EXAMPLES: &str = "Examples:
   towermodes explore turbine.yaml --part tower --rpm 5,7.56
   towermodes explore examples/nrel-5mw.toml --set rna.mass=360000
 
-The program opens a page in the browser and serves it until Ctrl-C ends it. The page changes the numbers of the tower, and solves the tower with each change; the file stays as it is. --set changes numbers from the start; the page can put them back.
+The program opens a page in the browser and serves it until Ctrl-C ends it. On the page, input values are changed with sliders, and the tower is solved again after each change; the file is not changed. The page starts with the values of --set; they can be reset to the values of the file.
 
-The page is served on this machine only, to who knows the token in its address, which the program prints. It needs no network.
+Only this machine can open the page, and only with the secret token in the printed address. The page needs no network.
 
 Exit codes: 1 the port is taken, or the output failed; 2 wrong usage or wrong input.";
 
@@ -43,11 +43,11 @@ pub(crate) struct ExploreArguments {
     #[command(flatten)]
     rotor: RotorArguments,
 
-    /// Port of this machine [default: any that is free]
+    /// Port on this machine [default: any free port]
     #[arg(long, value_name = "PORT")]
     port: Option<u16>,
 
-    /// Print the address of the page, and do not open it in the browser
+    /// Print the address of the page without opening it in the browser
     #[arg(long)]
     no_open: bool,
 }
@@ -109,7 +109,7 @@ fn exploration(file: TowerInput, arguments: &ExploreArguments) -> Result<Explora
 fn not_served(port: Option<u16>, error: &io::Error) -> Failure {
     match port {
         Some(port) => Failure::failed(format!("port {port} cannot be used: {error}"))
-            .hint("without --port the program takes any port that is free"),
+            .hint("without --port the program uses any free port"),
         None => Failure::failed(format!(
             "the page cannot be served on this machine: {error}"
         )),

@@ -50,15 +50,16 @@ pub(crate) struct Arguments {
 pub(crate) enum Command {
     /// Compute the lowest natural frequencies and mode shapes of a tower or of a rotating blade.
     Solve(Deferred<solve::SolveArguments>),
-    /// List the numbers of a tower by name, for --set and for sweeps.
+    /// List the input values of a tower by name, for --set and for sweeps.
     Parameters(Deferred<parameters::ParametersArguments>),
-    /// Show which numbers of a tower its frequencies depend on, and what tolerances do.
+    /// Compute the sensitivity of the frequencies to every input value, and the effect of
+    /// tolerances.
     Sensitivities(Deferred<sensitivities::SensitivitiesArguments>),
-    /// Solve a tower many times with changed numbers: the rows of a table, or of a study.
+    /// Solve a tower many times with changed input values: the rows of a table or of a sweep study.
     Sweep(Deferred<sweep::SweepArguments>),
     /// Find a light tower whose frequencies are in given bands.
     Design(Deferred<design::DesignArguments>),
-    /// Fit numbers of a tower to measured frequencies.
+    /// Fit input values of a tower to measured frequencies.
     Calibrate(Deferred<calibrate::CalibrateArguments>),
     /// Compare methods: frequencies, differences from the reference solution, degrees of freedom,
     /// run time.
@@ -76,7 +77,8 @@ pub(crate) enum Command {
     /// Write a report for review, as one HTML page or as Markdown: input, assumptions, frequencies
     /// with errors, mode shapes, resonance margins.
     Report(Deferred<report::ReportArguments>),
-    /// Change the numbers of a tower by sliders on a page in the browser, and see its modes move.
+    /// Change input values by sliders on a page in the browser; frequencies and mode shapes are
+    /// updated.
     Explore(Deferred<explore::ExploreArguments>),
     /// Convert a tower to another format: TOML, BModes, ElastoDyn, windIO.
     Convert(Deferred<convert::ConvertArguments>),

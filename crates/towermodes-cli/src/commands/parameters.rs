@@ -18,19 +18,19 @@ const EXAMPLES: &str = "Examples:
   towermodes parameters tower.toml --output parameters.csv
   towermodes solve tower.toml --set 'rna.mass=360000'
 
-A name is the address of a number in the tower file, with indices from 0: stations[2].wall is the wall thickness of the third station. The names are those of --set and of the columns of a sweep: NAME sets a number, 'scale(NAME)' multiplies it, 'add(NAME)' adds to it; [*] is every index.
+A name is the address of an input value in the tower file, with indices from 0: stations[2].wall is the wall thickness of the third station. --set and the columns of a sweep use the same names: NAME sets a value, 'scale(NAME)' multiplies it, 'add(NAME)' adds to it; [*] stands for every index.
 
-Exit codes: 0 done, 1 the output failed, 2 wrong usage or wrong input, or no number has such a name.";
+Exit codes: 0 done, 1 the output failed, 2 wrong usage or wrong input, or no input value has such a name.";
 
 /// The arguments of `parameters`.
 #[derive(Debug, Args)]
-#[command(allow_negative_numbers = true, after_help = EXAMPLES, mut_arg("format", |of| csv_lines(of, "One line per number")))]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES, mut_arg("format", |of| csv_lines(of, "One line per input value")))]
 pub(crate) struct ParametersArguments {
     #[command(flatten)]
     input: InputArguments,
 
-    /// List only the numbers whose name contains one of these texts; * stands for any characters
-    /// [default: all]
+    /// List only the input values whose name contains one of these texts; * stands for any
+    /// characters [default: all]
     #[arg(value_name = "FILTER")]
     filters: Vec<String>,
 
@@ -97,7 +97,7 @@ fn listed(input: &TowerInput, arguments: &ParametersArguments) -> Result<Vec<Par
 }
 
 fn no_number(error: ParameterError) -> Failure {
-    Failure::usage(error).hint("without a filter the command lists all numbers")
+    Failure::usage(error).hint("without a filter the command lists all input values")
 }
 
 #[cfg(test)]

@@ -68,7 +68,7 @@ pub(crate) struct ReportArguments {
     #[command(flatten)]
     soil: SoilArguments,
 
-    /// Add a section on the influence of every number on the lowest frequencies
+    /// Add a section on the influence of every input value on the lowest frequencies
     #[arg(long)]
     sensitivities: bool,
 

@@ -24,32 +24,33 @@ const EXAMPLES: &str = "Examples:
   towermodes sensitivities tower.toml --plot tornado.svg
   towermodes sensitivities tower.toml --output sensitivities.json
 
-The table has percent of each frequency per percent of each number; a percent of a height is one percent of the tower's height. With tolerances it has what each tolerance does, and what all do together.
-NAME is a number by its name (towermodes parameters lists them), or a change of several: 'scale(stations[*].wall)'; by default every number.
+Each entry of the table is the change of a frequency in percent for a 1 % change of the input value (for a height: 1 % of the tower height). With --tolerance, each entry is the change caused by that tolerance; the last row is the root of the sum of squares.
+NAME is the name of an input value (towermodes parameters lists them), or a combined change such as 'scale(stations[*].wall)'; by default all input values.
 
 Exit codes: 0 done, 1 the computation or the output failed, 2 wrong usage or wrong input.";
 
 /// The arguments of `sensitivities`.
 #[derive(Debug, Args)]
-#[command(allow_negative_numbers = true, after_help = EXAMPLES, mut_arg("format", |of| csv_lines(of, "One line per number and mode")))]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES, mut_arg("format", |of| csv_lines(of, "One line per input and mode")))]
 pub(crate) struct SensitivitiesArguments {
     #[command(flatten)]
     input: InputArguments,
 
-    /// Numbers or changes of several [default: every number]
+    /// Names of input values, or combined changes such as scale(...) [default: all input values]
     #[arg(value_name = "NAME")]
     names: Vec<String>,
 
-    /// Tolerance, plus or minus: 2% of every number but heights, NAME=2% or NAME=AMOUNT of one; may
-    /// be repeated
+    /// Tolerance, plus or minus: `2%` applies to every input value except heights; `NAME=2%` or
+    /// `NAME=AMOUNT` applies to one; may be repeated
     #[arg(long = "tolerance", value_name = "[NAME=]VALUE", value_parser = tolerance_parser)]
     tolerances: Vec<(Option<String>, Tolerance)>,
 
-    /// List also the numbers that change no listed frequency by more than 0.0001 % per percent
+    /// List also the input values with elasticities of at most 1e-4 for all listed frequencies
     #[arg(long)]
     all: bool,
 
-    /// Draw the influence of the numbers on the lowest mode as a tornado diagram (.svg or .png)
+    /// Draw the influence of the input values on the lowest mode as a tornado diagram (.svg or
+    /// .png)
     #[arg(long, value_name = "PATH")]
     plot: Option<PathBuf>,
 

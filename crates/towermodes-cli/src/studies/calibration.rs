@@ -11,7 +11,7 @@ use towermodes_files::{
 };
 
 /// What to do where there are too few measurements.
-const NO_PRIOR: &str = "give it { prior = [mean, standard deviation] }, or fit fewer numbers";
+const NO_PRIOR: &str = "give it { prior = [mean, standard deviation] }, or fit fewer inputs";
 
 /// The problem of a file for its tower: with the unknowns of the file, or with those that are
 /// `free` and what the file knows of them.

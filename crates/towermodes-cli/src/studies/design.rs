@@ -21,7 +21,7 @@ pub enum StudyError {
     Input(ReadError),
     /// The study names multiples of the rotor speed, which is not known.
     #[error(
-        "the study of the design names multiples of the rotor speed, which the tower file does not contain"
+        "the design file uses multiples of the rotor speed, but the tower file has no [rotor] rpm"
     )]
     NoRotorSpeeds,
     /// A window between multiples of the rotor speed is empty.
@@ -132,13 +132,14 @@ pub fn warnings(found: &Design) -> Vec<String> {
     }
     if found.steps.is_some_and(|steps| !steps.is_searched) {
         warnings.push(
-            "the search of steps ended after its number of solves: a change of a step may be lighter"
+            "the search of steps ended at its limit of solves: a change of a step may be lighter"
                 .to_owned(),
         );
     }
     if !found.certificate.complete {
         warnings.push(
-            "the certificate of the tower found is incomplete: a mode may be missing".to_owned(),
+            "the list of modes of the final tower is not proved complete: a mode may be missing"
+                .to_owned(),
         );
     }
     for reached in &found.reached {

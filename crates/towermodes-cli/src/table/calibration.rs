@@ -50,13 +50,13 @@ fn unknowns(result: &Calibration) -> String {
         ]
     };
     let header = [
-        "fitted number",
+        "fitted input",
         "unit",
         "before",
         "fitted",
         "std. dev.",
         "68 % interval",
-        "decided by",
+        "largest source of information",
     ];
     text_table(header, result.unknowns.iter().enumerate().map(row), 2..5)
 }
@@ -169,7 +169,7 @@ fn summary(result: &Calibration) -> String {
     });
     let values: Vec<String> = values.collect();
     let certificate = match result.is_certified {
-        true => " Certificate of the frequencies: complete.",
+        true => " No mode is missing below the reported frequencies (eigenvalue count).",
         false => "",
     };
     // Below this it is rounding.
@@ -178,7 +178,7 @@ fn summary(result: &Calibration) -> String {
         false => digits(result.chi_square, 3),
     };
     let text = format!(
-        "Chi-square {} with {} of freedom. Singular values of the measurements: {}.{certificate}",
+        "Chi-square {} with {} of freedom. Singular values of the scaled Jacobian (below 1: not determined): {}.{certificate}",
         chi_square,
         counted(result.degrees_of_freedom, "degree"),
         values.join(", ")

@@ -85,7 +85,9 @@ fn modes(coupled: &CoupledCampbell) -> String {
     let header = ["".to_owned(), "coupled mode".to_owned()].into_iter();
     let header = header.chain(columns.iter().map(heading));
     let class = has_classes.then(|| "class".to_owned());
-    let header = header.chain(["whirls with".to_owned()]).chain(class);
+    let header = header
+        .chain(["whirl partner (row)".to_owned()])
+        .chain(class);
     wide_table(&header.collect::<Vec<_>>(), &rows)
 }
 
@@ -164,7 +166,13 @@ fn meetings(coupled: &CoupledCampbell, all: bool) -> String {
             format!("{:.4}", meeting.least_distance_hz),
         ]
     });
-    let header = ["curves", "meet by", "rotor rpm", "Hz", "least distance Hz"];
+    let header = [
+        "curves",
+        "interaction",
+        "rotor rpm",
+        "Hz",
+        "least distance Hz",
+    ];
     let mut text = match shown.is_empty() {
         true => String::new(),
         false => format!("{}\n\n", text_table(header, rows, 2..=4)),
@@ -202,7 +210,7 @@ fn changes(coupled: &CoupledCampbell, all: bool) -> String {
 }
 
 /// Why a share stands in place of a difference.
-const OTHER_MOTION: &str = "\"share\": the mode of this name has less than 60 % of its energy in this motion, which the flexible rotor spreads over several modes, so it is not compared.";
+const OTHER_MOTION: &str = "\"share\": the flexible rotor spreads this motion over several modes; the mode of this name has less than 60 % of its energy in this motion, so its frequency is not compared.";
 
 /// The tower's modes with a rigid machine, and what the flexible rotor makes of them.
 fn compared(coupled: &CoupledCampbell, against: &[AgainstRigid]) -> String {
@@ -231,9 +239,9 @@ fn compared(coupled: &CoupledCampbell, against: &[AgainstRigid]) -> String {
         "tower mode",
         "rigid rotor Hz",
         "flexible, at rest",
-        "difference",
+        "vs rigid",
         &highest,
-        "difference",
+        "vs rigid",
     ];
     let table = text_table(header, rows, 1..=5);
     let changes = against.iter().flat_map(|row| [row.at_rest, row.at_highest]);

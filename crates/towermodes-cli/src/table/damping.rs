@@ -27,7 +27,7 @@ pub fn damping(tower: &Tower, damping: &ModalDamping) -> String {
         text += &ratios(first, &damping.modes);
         text.push('\n');
         sentences.extend(has_ratios.then_some(
-            "the damping ratio of a part is half its loss factor times its fraction of the strain energy, for water of the kinetic energy"
+            "the damping ratio of a part is half its loss factor times its share of the strain energy (water: share of the kinetic energy)"
                 .to_owned(),
         ));
         sentences.extend(damping.rotor.as_ref().map(rotor));
@@ -41,7 +41,7 @@ pub fn damping(tower: &Tower, damping: &ModalDamping) -> String {
 /// What the damping by the rotor follows from.
 fn rotor(rotor: &RotorAerodynamics) -> String {
     format!(
-        "rotor: chord moment {} m3 per blade, lift slope {} per rad, air {} kg/m3; fore-aft motion in attached flow at constant speed; the hub moves as the tower top; side-side motion is not damped by it",
+        "rotor: chord moment {} m3 per blade, lift slope {} per rad, air {} kg/m3; fore-aft motion in attached flow at constant speed; the hub moves as the tower top; the rotor adds no side-side damping in this model",
         four_digits(rotor.chord_moment_m3),
         four_digits(rotor.lift_slope),
         Plain(rotor.air_density_kg_per_m3),

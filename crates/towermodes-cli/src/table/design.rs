@@ -114,7 +114,7 @@ fn limits(problem: &DesignProblem, found: &Design) -> String {
             .map_or("-".to_owned(), |kg| digits(kg / 1e3, 3));
         [problem.words(&of.limit), percent]
     });
-    let header = ["limit that decides", "1 % of it costs, t"];
+    let header = ["active limit", "mass change if relaxed by 1 %, t"];
     text_table(header, rows, [1])
 }
 
@@ -124,12 +124,12 @@ fn in_steps(steps: &Steps, mass_kg: f64, conditions: &str) -> String {
     let loss = mass_kg - least;
     let searched = match steps.is_searched {
         true => {
-            "No change by one step and no exchange of two that the derivatives predict to be lighter is lighter; other combinations were not searched."
+            "Of the changes by one step and the exchanges of two steps that the derivatives predict to be lighter, none is lighter; other combinations were not searched."
         }
-        false => "The search of steps ended after its number of solves.",
+        false => "The search of steps ended at its limit of solves.",
     };
     format!(
-        "Without steps the tower of {} {conditions}. The steps add {} ({} %). {searched}",
+        "Before rounding to steps the tower of {} {conditions}. Rounding to steps adds {} ({} %). {searched}",
         tonnes(least),
         tonnes(loss),
         digits(100.0 * loss / least, 2),
@@ -154,7 +154,7 @@ fn conclusion(found: &Design) -> String {
         Some(steps) => in_steps(steps, found.mass_kg[1], &conditions),
     };
     if found.certificate.complete {
-        text.push_str(" Certificate of the frequencies: complete.");
+        text.push_str(" No mode is missing below the reported frequencies (eigenvalue count).");
     }
     text
 }

@@ -125,19 +125,19 @@ fn percent(probability: f64) -> String {
 
 fn footer(found: &FirstOrder, has_check: bool, is_correlated: bool) -> Vec<String> {
     let mut sentences = vec![
-        "first order: the frequencies are linear functions of the varied numbers, with the derivatives at their mean values; no rows are solved"
+        "first order: the frequencies are linear functions of the varied inputs, with the derivatives at the mean values of the inputs; no rows are solved"
             .to_owned(),
     ];
     sentences.push(
-        "shift of the mean by curvature: the second order, which the first one neglects; if it is not small compared with the standard deviation, solve rows (without --first-order)"
+        "shift of the mean by curvature: estimated second-order shift of the mean, not included in the mean above; if the shift is not small compared with the standard deviation, solve rows (without --first-order)"
             .to_owned(),
     );
     if has_check {
-        sentences.push("probability: with a normal distribution of the frequency".to_owned());
+        sentences.push("probability: assumes a normal distribution of the frequency".to_owned());
     }
     if is_correlated {
         sentences.push(
-            "the numbers are correlated: half of what two of them do together belongs to each, so a share may be negative"
+            "the inputs are correlated: covariance terms are split equally between the two inputs, so a share may be negative"
                 .to_owned(),
         );
     }

@@ -66,7 +66,7 @@ fn is_negligible(number: &Influence) -> bool {
 }
 
 fn header(influences: &Influences, has_tolerances: bool) -> Vec<String> {
-    let mut header = vec!["number".to_owned(), "value".to_owned(), "unit".to_owned()];
+    let mut header = vec!["input".to_owned(), "value".to_owned(), "unit".to_owned()];
     if has_tolerances {
         header.push("tolerance".to_owned());
     }
@@ -170,21 +170,21 @@ fn footer(shown: &[&Influence], hidden: usize, has_tolerances: bool) -> Vec<Stri
         all.into_iter().any(|derivative| *derivative == Err(reason))
     };
     let mut sentences = vec![match has_tolerances {
-        false => "percent of the frequency per percent of the number".to_owned(),
-        true => "change of the frequency by the tolerance of the number; all together: root of the sum of squares"
+        false => "elasticity: percent of the frequency per percent of the input value".to_owned(),
+        true => "change of the frequency caused by the tolerance of the input value; all together: root of the sum of squares"
             .to_owned(),
     }];
     if has(Basis::TowerHeight) && !has_tolerances {
-        sentences.push("a percent of a height is one percent of the tower's height".to_owned());
+        sentences.push("a height is changed by one percent of the tower height".to_owned());
     }
     if has(Basis::Zero) && !has_tolerances {
         sentences.push(
-            "a number that is zero has no percent: percent of the frequency per unit".to_owned(),
+            "per unit: percent of the frequency per unit of the input value, for values that are zero and for add(...)".to_owned(),
         );
     }
     if lacks(NoDerivative::Repeated) {
         sentences.push(
-            "splits: the number couples the mode with another one of the same frequency, and splits the two".to_owned(),
+            "splits: the input value couples the mode with another mode of the same frequency, and their frequencies separate".to_owned(),
         );
     }
     if lacks(NoDerivative::OneSided) {
@@ -194,10 +194,10 @@ fn footer(shown: &[&Influence], hidden: usize, has_tolerances: bool) -> Vec<Stri
         );
     }
     if hidden > 0 {
-        let numbers = if hidden == 1 {
-            "1 number is"
+        let hidden_values = if hidden == 1 {
+            "1 input value is"
         } else {
-            &format!("{hidden} numbers are")
+            &format!("{hidden} input values are")
         };
         let reason = match has_tolerances {
             false => "no listed frequency changes by more than 0.0001 % per percent",
@@ -205,7 +205,9 @@ fn footer(shown: &[&Influence], hidden: usize, has_tolerances: bool) -> Vec<Stri
                 "they have no tolerance, or no listed frequency changes by more than 0.0001 % per percent"
             }
         };
-        sentences.push(format!("{numbers} not shown because {reason} (use --all)"));
+        sentences.push(format!(
+            "{hidden_values} not shown because {reason} (use --all)"
+        ));
     }
     sentences
 }

@@ -37,11 +37,14 @@ pub fn soil_band(band: &SoilBand) -> String {
     let others = band.modes.len() - modes.len();
     if others > 0 && band.has_verdicts() && band.failed.is_empty() {
         let keep = if others == 1 {
-            "keeps its verdict"
+            "has the same verdict"
         } else {
-            "keep their verdicts"
+            "have the same verdicts"
         };
-        text += &format!("{} {keep} over the band\n", counted(others, "other mode"));
+        text += &format!(
+            "{} {keep} for all soil factors\n",
+            counted(others, "other mode")
+        );
     }
     text
 }

@@ -20,7 +20,7 @@ pub(super) fn is_in_proportion(deviation: f64, of: f64) -> bool {
 #[non_exhaustive]
 pub enum CalibrationError {
     /// Nothing is to be found.
-    #[error("no unknowns are given; name at least one number of the tower")]
+    #[error("no unknowns are given; name at least one input value of the tower")]
     NoUnknowns,
     /// Too few measurements for the unknowns.
     #[error(
@@ -122,7 +122,7 @@ pub enum CalibrationError {
     },
     /// A prior with an impossible mean.
     #[error(
-        "the prior mean of `{change}` is {}, but the number cannot be {}; give a positive mean",
+        "the prior mean of `{change}` is {}, but this input value cannot be {}; give a positive mean",
         Plain(*.mean), if *.mean < 0.0 { "negative" } else { "0" }
     )]
     PriorNotPositive {
@@ -145,7 +145,7 @@ pub enum CalibrationError {
         deviation: f64,
     },
     /// Bounds of a positive number that contain none.
-    #[error("the upper bound of `{change}` is {}, but the number must be positive", Plain(*.high))]
+    #[error("the upper bound of `{change}` is {}, but this input value must be positive", Plain(*.high))]
     BoundsNotPositive {
         /// The unknown.
         change: String,
@@ -261,7 +261,7 @@ pub enum CalibrationError {
     },
     /// No values of the unknowns explain a frequency, not even the largest and the smallest.
     #[error(
-        "no value of the fitted numbers gives {mode} the measured frequency of {} Hz; the nearest is {} Hz with {values}; check the measurement and its mode, or fit other numbers",
+        "no value of the fitted inputs gives the measured frequency of {mode}, {} Hz; the nearest frequency is {} Hz with {values}; check the measurement and its mode, or fit other inputs",
         Plain(*.measured_hz), Rounded(*.nearest_hz)
     )]
     Unreachable {
@@ -278,7 +278,7 @@ pub enum CalibrationError {
     },
     /// Every unknown that could bring a frequency nearer is at a bound.
     #[error(
-        "no values within the bounds give {mode} the measured frequency of {} Hz; the nearest is {} Hz, with {bounds} in the way; widen the bounds, check the measurement and its mode, or fit other numbers",
+        "no values within the bounds give the measured frequency of {mode}, {} Hz; the nearest frequency is {} Hz, limited by {bounds}; widen the bounds, check the measurement and its mode, or fit other inputs",
         Plain(*.measured_hz), Rounded(*.nearest_hz)
     )]
     OutsideBounds {

@@ -17,10 +17,10 @@ pub struct Problem {
     pub measured: Vec<Measured>,
 }
 
-/// A number, or several by one value, that is to be found.
+/// An unknown of the fit: one input value, or several changed by one value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unknown {
-    /// The change that it is the value of.
+    /// Which input values this unknown changes.
     pub change: Change,
     /// What is known of the value without the measurements.
     pub prior: Option<Prior>,
@@ -47,7 +47,7 @@ pub struct Measured {
     pub deviation_hz: f64,
     /// The mode, if it is known; otherwise it is found by frequency and shape.
     pub mode: Option<ModeName>,
-    /// The measured mode shape, which finds the mode.
+    /// The measured mode shape, used to identify the mode.
     pub shape: Option<MeasuredShape>,
 }
 

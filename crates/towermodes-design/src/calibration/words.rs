@@ -48,7 +48,7 @@ impl fmt::Display for Remark {
                 write!(f, "{subject}: with {changes} the measured frequencies ")?;
                 match *deviations < 0.005 {
                     true => f.write_str("hardly change"),
-                    false => write!(f, "change by {deviations:.2} standard deviations only"),
+                    false => write!(f, "change by only {deviations:.2} standard deviations"),
                 }
             }
             Self::Correlated {
@@ -61,11 +61,11 @@ impl fmt::Display for Remark {
             ),
             Self::Bound { name, bound, value } => {
                 let value = Rounded(*value);
-                write!(f, "{name} is at its {bound} bound {value}: the measurements ask for a value beyond it")
+                write!(f, "{name} is at its {bound} bound {value}: the measurements require a value beyond this bound")
             }
             Self::FromPrior { name, share } => write!(
                 f,
-                "{name} is known mostly from its prior: {:.0} % of its variance comes from there",
+                "{name} is known mostly from its prior: {:.0} % of its variance comes from the prior",
                 100.0 * share
             ),
             Self::FromOtherPriors {
@@ -78,11 +78,11 @@ impl fmt::Display for Remark {
                 match has_prior {
                     true => write!(
                         f,
-                        "{name} is known mostly from priors: {percent:.0} % of its variance comes from its own and from those of other numbers, such as {other}"
+                        "{name} is known mostly from priors: {percent:.0} % of its variance comes from its own prior and from the priors of other inputs, such as {other}"
                     ),
                     false => write!(
                         f,
-                        "{name} has no prior, but {percent:.0} % of its variance comes from the priors of other numbers, most of it from that of {other}"
+                        "{name} has no prior, but {percent:.0} % of its variance comes from the priors of other inputs, mostly from the prior of {other}"
                     ),
                 }
             }
@@ -105,7 +105,7 @@ impl fmt::Display for Remark {
                 has_prior,
             } => write!(
                 f,
-                "at {name} = {} no measured frequency changes with it to first order, only with a larger change: {}",
+                "at {name} = {} no measured frequency changes to first order with this input, only with a larger change: {}",
                 Rounded(*value),
                 if *has_prior {
                     "its standard deviation is that of its prior"
@@ -128,7 +128,7 @@ impl fmt::Display for Remark {
                 "the modes of the fitted tower would be paired differently; name the mode of each measurement",
             ),
             Self::Uncertified => f.write_str(
-                "the certificate of the fitted tower is incomplete: a mode may be missing, and the measurements may be of other modes",
+                "the list of modes of the fitted tower is not proved complete: a mode may be missing, and the measurements may belong to other modes",
             ),
             Self::LargeResidual { mode, residual } => write!(
                 f,
@@ -159,11 +159,11 @@ impl fmt::Display for Remark {
                 degrees_of_freedom,
             } => write!(
                 f,
-                "the residuals are larger than the standard deviations allow (chi-square {chi_square:.1} with {degrees_of_freedom} {} of freedom): the model lacks something, or the measurements are less accurate than stated",
+                "the residuals are larger than the standard deviations allow (chi-square {chi_square:.1} with {degrees_of_freedom} {} of freedom): the model is incomplete, or the measurements are less accurate than stated",
                 if *degrees_of_freedom == 1 { "degree" } else { "degrees" }
             ),
             Self::NoDegreesOfFreedom => f.write_str(
-                "there are as many unknowns as measurements and priors: any measurement can be fitted, so the residuals say nothing about the model",
+                "there are as many unknowns as measurements and priors: any measurement can be fitted, so the residuals do not test the model",
             ),
         }
     }

@@ -38,7 +38,7 @@ pub enum DesignError {
         low: f64,
     },
     /// A number that is always positive, with a bound that is not.
-    #[error("the lower bound of `{variable}` is {low}, but this number must be positive")]
+    #[error("the lower bound of `{variable}` is {low}, but this input value must be positive")]
     NotPositive {
         /// The name of the variable.
         variable: String,
@@ -57,7 +57,7 @@ pub enum DesignError {
         low: f64,
         /// The upper bound.
         high: f64,
-        /// The largest number that it changes, or 1 for a factor.
+        /// The largest input value that the variable changes, or 1 for a factor.
         present: f64,
     },
     /// No value of a stepped variable is within its bounds.
@@ -139,7 +139,7 @@ pub enum DesignError {
     Infeasible(Box<Infeasible>),
     /// There is a tower, but none was found in steps.
     #[error(
-        "a tower of {:.1} t meets all limits, but no values in steps were found that do: use smaller steps or wider bounds",
+        "a tower of {:.1} t meets all limits, but no tower with values in steps that meets them was found: use smaller steps or wider bounds",
         kg / 1e3
     )]
     NoCombination {

@@ -59,7 +59,8 @@ impl Row {
         sum / self.scale
     }
 
-    /// Its derivative with respect to the value of a variable; `base` is the original tower.
+    /// The derivative of the limit with respect to the value of a variable; `base` is the original
+    /// tower.
     pub(super) fn derivative(&self, variable: &Variable, base: &TowerDescription) -> f64 {
         let numbers = variable.change.parameters();
         let of_terms = self.terms.iter().map(|(number, coefficient)| {

@@ -6,7 +6,7 @@ use towermodes::{Change, ModeName, Operation, Parameter, TowerDescription};
 /// bounds would hide the values that matter.
 const LARGEST_UNIT: f64 = 10.0;
 
-/// A number, or several that change together, that the design chooses.
+/// A design variable: one input value, or several that are changed together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variable {
     /// What its value changes.

@@ -17,9 +17,9 @@ use super::unmet::{Conflict, Infeasible};
 pub struct Design {
     /// The tower.
     pub tower: TowerDescription,
-    /// The value of each variable before: of a list of different numbers their mean.
+    /// The value of each variable before; the mean if it changes several different input values.
     pub before: Vec<f64>,
-    /// Whether that is the mean of different numbers.
+    /// Whether `before` is such a mean.
     pub before_is_mean: Vec<bool>,
     /// The value of each variable, in steps or with eight significant digits.
     pub values: Vec<f64>,
@@ -45,7 +45,7 @@ pub struct Design {
 /// What is known of a tower in steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Steps {
-    /// The mass of the minimum without steps, kg.
+    /// The mass of the minimum before its values are rounded to steps, kg.
     pub without_steps_kg: f64,
     /// Whether no change by one step, and no exchange of two, that the derivatives predict to be
     /// lighter makes a lighter tower; otherwise the search ended after its number of solves.
@@ -341,7 +341,7 @@ fn infeasible(towers: &mut Towers<'_>, nearest: &Minimum) -> DesignError {
     }))
 }
 
-/// The value of a limited quantity on a tower, in words.
+/// The nearest value that was found for a violated limit, in words.
 fn nearest_words(
     problem: &DesignProblem,
     limit: &Limit,

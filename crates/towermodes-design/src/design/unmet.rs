@@ -44,7 +44,7 @@ impl fmt::Display for Infeasible {
         for [first, second] in &self.equal {
             write!(
                 f,
-                "; {first} and {second} have the same frequency, because the tower is equal in both directions, so that their bands must overlap"
+                "; {first} and {second} have the same frequency, because the tower has the same stiffness in both directions, so their bands must overlap"
             )?;
         }
         Ok(())

@@ -7,7 +7,7 @@ use towermodes::Rotor;
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum WindowError {
     /// The multiples are not in order.
-    #[error("{lower}P-{upper}P is no window: the first multiple must be lower")]
+    #[error("{lower}P-{upper}P is not a window: the first multiple must be lower")]
     Order {
         /// The lower multiple.
         lower: usize,

@@ -97,7 +97,7 @@ fn a_number_without_a_prior_is_not_said_to_have_one() {
     };
     let said = remarks(&fitted(&problem).expect("a fit")).join("\n");
     assert!(
-        said.contains("scale(stations[*].wall) has no prior, but 100 % of its variance comes from the priors of other numbers, most of it from that of rna.mass"),
+        said.contains("scale(stations[*].wall) has no prior, but 100 % of its variance comes from the priors of other inputs, mostly from the prior of rna.mass"),
         "{said}"
     );
     said.says("rna.mass is known mostly from its prior: 100 % of its variance");

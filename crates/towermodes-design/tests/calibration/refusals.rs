@@ -154,7 +154,7 @@ fn a_frequency_that_cannot_be_reached_is_refused_with_the_nearest() {
         base.clone(),
         rocking,
         far,
-        "no value of the fitted numbers gives fore-aft 1 the measured frequency of 5 Hz; the nearest is 0.2",
+        "no value of the fitted inputs gives the measured frequency of fore-aft 1, 5 Hz; the nearest frequency is 0.2",
     );
     let bounded = Unknown {
         bounds: Some([1e10, 1e12]),
@@ -177,7 +177,7 @@ fn a_frequency_that_cannot_be_reached_is_refused_with_the_nearest() {
     assert!((nearest_hz / highest - 1.0).abs() < 1e-9, "{nearest_hz}");
     assert_eq!(error.measurement(), Some(0));
     let said = error.to_string();
-    said.says("give fore-aft 1 the measured frequency of 5 Hz; the nearest is 0.2");
+    said.says("give the measured frequency of fore-aft 1, 5 Hz; the nearest frequency is 0.2");
     said.says("with the upper bound 1e12 of foundation.rocking in the way");
 }
 
@@ -194,8 +194,8 @@ fn priors_that_a_positive_number_cannot_have_are_refused() {
     let base = tower();
     let prior = |name: &str, mean, deviation| vec![with_prior(&base, name, mean, deviation)];
     let table = r#"
-        foundation.rocking | -1e6 | the prior mean of `foundation.rocking` is -1000000, but the number cannot be negative
-        foundation.rocking | 0.0 | but the number cannot be 0
+        foundation.rocking | -1e6 | the prior mean of `foundation.rocking` is -1000000, but this input value cannot be negative
+        foundation.rocking | 0.0 | but this input value cannot be 0
         scale(stations[*].wall) | -1.0 | cannot be negative
         "#;
     for [name, mean, words] in rows(table) {

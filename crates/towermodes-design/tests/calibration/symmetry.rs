@@ -75,7 +75,7 @@ fn where_the_symmetric_start_is_the_best_tower_the_number_is_not_called_arbitrar
     said.says("only with a larger change");
     assert!(!said.contains("arbitrary"), "{said}");
     let both = fit(Some([-45.0, 45.0]), 0.33).expect_err("above the highest");
-    both.begins("no value of the fitted numbers");
+    both.begins("no value of the fitted inputs");
     let hz = frequencies(&symmetric(), &["fore-aft 1"])[0];
     let at_rest = fit(Some([-45.0, 45.0]), hz).expect_err("no first derivative");
     assert!(

@@ -78,7 +78,7 @@ fn read_deck(source: Source, files: &dyn FileResolver) -> Result<(Deck, Sources)
     }
     let file = files.read(sections_file.value).map_err(|error| {
         let kind = DiagnosticKind::unreadable("the section file", &error);
-        let hint = "it is searched beside the .bmi file; names may be case-sensitive";
+        let hint = "it is looked for in the folder of the .bmi file; names may be case-sensitive";
         in_main(sections_file.wrong(kind).with_hint(hint))
     })?;
     let sections = records::sections::sections(&file.text, deck.beam);

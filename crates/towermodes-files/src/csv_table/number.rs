@@ -80,7 +80,7 @@ fn wrong(cell: &Cell<'_>, what: &str) -> Diagnostic {
 fn explained(mistake: Diagnostic, text: &str) -> Diagnostic {
     let begins = text.starts_with(|c: char| c.is_ascii_digit() || c == '-');
     match begins && text.ends_with(char::is_alphabetic) {
-        true => mistake.with_hint("write the unit in the header, as in `wall [mm]`"),
+        true => mistake.with_hint("write the unit in the header, for example `wall [mm]`"),
         false => mistake,
     }
 }

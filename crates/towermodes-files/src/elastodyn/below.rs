@@ -98,7 +98,7 @@ impl<'a> Model<'a> {
         let source = self.files.read(path).map_err(|error| {
             let kind = DiagnosticKind::unreadable(names[0], &error);
             let hint = format!(
-                "files are searched beside the .fst file; {module} 0 leaves this part out of the model, --clamped clamps the tower at its base"
+                "files are looked for in the folder of the .fst file; {module} 0 leaves this part out of the model, --clamped clamps the tower at its base"
             );
             ReadError::mistake(self.fst, Diagnostic::new(named.span.clone(), kind).with_hint(hint))
         })?;

@@ -225,7 +225,7 @@ impl Model {
 
     /// The note on blades that no file of ElastoDyn has.
     fn no_blades(&self) -> Note {
-        let message = "CompElast is 2 and BldFile(1) is not there: the blades are those of BeamDyn, whose files are not read, so the rotor-nacelle assembly has no blades";
+        let message = "CompElast is 2 and BldFile(1) is not there: the blades are defined in BeamDyn, whose files are not read, so the rotor-nacelle assembly has no blades";
         let at = self.main.place(BLADES[0]).start;
         Note::missing_part(message).at(&self.found.source, at)
     }
@@ -341,8 +341,8 @@ impl Named<'_> {
             .map_err(|error| {
                 let kind = DiagnosticKind::unreadable(key, &error);
                 let hint = match key.starts_with("Bld") {
-                    true => "files are searched beside the main file; without the rotor-nacelle assembly (--no-rna) blade files are not needed",
-                    false => "files are searched beside the main file",
+                    true => "files are looked for in the folder of the main file; without the rotor-nacelle assembly (--no-rna) blade files are not needed",
+                    false => "files are looked for in the folder of the main file",
                 };
                 ReadError::mistake(self.source, Diagnostic::new(span, kind).with_hint(hint))
             })
@@ -398,7 +398,7 @@ fn foundation_note(main: &MainFile, fst: Option<&Source>) -> Option<Note> {
         fst.is_some_and(|fst| !fst::is_on(fst, "CompHydro") && !fst::is_on(fst, "CompSub"));
     let why = match moves {
         true if is_dry => {
-            " although the platform moves: CompHydro is 0, and without water nothing carries it"
+            " although the platform moves: CompHydro is 0, and without water it has no buoyancy"
         }
         true => " (the platform moves); its foundation is in other files",
         false => "; its foundation is in other files",

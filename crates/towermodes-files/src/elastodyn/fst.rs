@@ -56,7 +56,7 @@ fn named_by(fst: Source, files: &dyn FileResolver) -> Result<Main, ReadError> {
     let path = parameter.token.text.trim();
     let source = files.read(path).map_err(|error| {
         let kind = DiagnosticKind::unreadable("EDFile", &error);
-        let hint = "files are searched beside the .fst file";
+        let hint = "files are looked for in the folder of the .fst file";
         mistake(Diagnostic::new(parameter.span(), kind).with_hint(hint))
     })?;
     let folder = path.rfind(['/', '\\']).map_or("", |slash| &path[..slash]);
@@ -142,7 +142,7 @@ fn in_current(source: &Source) -> Option<Note> {
 fn beamdyn(source: &Source) -> Option<Note> {
     let (value, at) = switch(source, "CompElast")?;
     (value == 2).then(|| {
-        let message = "CompElast is 2, so the blades are those of BeamDyn, but their masses are taken from ElastoDyn's blade files";
+        let message = "CompElast is 2, so the blades are defined in BeamDyn, but their masses are taken from ElastoDyn's blade files";
         Note::approximation(message).at(source, at)
     })
 }
@@ -151,7 +151,7 @@ fn beamdyn(source: &Source) -> Option<Note> {
 fn blades_of_beamdyn(source: &Source) -> Option<Note> {
     let (value, at) = switch(source, "CompElast")?;
     (value == 2).then(|| {
-        let message = "CompElast is 2, so the blades are those of BeamDyn, but those of the turning turbine are from ElastoDyn's blade files";
+        let message = "CompElast is 2, so the blades are defined in BeamDyn, but the blades of the operating turbine are taken from ElastoDyn's blade files";
         Note::approximation(message).at(source, at)
     })
 }
@@ -279,7 +279,7 @@ fn why_not_read(source: &Source, main: &MainFile, module: &Module, is_clamped: b
     } else if !main.platform_dofs.contains(&true) {
         "because CompSub is 0 and no motion of the platform is switched on (PtfmSgDOF to PtfmYDOF)"
     } else if !is_on(source, "CompHydro") {
-        "because CompHydro is 0, and without water nothing carries the platform"
+        "because CompHydro is 0, and without water the platform has no buoyancy"
     } else {
         return String::new();
     };

@@ -118,7 +118,7 @@ impl<'a> Positional<'a> {
 pub(super) fn misplaced(line: &Line<'_>, expected: &str, found: &str) -> Diagnostic {
     let span = line.tokens().nth(1).map_or(line.span(), |token| token.span);
     Diagnostic::new(span, DiagnosticKind::misplaced(expected, found))
-        .with_hint("is a line above missing, or one too many?")
+        .with_hint("is a line missing above, or is there an extra line?")
 }
 
 /// A parameter of a file with its value.

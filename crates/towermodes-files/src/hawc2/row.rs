@@ -177,5 +177,5 @@ fn too_many(first: &Token<'_>, found: usize) -> Diagnostic {
     let kind = DiagnosticKind::wrong_count_of("columns", "the row", found, COLUMNS);
     first
         .wrong(kind)
-        .with_hint("is a blank missing or one too many?")
+        .with_hint("is a blank missing, or is there an extra blank?")
 }

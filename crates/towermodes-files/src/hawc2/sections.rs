@@ -123,7 +123,7 @@ fn off_axis(row: &Row<'_>, column: usize, fraction: f64) -> Diagnostic {
         100.0 * fraction
     ));
     Diagnostic::new(row.span(column), kind)
-        .with_hint("is this the file of a blade? towers have 0 here")
+        .with_hint("is this the file of a blade? for towers this value is 0")
 }
 
 fn turned(row: &Row<'_>) -> Diagnostic {

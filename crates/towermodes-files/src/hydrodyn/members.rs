@@ -188,7 +188,7 @@ fn fillings(
             .ok()
             .filter(|count| *count < row.tokens.len());
         let Some(count) = fits else {
-            let rule = "the number of members in the list behind it";
+            let rule = "the number of members in the list after it";
             let kind = DiagnosticKind::out_of_range("FillNumM", count as f64, rule);
             return Err(row.wrong(0, kind));
         };

@@ -92,7 +92,7 @@ impl HydrodynInput {
     }
 
     fn notes_on_stiffness(&self, weights: &SpatialMatrix) -> Vec<Note> {
-        let no_body = "there is no potential-flow body (PotMod 0): buoyancy, water plane and added mass of the platform are those of strip members and AddCLin alone";
+        let no_body = "there is no potential-flow body (PotMod 0): buoyancy, water plane and added mass of the platform come only from strip members and AddCLin";
         let no_body = self.potential.is_none().then(|| Note::assumption(no_body));
         let no_body = no_body.map(|note| note.at(&self.sources[0], 0));
         let mut notes = self.notes_on_strips(weights);

@@ -179,7 +179,7 @@ fn file(
     let name = format!("{}{ending}", token.text.trim());
     files.read(&beside(folder, &name)).map_err(|error| {
         let kind = DiagnosticKind::unreadable(format!("the {ending} file of PotFile"), &error);
-        let hint = "PotFile is the name of the WAMIT files without their endings, relative to the HydroDyn file";
+        let hint = "PotFile is the name of the WAMIT files without their extensions, relative to the HydroDyn file";
         ReadError::mistake(source, token.wrong(kind).with_hint(hint))
     })
 }

@@ -135,7 +135,7 @@ impl<'a> Table<'a> {
                 let kind = DiagnosticKind::Repeated { what, times: 2 };
                 return Err(row
                     .wrong(0, kind)
-                    .with_hint("each row needs a number of its own"));
+                    .with_hint("each row needs a different number"));
             }
         }
         Ok(Ids { what, indices })

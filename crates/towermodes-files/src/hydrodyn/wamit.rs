@@ -223,7 +223,7 @@ fn index(token: &Token<'_>) -> Result<usize, Diagnostic> {
         1..=6 => Ok(value as usize - 1),
         7.. => {
             let message =
-                format!("the index {value} is that of a second body: only one body can be solved");
+                format!("the index {value} refers to a second body: only one body can be solved");
             Err(token.wrong(DiagnosticKind::Unsupported(message)))
         }
         _ => {

@@ -171,7 +171,7 @@ fn unknown(name: &str) -> String {
     let single = inputs.iter().filter(|(_, given)| given.is_number());
     let mut of_layer = single.map(|(input, _)| input.key).chain(OF_LAYER);
     if of_layer.any(|key| name.starts_with(key)) {
-        return "it has one value for each layer: write it in [[ground.layer]], once for each layer with another value".to_owned();
+        return "this value is constant in a layer: write it in [[ground.layer]], in each layer with another value".to_owned();
     }
     let distance = |known: &str| {
         // The unit at the end of a name is not a mistake of it.

@@ -21,8 +21,7 @@ const MAX_ROWS: usize = 1000;
 /// Heights that are nearer than this, m, are one height: lengths are converted.
 pub(crate) const SAME_M: f64 = 1e-6;
 
-const EXAMPLE: &str =
-    "write a header as `depth [m], undrained_strength [kPa]` or `height_m, cone_resistance_MPa`";
+const EXAMPLE: &str = "write a header such as `depth [m], undrained_strength [kPa]` or `height_m, cone_resistance_MPa`";
 
 /// A quantity of a profile.
 #[derive(Debug, Clone, PartialEq)]
@@ -205,7 +204,7 @@ fn check_order(rows: &[Row], text: &str, position: &Column) -> Result<(), Diagno
                 false => (&pair[1], &pair[0]),
             };
             let kind = DiagnosticKind::Contradiction(format!(
-                "the {} turns back here, after line {}",
+                "the direction of the {} reverses here, after line {}",
                 position.name,
                 line(first),
             ));

@@ -71,7 +71,7 @@ fn length_m(row: &Row<'_>) -> Result<f64, Diagnostic> {
     let token = row.token(&LENGTH)?;
     if token.text.starts_with('#') {
         let message = format!(
-            "{} is `#`, a length that MAP++ finds: lines need a given length here",
+            "{} is `#`, a length computed by MAP++: here lines need a given length",
             row.what(&LENGTH)
         );
         let hint = "write the length of the summary that MAP++ prints, in m";

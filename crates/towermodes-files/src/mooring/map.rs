@@ -167,7 +167,8 @@ fn angles(
         let is_repeat = name.text.eq_ignore_ascii_case("repeat");
         let is_comment = line.text.starts_with(char::is_whitespace);
         if is_repeat && is_comment {
-            let message = "`repeat` is not used: it is behind a blank, so that MAP++ takes its line as a comment";
+            let message =
+                "`repeat` is not used: a blank precedes it, so MAP++ reads its line as a comment";
             notes.push(Note::suspicious(message).at(source, name.span.start));
         } else if is_repeat {
             angles.extend(tokens)?;

@@ -81,11 +81,11 @@ fn load(row: &Row<'_>, column: &Column, is_free: bool) -> Result<f64, Diagnostic
         return Ok(0.0);
     }
     let message = format!(
-        "{} is {}: a value that MAP++ finds, so that the node stays at its place, is not modelled",
+        "{} is {}: a value computed by MAP++ that keeps the node at its position is not modelled",
         row.what(column),
         quoted(token.text)
     );
-    let hint = "give the number; the position of the node is found";
+    let hint = "give the value; the position of the node is computed";
     Err(row.unsupported(column, message).with_hint(hint))
 }
 
@@ -111,7 +111,7 @@ fn check_forces(row: &Row<'_>) -> Result<(), Diagnostic> {
             "{} is {found}: external forces on nodes, and nodes at given positions, are not modelled",
             row.what(column)
         );
-        let hint = "write 0; a constant vertical force is that of a mass or of a volume";
+        let hint = "write 0; a constant vertical force can be given as a mass or a volume";
         return Err(row.unsupported(column, message).with_hint(hint));
     }
     Ok(())

@@ -218,11 +218,7 @@ fn left_out(tables: &Tables<'_>, source: &Source) -> Result<Vec<Note>, Diagnosti
         notes.push(Note::left_out(message).at(source, heading.start));
     }
     let sections = [
-        (
-            Kind::Control,
-            "CONTROL",
-            "lines have their length at the start",
-        ),
+        (Kind::Control, "CONTROL", "lines keep their initial length"),
         (Kind::Failure, "FAILURE", "no line fails"),
     ];
     for (kind, name, reason) in sections {
@@ -239,7 +235,7 @@ fn left_out(tables: &Tables<'_>, source: &Source) -> Result<Vec<Note>, Diagnosti
         Some(table) => {
             let message = "external loads and damping on points and bodies are not modelled";
             let kind = DiagnosticKind::Unsupported(message.to_owned());
-            let hint = "remove the rows of EXTERNAL LOADS; a constant vertical force is that of a mass or of a volume";
+            let hint = "remove the rows of EXTERNAL LOADS; a constant vertical force can be given as a mass or a volume";
             Err(Diagnostic::new(table.span.clone(), kind).with_hint(hint))
         }
         None => Ok(notes),

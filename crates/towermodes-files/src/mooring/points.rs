@@ -98,5 +98,5 @@ fn no_force(row: &Row<'_>, column: &Column) -> Result<(), Diagnostic> {
     let token = row.token(column)?;
     Err(token
         .wrong(DiagnosticKind::Unsupported(message))
-        .with_hint("write 0; a constant vertical force is that of a mass or of a volume"))
+        .with_hint("write 0; a constant vertical force can be given as a mass or a volume"))
 }

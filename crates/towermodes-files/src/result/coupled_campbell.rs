@@ -43,8 +43,8 @@ pub(super) struct CoupledCampbellDocument<'a> {
     multiples: &'a [usize],
     /// The frequency up to which all modes are listed, Hz.
     limit_hz: f64,
-    /// Whether counts prove at every speed that no mode below the limit is missing and that none is
-    /// unstable.
+    /// Whether eigenvalue counts prove at every speed that no mode below the limit is missing and
+    /// that no mode is unstable.
     is_certified: bool,
     /// The rotor speeds at which the turbine was solved, rising, with their certificates.
     speeds: Vec<SpeedJson>,
@@ -72,7 +72,8 @@ struct SpeedJson {
     rotor_speed_rpm: f64,
     /// Whether it was added to follow curves that come close to each other.
     is_added: bool,
-    /// Whether counts prove that no mode below the limit is missing and that none is unstable.
+    /// Whether eigenvalue counts prove that no mode below the limit is missing and that no mode is
+    /// unstable.
     is_complete: bool,
     /// How many modes of negative energy there are if none is unstable; they may lie above the
     /// limit.
@@ -209,7 +210,7 @@ struct EnergyJson {
     blade_axial: HarmonicsJson,
 }
 
-/// Fractions by how the deflections of the blades follow each other.
+/// Fractions by multiblade harmonic: collective, forward whirl, backward whirl.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct HarmonicsJson {

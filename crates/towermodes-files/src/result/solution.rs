@@ -77,7 +77,7 @@ struct TowerSummary<'a> {
     /// The soil in layers as springs; null for a tower without `[ground]`.
     ground: Option<GroundSummary>,
     /// Parts of the structure that the source of the tower has and this model lacks; null if it is
-    /// complete. The frequencies are those of the rest.
+    /// complete. The frequencies are those of the structure without these parts.
     missing: Option<&'a MissingParts>,
     /// The members under the tower; null for a tower that does not stand on members.
     frame: Option<FrameSummary<'a>>,

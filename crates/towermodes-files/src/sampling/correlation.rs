@@ -40,13 +40,13 @@ pub enum CorrelationError {
         coefficient: f64,
     },
     /// A number that does not vary.
-    #[error("`{name}` is not among the varied numbers")]
+    #[error("`{name}` is not among the varied inputs")]
     NotVaried {
         /// The name.
         name: String,
     },
     /// A number with itself.
-    #[error("`{name}` cannot be correlated with itself; name two different numbers")]
+    #[error("`{name}` cannot be correlated with itself; name two different inputs")]
     Itself {
         /// The name.
         name: String,
@@ -64,14 +64,14 @@ pub enum CorrelationError {
         name: String,
     },
     /// More numbers than [`MAX_CORRELATED`].
-    #[error("{count} numbers have correlations; the limit is {MAX_CORRELATED}")]
+    #[error("{count} inputs have correlations; the limit is {MAX_CORRELATED}")]
     TooMany {
         /// The number of numbers.
         count: usize,
     },
     /// The correlation of the values of two numbers of which one is not normal.
     #[error(
-        "`coefficient` is that of the values, which only two normal numbers without limits can have, but `{name}` is not one; give `score_coefficient`, the correlation of the normal scores, or the rows as a table (`table = \"values.csv\"`)"
+        "`coefficient` is the correlation of the values, which can be given only for two normal distributions without limits, but `{name}` does not have one; give `score_coefficient`, the correlation of the normal scores, or the rows as a table (`table = \"values.csv\"`)"
     )]
     OfValues {
         /// The name of that number.

@@ -297,7 +297,7 @@ pub enum SamplingError {
     NothingVaried,
     /// More changes than the Sobol sequence has dimensions.
     #[error(
-        "{dimensions} numbers are varied, but sobol varies {MAX_SOBOL_DIMENSIONS} at most; use latin-hypercube"
+        "{dimensions} inputs are varied, but sobol varies {MAX_SOBOL_DIMENSIONS} at most; use latin-hypercube"
     )]
     TooManyForSobol {
         /// The number of changes.
@@ -321,7 +321,7 @@ pub enum SamplingError {
     #[error("the grid has more than {MAX_ROWS} rows; reduce the levels")]
     LargeGrid,
     /// A number of rows that is not that of the grid.
-    #[error("the number of rows is {rows}, but the grid has {product}; leave `rows` out")]
+    #[error("the number of rows is {rows}, but the grid has {product}; omit `rows`")]
     GridRows {
         /// The number given.
         rows: u64,

@@ -5,7 +5,7 @@ use crate::csv_table::{Cell, Record, Unit, Width, check_header};
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 
 /// Example headers.
-pub(super) const EXAMPLE: &str = "write a header as `bottom_m, top_m, bottom diameter [mm], top diameter [mm], wall [mm], material` for cans, or as `height [m], diameter [m], wall [mm]` for stations";
+pub(super) const EXAMPLE: &str = "write a header such as `bottom_m, top_m, bottom diameter [mm], top diameter [mm], wall [mm], material` for cans, or as `height [m], diameter [m], wall [mm]` for stations";
 
 /// A column of lengths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -196,7 +196,7 @@ impl Columns<'_> {
         let [bottom_diameter, top_diameter] = match self.length(Quantity::Diameter) {
             Some(one) if !ends.into_iter().any(|end| self.has(end)) => [one; 2],
             Some(_) => {
-                let message = "the header has both a diameter and that of the bottom or top";
+                let message = "the header has both a diameter and a bottom or top diameter";
                 return Err(DiagnosticKind::Contradiction(message.to_owned()));
             }
             None => [self.required(ends[0])?, self.required(ends[1])?],

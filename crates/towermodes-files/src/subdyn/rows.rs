@@ -130,7 +130,7 @@ impl Ids {
                 let what = format!("{what} {id}");
                 return Err(row
                     .wrong(0, DiagnosticKind::Repeated { what, times: 2 })
-                    .with_hint("each row needs a number of its own"));
+                    .with_hint("each row needs a different number"));
             }
         }
         Ok(Self { what, indices })

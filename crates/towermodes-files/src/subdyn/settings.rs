@@ -56,7 +56,7 @@ pub(super) fn settings(text: &str) -> Result<Settings, Diagnostic> {
         1 => false,
         3 => true,
         other => {
-            let rule = "1 (Euler-Bernoulli) or 3 (Timoshenko), as SubDyn has no other element";
+            let rule = "1 (Euler-Bernoulli) or 3 (Timoshenko), because SubDyn has no other element";
             let kind = DiagnosticKind::out_of_range("FEMMod", other as f64, rule);
             return Err(token.wrong(kind));
         }

@@ -113,7 +113,7 @@ fn check_option(line: &Line<'_>) -> Result<(), Diagnostic> {
     };
     match token.integer("CalcOption (model of the soil)")? {
         1 => Ok(()),
-        2 => refused("CalcOption is 2 (P-Y curves), which OpenFAST does not have yet either"),
+        2 => refused("CalcOption is 2 (P-Y curves), which OpenFAST does not support yet either"),
         3 => refused(
             "CalcOption is 3 (REDWIN): the stiffness of the soil is inside a DLL, which cannot be run here",
         ),

@@ -106,7 +106,7 @@ fn soil(
     }
     let file = files.read(token.text).map_err(|error| {
         let kind = DiagnosticKind::unreadable("SSIfile", &error);
-        let hint = "files are searched beside the SubDyn file; \"\" is for no file";
+        let hint = "files are looked for in the folder of the SubDyn file; \"\" is for no file";
         ReadError::mistake(source, token.wrong(kind).with_hint(hint))
     })?;
     read_soil(&file, support).map_err(|mistake| ReadError::mistake(&file, mistake))?;
@@ -163,7 +163,7 @@ fn check_flags(row: &Row<'_>, first: usize) -> Result<(), Diagnostic> {
     for (k, name) in INTERFACES.iter().enumerate() {
         if !row.flag(first + k, name)? {
             let message = format!(
-                "{name} is 0, but all motions of an interface joint must be those of the transition piece, as in SubDyn"
+                "{name} is 0, but an interface joint must follow the transition piece in all motions, as in SubDyn"
             );
             let mistake = row.wrong(first + k, DiagnosticKind::Unsupported(message));
             return Err(

@@ -182,7 +182,7 @@ fn of_properties(
     // Members are made of them.
     let refused = if materials.is_some() { 2 } else { 4 };
     for (table, key, hint) in of_tubes.into_iter().take(refused) {
-        table.refuse_unused(key, "beside [tower.properties]", hint, reading);
+        table.refuse_unused(key, "together with [tower.properties]", hint, reading);
     }
     let value = tower.require("properties", "", reading)?;
     let properties = properties(value, reading);

@@ -194,7 +194,7 @@ fn triple(value: &Value<'_>, input: &Input, reading: &mut Reading) -> Option<[f6
 /// Refuses a value that has no effect beside the others.
 fn refuse_idle(input: &Input, table: &Table<'_>, reading: &mut Reading) -> Option<()> {
     let (because, remedy) = match (input.yields_to, input.needs) {
-        (Some(other), _) => (format!("beside `{other}`"), "keep one of the two"),
+        (Some(other), _) => (format!("together with `{other}`"), "keep one of the two"),
         (None, None) => ("here".to_owned(), "remove it"),
         (None, Some((needed, remedy))) => match table.get(needed) {
             Some(value) => {

@@ -201,7 +201,7 @@ fn triple_or_zero(table: &Table<'_>, key: &str, reading: &mut Reading) -> Option
 }
 
 fn line_type(table: &Table<'_>, reading: &mut Reading) -> Option<LineType> {
-    let hint = "in m, of the cylinder that displaces as much water; 1.8 times the nominal diameter of a studless chain";
+    let hint = "in m: outer diameter of a cylinder with the same displaced volume; 1.8 times the nominal diameter of a studless chain";
     let diameter = required(table, "diameter", hint, reading);
     let mass = required(table, "mass_per_length", "in air, kg/m", reading);
     let stiffness = required(table, "axial_stiffness", "EA in N", reading);

@@ -332,7 +332,7 @@ pub static SUBSTRUCTURE_GROWTH: LazyLock<TableSchema> = LazyLock::new(|| {
 /// `[[wires]]`.
 pub static WIRES: LazyLock<TableSchema> = LazyLock::new(|| {
     let azimuth: &[KeySchema] = keys! {
-        optional "azimuth_deg" Number "degrees" "of the first wire; it has no effect";
+        optional "azimuth_deg" Number "degrees" "direction of the first wire; it has no effect";
     };
     TableSchema::described("[[wires]]", NAME, &every_input(&Wires::blank()), azimuth)
 });
@@ -345,7 +345,7 @@ pub static DRIVETRAIN: LazyLock<TableSchema> = LazyLock::new(|| {
 /// `[damping]`.
 pub static DAMPING: LazyLock<TableSchema> = LazyLock::new(|| {
     let materials: &[KeySchema] = keys! {
-        optional "material_loss_factors" Table "" "of materials by their names, in place of tower_loss_factor";
+        optional "material_loss_factors" Table "" "loss factors of named materials, in place of tower_loss_factor";
     };
     TableSchema::described("[damping]", &[], &every_input(&Damping::blank()), materials)
 });
@@ -417,14 +417,14 @@ tables! {
     /// The whole file.
     FILE = "the file":
         optional "name" Text "" "name of the tower";
-        optional "missing_parts" Any "" "parts of the structure that the tower's source has and this file lacks";
-        optional "material" Table "" "the material of stations without a name of one";
+        optional "missing_parts" Any "" "parts of the structure that are not in this file";
+        optional "material" Table "" "material of the stations that do not name a material";
         optional "materials" Table "" "materials by their names";
         required "tower" Table "" "the stations or properties of the tower";
         optional "rna" Table "" "the rotor-nacelle assembly";
         optional "turbine" Table "" "nacelle, drivetrain and flexible blades, in place of rna";
         optional "rotor" Table "" "the rotor";
-        optional "drivetrain" Table "" "rotor and generator, for a rotor that turns freely";
+        optional "drivetrain" Table "" "rotor and generator, for a rotor that rotates freely";
         optional "point_mass" Table "" "a point mass, as often as needed";
         optional "foundation" Table "" "the foundation; without it the base is clamped";
         optional "mooring" Table "" "mooring lines of a floating foundation";
@@ -435,7 +435,7 @@ tables! {
         optional "water" Table "" "the water around the tower";
         optional "wires" Table "" "a set of guy wires, as often as needed";
         optional "gravity" Table "" "gravity, which softens the tower";
-        optional "damping" Table "" "what dissipates energy, for `towermodes damping`";
+        optional "damping" Table "" "loss factors and rotor aerodynamics, for `towermodes damping`";
 
     /// `[material]` and `[materials.NAME]`.
     MATERIAL = "[material]":
@@ -476,17 +476,17 @@ tables! {
 
     /// `[turbine]`.
     TURBINE = "[turbine]":
-        required "overhang" Number "m" "distance of the apex along the shaft, negative upwind";
+        required "overhang" Number "m" "distance from the tower axis to the rotor apex along the shaft, negative upwind";
         required "tower_to_shaft" Number "m" "height of the shaft above the tower top, at the tower's axis";
-        optional "tilt_deg" Number "degrees" "of the shaft; negative lifts the hub of an upwind rotor";
+        optional "tilt_deg" Number "degrees" "tilt of the shaft; a negative tilt lifts the hub of an upwind rotor";
         optional "blades" Number "" "number of blades, 3 by default";
         optional "cone_deg" Number "degrees" "of the blades, positive downwind";
         optional "pitch_deg" Number "degrees" "of the blades, positive to feather";
-        optional "shaft_stiffness" Number "N m" "torsional, at the slow end; inf, the default, is rigid";
-        optional "generator" Text "" "locked to a constant speed, by default, or free";
+        optional "shaft_stiffness" Number "N m" "torsional stiffness, referred to the low-speed shaft; inf, the default, is rigid";
+        optional "generator" Text "" "locked (fixed speed, the default) or free";
         optional "generator_inertia" Number "kg m2" "about its own shaft";
-        optional "gear_ratio" Number "" "turns of the generator per turn of the rotor; 1 by default";
-        optional "yaw_stiffness" Number "N m" "of the yaw drive; inf, the default, is rigid";
+        optional "gear_ratio" Number "" "generator speed divided by rotor speed; 1 by default";
+        optional "yaw_stiffness" Number "N m" "torsional stiffness of the yaw drive; inf, the default, is rigid";
         optional "yaw_bearing_mass" Number "kg" "at the tower top; it does not yaw";
         required "nacelle" Table "" "all that yaws but does not turn";
         required "hub" Table "" "";
@@ -501,9 +501,9 @@ tables! {
     /// `[turbine.hub]`.
     HUB = "[turbine.hub]":
         required "mass" Number "kg" "";
-        optional "offset" Number "m" "of its centre of mass from the apex along the shaft, positive downwind";
+        optional "offset" Number "m" "distance from the apex to the centre of mass of the hub along the shaft, positive downwind";
         optional "polar_inertia" Number "kg m2" "about the shaft";
-        optional "transverse_inertia" Number "kg m2" "across the shaft, about its centre of mass";
+        optional "transverse_inertia" Number "kg m2" "inertia about an axis normal to the shaft through the centre of mass of the hub";
 
     /// `[turbine.blade]`.
     BLADE = "[turbine.blade]":
@@ -511,16 +511,16 @@ tables! {
         required "tip_radius" Number "m" "radius of the tip, along the blade";
         optional "tip_mass" Number "kg" "at the tip";
         optional "file" Text "" "blade file of ElastoDyn, in place of the lists";
-        optional "span" Numbers "" "places of the sections, 0 at the root to 1 at the tip";
+        optional "span" Numbers "" "positions of the sections, 0 at the root to 1 at the tip";
         optional "mass_kg_per_m" Numbers "kg/m" "mass per length";
         optional "ei_flap_n_m2" Numbers "N m2" "bending stiffness in flap";
         optional "ei_edge_n_m2" Numbers "N m2" "bending stiffness in edge";
         optional "twist_deg" Numbers "degrees" "positive to feather";
         optional "gj_n_m2" Numbers "N m2" "torsional stiffness; inf is rigid";
         optional "ea_n" Numbers "N" "axial stiffness; inf is rigid";
-        optional "flap_inertia_kg_m" Numbers "kg m" "inertia per length about the blade's axis for turning in flap, the integral of y^2 dm across the chord";
-        optional "edge_inertia_kg_m" Numbers "kg m" "the same in edge, the integral of x^2 dm along the chord; at least mass times center_of_mass squared";
-        optional "center_of_mass_m" Numbers "m" "offset of the centre of mass from the axis, positive to the leading edge";
+        optional "flap_inertia_kg_m" Numbers "kg m" "flapwise rotary inertia per length about the blade axis: integral of y^2 dm, y normal to the chord";
+        optional "edge_inertia_kg_m" Numbers "kg m" "edgewise rotary inertia per length about the blade axis: integral of x^2 dm, x along the chord; at least mass times center_of_mass squared";
+        optional "center_of_mass_m" Numbers "m" "offset of the centre of mass from the blade axis, positive towards the leading edge";
         optional "tension_center_m" Numbers "m" "the same for the tension centre";
 
     /// `[rotor]`.
@@ -544,15 +544,15 @@ tables! {
         required "mass" Number "kg" "with ballast";
         required "center" Numbers "m" "centre of mass: x and y from the tower axis, z in the datum of the stations";
         required "inertia" Table "kg m2" "about the centre of mass";
-        optional "added_mass_height" Number "m" "of the reference point of the matrix";
+        optional "added_mass_height" Number "m" "height of the reference point of the matrix";
         optional "added_mass" Matrix "kg, kg m, kg m2" "x, y, z, rotation about x, y, z";
         optional "added_mass_by_frequency" Rows "" "angular frequency in rad/s from 0 to inf, upper triangle of the matrix row by row (21 numbers)";
-        optional "hydrostatic_height" Number "m" "of the reference point of the matrix";
+        optional "hydrostatic_height" Number "m" "height of the reference point of the matrix";
         optional "hydrostatic" Matrix "N/m, N, N m" "of water plane and buoyancy";
         optional "buoyancy" Number "N" "at the reference position, for the static balance";
         optional "buoyancy_center" Numbers "m" "x and y from the tower axis, 0 by default";
         optional "at_equilibrium" Flag "" "whether mooring lines have their stiffness at the equilibrium; false by default";
-        optional "mooring_height" Number "m" "of the reference point of the matrix";
+        optional "mooring_height" Number "m" "height of the reference point of the matrix";
         optional "mooring" Matrix "N/m, N, N m" "x, y, z, rotation about x, y, z";
 
     /// `[mooring]`.
@@ -560,9 +560,9 @@ tables! {
         required "depth" Number "m" "of the seabed below still water";
         optional "still_water" Number "m" "height of still water in the datum of the stations, 0 by default";
         optional "water_density" Number "kg/m3" "1025 by default";
-        optional "gravity" Number "m/s2" "that of [gravity], or 9.80665";
+        optional "gravity" Number "m/s2" "default: the value of [gravity], or 9.80665";
         required "line_type" Table "" "a chain or rope, as often as needed";
-        required "point" Table "" "where lines end, as often as needed";
+        required "point" Table "" "a point where mooring lines end, as often as needed";
         required "line" Table "" "a line, as often as needed";
         optional "body" Table "" "a body that lines hold or that is fixed to the platform, as often as needed";
         optional "rod" Table "" "a rod that lines hold or that is fixed to the platform, as often as needed";
@@ -570,7 +570,7 @@ tables! {
     /// `[[mooring.line_type]]`.
     MOORING_LINE_TYPE = "[[mooring.line_type]]":
         required "name" Text "" "";
-        required "diameter" Number "m" "of the cylinder that displaces as much water";
+        required "diameter" Number "m" "outer diameter of a cylinder with the same displaced volume";
         required "mass_per_length" Number "kg/m" "in air";
         required "axial_stiffness" Number "N" "EA";
         optional "seabed_friction" Number "" "coefficient of friction on the seabed, 0 by default";
@@ -579,9 +579,9 @@ tables! {
     MOORING_POINT = "[[mooring.point]]":
         required "name" Text "" "";
         required "kind" Text "" "anchor, fairlead, free, body or rod";
-        optional "position" Numbers "m" "from the tower's axis, z from still water; on a body from its origin";
+        optional "position" Numbers "m" "x and y from the tower axis, z from still water; on a body from the origin of the body";
         optional "mass" Number "kg" "";
-        optional "volume" Number "m3" "of water that it displaces";
+        optional "volume" Number "m3" "displaced volume of water";
         optional "body" Text "" "the body that it is on";
         optional "rod" Text "" "the rod that it is on";
         optional "end" Text "" "of the rod: a or b";
@@ -597,12 +597,12 @@ tables! {
     MOORING_BODY = "[[mooring.body]]":
         required "name" Text "" "";
         required "carrier" Text "" "fixed, platform or free";
-        required "position" Numbers "m" "of its origin, z from still water";
-        optional "angles" Numbers "rad" "about its own x, y and z axes, one after the other";
+        required "position" Numbers "m" "position of the origin, z from still water";
+        optional "angles" Numbers "rad" "rotations about the body-fixed x, y and z axes, in this order";
         required "mass" Number "kg" "";
-        optional "center" Numbers "m" "centre of mass from the origin, in its axes";
-        optional "principal_inertia" Numbers "kg m2" "about its axes through the centre of mass";
-        required "volume" Number "m3" "of water that it displaces";
+        optional "center" Numbers "m" "centre of mass from the origin of the body, in body axes";
+        optional "principal_inertia" Numbers "kg m2" "about the body axes through the centre of mass";
+        required "volume" Number "m3" "displaced volume of water";
 
     /// `[[mooring.rod]]`.
     MOORING_ROD = "[[mooring.rod]]":
@@ -619,7 +619,7 @@ tables! {
         optional "interface" Any "" "the names of the joints that carry the tower";
         optional "clamped" Any "" "the names of the joints that do not move";
         optional "weight_on_members" Flag "" "whether the weight at rest softens members, true by default";
-        optional "buoyancy_on_members" Flag "" "whether water carries a part of that weight, false by default";
+        optional "buoyancy_on_members" Flag "" "whether buoyancy reduces this weight, false by default";
         optional "flooded" Any "" "the names of the members with water inside, up to the level of [water]";
         optional "platform" Table "" "the transition piece as a rigid body";
         optional "growth" Table "" "marine growth between two heights, as often as needed";
@@ -643,7 +643,7 @@ tables! {
         required "position" Numbers "m" "x, y, z in the datum of the stations";
         optional "kind" Text "" "welded, the default, pin, universal or ball";
         optional "axis" Numbers "" "direction of the axis of a pin";
-        optional "stiffness" Number "N m" "per radian, of the springs of a pin, universal or ball joint";
+        optional "stiffness" Number "N m" "stiffness per radian of the springs of a pin, universal or ball joint";
 
     /// `[[substructure.member]]`.
     SUBSTRUCTURE_MEMBER = "[[substructure.member]]":
@@ -655,23 +655,23 @@ tables! {
         optional "material" Text "" "name of one of [materials]; without it [material]";
         optional "shear" Flag "" "whether it deforms in shear, true by default";
         optional "spin" Number "degrees" "rotation of the section about the axis";
-        optional "sides" Any "m" "of a rectangle along its axes x and y";
+        optional "sides" Any "m" "sides of a rectangle along its axes x and y";
         optional "area" Number "m2" "of a section";
         optional "shear_areas" Numbers "m2" "of a section in x and y";
         optional "second_moments" Numbers "m4" "of a section about x and y";
-        optional "polar_moment" Number "m4" "of a section, for its inertia about the axis";
+        optional "polar_moment" Number "m4" "polar moment of a section, for its inertia about the axis";
         optional "torsion_constant" Number "m4" "of a section";
         optional "axial_stiffness" Number "N" "EA of a cable";
         optional "mass_per_length" Number "kg/m" "of a cable or a rigid link";
         optional "pretension" Number "N" "of a cable";
-        optional "stiffness" Matrix "N/m, N, N m" "of a spring: x, y, z, rotation about x, y, z";
-        optional "axes" Rows "" "of a spring: three unit vectors; without them the axes of the member";
-        optional "coats" Table "" "growth, water inside or added mass, in place of that of [water]";
+        optional "stiffness" Matrix "N/m, N, N m" "stiffness of a spring: x, y, z, rotation about x, y, z";
+        optional "axes" Rows "" "axes of a spring: three unit vectors; by default the axes of the member";
+        optional "coats" Table "" "growth, water inside or added mass, in place of the added mass of [water]";
 
     /// `coats` of a member.
     SUBSTRUCTURE_COAT = "coats":
         required "kind" Text "" "solid or added-mass";
-        optional "range" Numbers "" "of the length from the first joint; [0, 1] by default";
+        optional "range" Numbers "" "start and end as fractions of the length from the first joint; [0, 1] by default";
         required "density" Any "kg/m3" "one number or [where it begins, where it ends]";
         optional "outer_radius" Any "m" "of a solid";
         optional "inner_radius" Any "m" "of a solid, 0 by default";

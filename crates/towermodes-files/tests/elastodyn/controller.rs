@@ -87,7 +87,7 @@ fn without_a_controller_the_speeds_are_unknown_for_a_reason() {
         NAMED | x\n1 VSContrl\n |  | servo/servo.dat:2:␣ | VSContrl is 1
         NAMED | x\n5 VSContrl\n |  |  | has no DLL_InFile
         NAMED | SERVO |  | servo/servo.dat:4:␣ | DISCON.IN: no such file
-        NAMED | SERVO | ROSCO -> another controller\n |  | has no VS_MinOMSpd, so it is no input of ROSCO
+        NAMED | SERVO | ROSCO -> another controller\n |  | has no VS_MinOMSpd, so it is not an input file of ROSCO
         NAMED | SERVO | PC_RefSpd -> OTHER |  | has no PC_RefSpd
         NAMED | SERVO | 36.0 ! -> 0.0 ! | servo/sub/DISCON.IN:5:␣ | VS_MinOMSpd is 0.0, not a number above 0
         NAMED | SERVO | 122.9000 -> fast | servo/sub/DISCON.IN:4:␣ | PC_RefSpd is fast

@@ -44,7 +44,7 @@ fn the_speed_at_the_start_is_no_operating_speed() {
         assert_eq!(deck.input.description.rotor, None);
         let said = notes(&deck);
         assert_eq!(said.len(), 1, "{said:?}");
-        let start = format!("RotSpeed = {rpm} rpm is the speed at which the simulation begins");
+        let start = format!("RotSpeed = {rpm} rpm is the initial speed of the simulation");
         assert!(said[0].contains(&start), "{said:?}");
         // It matters for what it excites, and for nothing else.
         let others = deck.input.notes.iter().map(ToString::to_string);

@@ -88,10 +88,10 @@ fn what_is_assumed_of_the_turbine_is_said() {
     assert_eq!(
         said,
         [
-            "GenDOF is False: the generator of the turning turbine has a constant speed",
+            "GenDOF is False: the generator of the operating turbine has a constant speed",
             "DrTrDOF is False: the shaft is rigid, and DTTorSpr = 5e7 N m/rad is left out",
-            "YawDOF is True, but the spring YawSpr of the yaw drive stands in the file of ServoDyn: the nacelle does not yaw on the tower; give the .fst file, which names that file",
-            "FlapDOF1 is False, but the blades bend in all their modes here",
+            "YawDOF is True, but the spring YawSpr of the yaw drive is in the file of ServoDyn: the nacelle does not yaw on the tower; give the .fst file, which names that file",
+            "FlapDOF1 is False, but here all bending modes of the blades are included",
         ]
     );
     let moving = [
@@ -105,8 +105,8 @@ fn what_is_assumed_of_the_turbine_is_said() {
     assert_eq!(
         said,
         [
-            "GenDOF is True: the generator of the turning turbine turns freely",
-            "PitchDOF is True, but the blades do not turn on their pitch bearings here",
+            "GenDOF is True: the generator of the operating turbine rotates freely",
+            "PitchDOF is True, but the blades do not rotate on their pitch bearings here",
         ]
     );
 }
@@ -118,16 +118,16 @@ fn a_rotor_that_the_user_frees_has_a_free_generator() {
     let deck = read_elastodyn(main, &files(TOWER), &options).expect("a deck");
     let turbine = deck.input.turbine.as_ref().expect("a turbine");
     assert!(!turbine.generator.is_locked);
-    notes(&deck)[0].says("as --rotor free says");
+    notes(&deck)[0].says("as requested by --rotor free");
 }
 
 #[test]
 fn a_model_that_makes_no_turbine_says_why() {
     let table = r#"
-        NumBl 2 & HubIner_Teeter 600 | main.dat:45: a rotor of 2 blades is not solved: its inertia and stiffness, seen from the tower, turn with the rotor, so that no speed has natural frequencies; the number of blades must be 3 or more
-        NumBl 2 & HubIner_Teeter 600 & TeetDOF True | the number of blades must be 3 or more; its teeter (TeetDOF) is not solved either
-        Furling True | Furling is True: a rotor and a tail that furl (FurlFile) are not solved; for the frequencies of the turbine it must be False
-        PreCone(3) -2.5 | main.dat:50: PreCone(3) is -2.5 degrees and PreCone(1) is 0 degrees: unlike blades are not solved; both must be equal
+        NumBl 2 & HubIner_Teeter 600 | main.dat:45: a rotor of 2 blades is not supported: seen from the tower its inertia and stiffness are periodic in time (Floquet theory), so natural frequencies at a rotor speed do not exist; the number of blades must be 3 or more
+        NumBl 2 & HubIner_Teeter 600 & TeetDOF True | the number of blades must be 3 or more; teeter (TeetDOF) is not supported either
+        Furling True | Furling is True: a furling rotor and tail (FurlFile) are not supported; for the frequencies of the turbine Furling must be False
+        PreCone(3) -2.5 | main.dat:50: PreCone(3) is -2.5 degrees and PreCone(1) is 0 degrees: different blades are not supported; both must be equal
         BlPitch(2) 90 | BlPitch(2) is 90 degrees and BlPitch(1) is 0 degrees
         TipMass(2) 90 | TipMass(2) is 90 kg and TipMass(1) is 0 kg
         DrTrDOF True & GenDOF True | DTTorSpr is 0 N m/rad although DrTrDOF is True: nothing holds rotor and generator together; DTTorSpr must be greater than 0, or DrTrDOF False for a rigid shaft
@@ -147,7 +147,7 @@ fn a_model_that_makes_no_turbine_says_why() {
 #[test]
 fn a_hanging_tower_has_no_turbine() {
     let hangs = deck(&[("TowerHt", "-40"), ("TowerBsHt", "-10"), ("OverHang", "4")]);
-    missing(&hangs).says("a turbine on a tower that hangs is not solved");
+    missing(&hangs).says("a turbine on a hanging tower is not supported");
 }
 
 /// A deck whose second blade has a file of its own.
@@ -165,7 +165,7 @@ fn blades_of_equal_files_are_equal_and_others_are_not() {
     assert!(with_second_blade(BLADE).input.turbine.is_some());
     let heavier = with_second_blade(&BLADE.replace(" 2 AdjBlMs", " 2.1 AdjBlMs"));
     let found = missing(&heavier);
-    let reason = "blade 2 (other.dat) has another table or other factors than blade 1 (parts\\blade.dat): unlike blades are not solved; all files BldFile must have the same content";
+    let reason = "blade 2 (other.dat) has another table or other factors than blade 1 (parts\\blade.dat): different blades are not supported; all files BldFile must have the same content";
     found.says(reason);
 }
 

@@ -90,7 +90,7 @@ fn guesses_are_starts_of_the_search() {
         input
             .notes
             .iter()
-            .any(|note| note.message.contains("takes its line as a comment"))
+            .any(|note| note.message.contains("reads its line as a comment"))
     );
     let state = state(Ok(input));
     // The lines of the two bridles mirror each other.

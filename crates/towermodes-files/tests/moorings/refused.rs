@@ -147,7 +147,7 @@ fn files_of_map_that_cannot_be() {
         MAP,
         |text| map(text, &SITE),
         r"
-        902.2 | #902.2 | 13:20 | UnstrLen in row 1 of LINES is `#`, a length that MAP++ finds | summary
+        902.2 | #902.2 | 13:20 | UnstrLen in row 1 of LINES is `#`, a length computed by MAP++ | summary
         5.2    0    -70.0 | #5.2    0    -70.0 | 9:16 | X in row 2 of POINTS must be a number, found `#5.2` |
         2    Vessel    5.2    0    -70.0   0     0     # | 2    connect #5 0 #-70 0 0 7 | 9:28 | FX in row 2 of POINTS is 7: external forces | write 0
         2    Vessel    5.2    0    -70.0   0     0     # | 2    connect #5 0 #-70 0 0 # | 9:28 | FX in row 2 of POINTS is `#`: external forces |

@@ -45,7 +45,7 @@ fn wrong_rows_are_refused_with_their_place() {
         NPropSetsCyl | 1 2.1e11 8.08e10 7850 2,0 0.03 | 1:25 | the number ends at the comma
         # Flags and types.
         NReact   | 1 1 1 2 1 1 1 | 1:7 | RctTDZss in row 1 of BASE REACTION JOINTS is 2, but must be 1 (held) or 0 (free)
-        NInterf  | 3 1 1 1 1 0 1 | 1:11 | ItfRDYss is 0, but all motions of an interface joint
+        NInterf  | 3 1 1 1 1 0 1 | 1:11 | ItfRDYss is 0, but an interface joint must follow
         NJoints  | 1 0 0 -20 1 0 0 0 0\n2 0 0 -10 7 0 0 0 0\n3 0 0 0 1 0 0 0 0 | 2:11 | JointType is 7, but must be 1 (cantilever), 2 (universal), 3 (pin) or 4 (ball)
         NJoints  | 1 0 0 -20 1 0 0 0 0\n2 0 0 -10 1 0 0 0 5\n3 0 0 0 1 0 0 0 0 | 2:19 | cantilever joint, which does not rotate
         NMembers | 1 1 2 1 1 1c 0\n2 2 3 1 1 6 0 | 2:11 | MType must be 1c (circular beam)

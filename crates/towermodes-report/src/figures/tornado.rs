@@ -41,21 +41,21 @@ pub fn tornado(
     let bars = bars(description, influences, tolerances);
     let mode = influences.modes.first().map_or("", |mode| &mode.label);
     let cause = match tolerances.is_empty() {
-        true => "one percent of each number",
-        false => "the tolerance of each number",
+        true => "one percent of each input value",
+        false => "the tolerance of each input value",
     };
     let largest = bars.first().map_or(String::new(), |bar| {
         format!(
-            " The largest is that of {}: {} %.",
+            " The largest change is caused by {}: {} %.",
             bar.number.name,
             signed(bar.percent)
         )
     });
     Figure {
         name: "tornado".to_owned(),
-        title: format!("Influence of the numbers on the frequency of the {mode}"),
+        title: format!("Influence of the input values on the frequency of the {mode}"),
         description: format!(
-            "Change of the frequency of the {mode} by {cause}, a bar per number, the largest on top.{largest}"
+            "Change of the frequency of the {mode} by {cause}, one bar per input value, the largest on top.{largest}"
         ),
         drawing: drawing(&bars, mode, cause),
         table: table(&bars, influences),
@@ -145,7 +145,7 @@ fn entries() -> Vec<Entry> {
         let marker = (Marker::of_series(series), Colour::Series(series));
         (marker.into(), text.to_owned())
     };
-    [(0, "number larger"), (1, "number smaller")]
+    [(0, "input value larger"), (1, "input value smaller")]
         .map(entry)
         .to_vec()
 }
@@ -153,5 +153,5 @@ fn entries() -> Vec<Entry> {
 fn table(bars: &[Bar<'_>], influences: &Influences) -> DataTable {
     let mode = influences.modes.first().map_or("", |mode| &mode.label);
     let row = |bar: &Bar<'_>| vec![bar.number.name.clone(), signed(bar.percent)];
-    DataTable::new(["number", &format!("{mode} (%)")], bars.iter().map(row))
+    DataTable::new(["input", &format!("{mode} (%)")], bars.iter().map(row))
 }

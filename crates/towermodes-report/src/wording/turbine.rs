@@ -13,8 +13,9 @@ const NAMED: usize = 4;
 pub const STRUCTURE_ONLY: &str =
     "Structure only: no aerodynamics, no controller, constant rotor speed.";
 
-/// The certificate of a coupled diagram in a sentence: "At all 31 rotor speeds from 0 to 14.52 rpm
-/// counts prove that no mode below 2.880 Hz is missing and that none is unstable." Or the speeds at
+/// The certificate of a coupled diagram in a sentence: "At each of 31 rotor speeds (0 to
+/// 14.52 rpm) an eigenvalue count proves that no mode below 2.880 Hz is missing and that no mode is
+/// unstable." Or the speeds at
 /// which they do not.
 pub fn proved(coupled: &CoupledCampbell) -> String {
     let limit = four_digits(coupled.limit_hz);
@@ -23,7 +24,7 @@ pub fn proved(coupled: &CoupledCampbell) -> String {
     let open = coupled.uncertified_rpm();
     if open.is_empty() {
         return format!(
-            "At all {} from {} to {} rpm counts prove that no mode below {limit} Hz is missing and that none is unstable.",
+            "At each of {} ({} to {} rpm) an eigenvalue count proves that no mode below {limit} Hz is missing and that no mode is unstable.",
             counted(speeds.len(), "rotor speed"),
             rpm(speeds.first().copied()),
             rpm(speeds.last().copied())
@@ -36,7 +37,7 @@ pub fn proved(coupled: &CoupledCampbell) -> String {
         named.push(format!("{more} more"));
     }
     format!(
-        "Unstable or not certified at {} rpm: the rotor turns so fast that the stiffness is not positive definite, and not all modes of negative energy were found. At the other {} counts prove that no mode below {limit} Hz is missing and that none is unstable.",
+        "Unstable or not certified at {} rpm: the rotor turns so fast that the stiffness is not positive definite, and not all modes of negative energy were found. At each of the other {} an eigenvalue count proves that no mode below {limit} Hz is missing and that no mode is unstable.",
         listed(&named),
         counted(speeds.len() - open.len(), "rotor speed")
     )

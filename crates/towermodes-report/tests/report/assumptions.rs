@@ -355,11 +355,11 @@ fn others() -> Vec<Row> {
             .read("--no-rna"),
         row("spectral", pole())
             .says("from one polynomial degree, or from one element length, to the next")
-            .omits("by comparison with those with")
+            .omits("by comparison with the frequencies for")
             .by(Method::Spectral)
             .of("frequencies"),
         row("segments", pole())
-            .says("by comparison with those with 50 and 25 segments")
+            .says("by comparison with the frequencies for 50 and 25 segments")
             .omits("polynomial degree")
             .of("frequencies"),
         row("bmodes beside it", pole())

@@ -314,7 +314,7 @@ fn the_summary_has_the_numbers_of_the_textbook() {
         "1st torsion 10.0",
         "FAIL",
         "Tower without rotor-nacelle assembly: ",
-        "The model has no rotor-nacelle assembly: the class and the distances are not those of the turbine.",
+        "The model has no rotor-nacelle assembly: the class and the distances do not apply to the turbine.",
         "32 pairs of tower mode and excitation: 30 PASS, 0 WARN, 2 FAIL at a required margin of 5 %. Blade modes were not checked.",
         // 3P at 12.1 rpm is 0.605 Hz, 0.605/0.63637 − 1 = −4.93 %.
         "FAIL: 3P with 1st fore-aft bending (-4.9 % at 12.1 rpm) and 1st side-side bending (-4.9 % at 12.1 rpm).",
@@ -339,7 +339,7 @@ fn the_summary_names_what_the_model_lacks() {
     assert!(!whole.contains("Not in the model"), "{whole}");
     let lacking = with_rna(&["the floating platform is left out"]);
     lacking.says_all("Not in the model & the floating platform is left out");
-    lacking.says("The class and the distances are those of the model without the missing parts.");
+    lacking.says("The class and the distances apply to the model without the missing parts.");
 }
 
 /// Modes come in pairs: of three the third is the first of the second pair.
@@ -572,8 +572,10 @@ fn a_turning_turbine_is_a_section_with_its_animation() {
     let page = turbine_page();
     let section = section(&page, "turbine");
     section.says_all("1st flapwise backward whirl & 1st edgewise forward whirl");
-    section.says_all("no aerodynamics, no controller & 12.1 rpm & counts prove that no mode below");
-    section.says_all("whirls with & Distance of every excitation from every coupled mode");
+    section.says_all(
+        "no aerodynamics, no controller & 12.1 rpm & an eigenvalue count proves that no mode below",
+    );
+    section.says_all("whirl partner & Distance of every excitation from every coupled mode");
     section.says("with the rotor as a rigid body and with the flexible rotor");
     let data = page.split("id=\"whirl-data\">").nth(1).expect("its data");
     assert!(data.find("</script>").expect("an end") < 100_000);

@@ -90,7 +90,7 @@ impl FirstOrder {
             };
             let shift = digits(shift_hz, 3);
             Some(format!(
-                "{}: the curvature moves the mean by {shift} Hz{compared}: the first order is not to be trusted; solve rows",
+                "{}: the curvature moves the mean by {shift} Hz{compared}: the first-order estimate is not reliable; solve rows",
                 mode.name
             ))
         };
@@ -149,7 +149,7 @@ pub enum FirstOrderError {
     Sensitivity(#[from] SensitivityError),
     /// A factor whose mean is 0, so its derivative is not that of the numbers.
     #[error(
-        "`{change}` has the mean 0, where a factor has no derivative; vary the number itself or add(…) to it"
+        "`{change}` has the mean 0, where a factor has no derivative; vary the input value itself, or use add(…)"
     )]
     ZeroFactor {
         /// The change.
@@ -157,7 +157,7 @@ pub enum FirstOrderError {
     },
     /// Two changes of different kinds have a number in common.
     #[error(
-        "`{first}` and `{second}` change the same number in different ways, so they have no derivatives of their own; solve the rows of the sweep"
+        "`{first}` and `{second}` change the same input value in different ways, so they have no separate derivatives; solve the rows of the sweep"
     )]
     Overlap {
         /// The first.

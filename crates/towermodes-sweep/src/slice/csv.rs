@@ -98,7 +98,7 @@ impl Rows {
         let mut record = ::csv::ByteRecord::new();
         match self.0.read_byte_record(&mut record) {
             Ok(false) => Ok(()),
-            Ok(true) => Err("it has more rows than its first line says".to_owned()),
+            Ok(true) => Err("it has more rows than stated in its first line".to_owned()),
             Err(error) => Err(error.to_string()),
         }
     }

@@ -73,7 +73,7 @@ pub enum SliceError {
         differences: Vec<String>,
     },
     /// Two slices with the same rows.
-    #[error("{} and {} both have the rows {}..{}; leave one of them out", paths[0].display(), paths[1].display(), rows.start, rows.end)]
+    #[error("{} and {} both have the rows {}..{}; omit one of them", paths[0].display(), paths[1].display(), rows.start, rows.end)]
     Overlap {
         /// The files.
         paths: [PathBuf; 2],
@@ -81,7 +81,7 @@ pub enum SliceError {
         rows: Range<u64>,
     },
     /// A slice that is not whole.
-    #[error("{} is not whole: {detail}; write it again with --rows {}..{}", path.display(), rows.start, rows.end)]
+    #[error("{} is incomplete: {detail}; write it again with --rows {}..{}", path.display(), rows.start, rows.end)]
     Damaged {
         /// The file.
         path: PathBuf,

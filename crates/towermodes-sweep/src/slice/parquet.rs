@@ -215,7 +215,7 @@ pub(super) fn each(
             return wrong("it has other columns");
         }
         if end > rows.end {
-            return wrong("it has more rows than its footer says");
+            return wrong("it has more rows than stated in its footer");
         }
         visit(results_of(&*group, columns, (first_row, count), modes)?);
         first_row = end;

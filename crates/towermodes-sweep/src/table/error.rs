@@ -62,12 +62,12 @@ pub enum TableProblem {
     Changed,
     /// The first line has no names.
     #[error(
-        "has no columns; the first line must name the numbers to change, as `towermodes parameters` lists them"
+        "has no columns; the first line must name the input values to change, as `towermodes parameters` lists them"
     )]
     NoColumns,
     /// The first line has numbers.
     #[error(
-        "the first line begins with the number `{text}`; it must name the numbers to change, as `towermodes parameters` lists them"
+        "the first line begins with the number `{text}`; it must name the input values to change, as `towermodes parameters` lists them"
     )]
     NoNames {
         /// The first cell.
@@ -75,7 +75,7 @@ pub enum TableProblem {
     },
     /// More columns than any tower has numbers.
     #[error(
-        "has {columns} columns; the limit is {MOST_COLUMNS}: rows are towers, columns are numbers of a tower"
+        "has {columns} columns; the limit is {MOST_COLUMNS}: rows are towers, columns are input values of a tower"
     )]
     TooManyColumns {
         /// The number of columns.
@@ -83,7 +83,7 @@ pub enum TableProblem {
     },
     /// A column without a name.
     #[error(
-        "column {column} has no name; name the number to change, or begin the name with # to leave the column out"
+        "column {column} has no name; name the input value to change, or begin the name with # to skip the column"
     )]
     EmptyName {
         /// The column, from 1.
@@ -126,7 +126,7 @@ pub enum TableProblem {
         columns: String,
     },
     /// All columns are left out.
-    #[error("all columns are left out; at least one must name a number to change")]
+    #[error("all columns are skipped; at least one must name an input value to change")]
     NothingVaried,
     /// A header without rows.
     #[error("has no rows below the names of its columns")]

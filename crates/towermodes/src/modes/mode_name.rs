@@ -58,8 +58,8 @@ impl fmt::Display for ModeName {
 pub enum ModeNameError {
     /// It begins with no family.
     #[error(
-        "`{text}` is not the name of a mode; a name is a family and an order, `fore-aft 1`, or one of surge, sway, \
-         heave, roll, pitch, yaw; the families are fore-aft, side-side, torsion and axial"
+        "`{text}` is not the name of a mode; a mode name is a type and a number, such as `fore-aft 1`, or one of surge, sway, \
+         heave, roll, pitch, yaw; the types are fore-aft, side-side, torsion and axial"
     )]
     Family {
         /// The text.
@@ -67,15 +67,15 @@ pub enum ModeNameError {
     },
     /// It is `coupled`, which names no mode.
     #[error(
-        "`{text}` names no mode: a coupled mode has the name of one of its motions, `fore-aft 1`; the families are \
-         fore-aft, side-side, torsion and axial, and afloat surge, sway, heave, roll, pitch, yaw"
+        "`{text}` is not the name of a mode: a coupled mode has the name of one of its motions, such as `fore-aft 1`; the types are \
+         fore-aft, side-side, torsion and axial, and for floating towers surge, sway, heave, roll, pitch, yaw"
     )]
     Coupled {
         /// The text.
         text: String,
     },
     /// The order is missing, 0 or not a number.
-    #[error("`{text}` has no order; write `{family} 1` for the first mode of this family")]
+    #[error("`{text}` has no number; write `{family} 1` for the first mode of this type")]
     Order {
         /// The text.
         text: String,
@@ -83,7 +83,7 @@ pub enum ModeNameError {
         family: &'static str,
     },
     /// A rigid-body mode with an order other than 1.
-    #[error("`{text}` has an order, but a tower has only one mode `{family}`; write `{family}`")]
+    #[error("`{text}` has a number, but a tower has only one mode `{family}`; write `{family}`")]
     RigidOrder {
         /// The text.
         text: String,

@@ -158,7 +158,7 @@ pub enum MooringError {
     },
     /// A line whose tension no number is.
     #[error(
-        "the tension of line {} is too large or too small for a number, with its ends {} m apart and a length of {} m; correct its length, weight or stiffness",
+        "the tension of line {} is too large or too small to be computed, with its ends {} m apart and a length of {} m; correct its length, weight or stiffness",
         .line + 1, Plain(*.distance_m), Plain(*.length_m)
     )]
     NoTension {

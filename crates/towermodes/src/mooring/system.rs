@@ -100,7 +100,7 @@ impl Mooring {
     /// Checks a description and makes the mooring system of it.
     ///
     /// # Errors
-    /// [`MooringError`] with the numbers of the first thing that no mooring system can have.
+    /// [`MooringError`] that describes the first invalid value.
     pub fn new(description: MooringDescription) -> Result<Self, MooringError> {
         check(&description)?;
         let mut mooring = Self {

@@ -80,7 +80,7 @@ pub enum MooringWarning {
     },
     /// A line that holds the platform to itself.
     #[error(
-        "both ends of line {} are on the platform, so that it holds nothing; attach one end to an anchor",
+        "both ends of line {} are on the platform, so the line has no effect; attach one end to an anchor",
         .line + 1
     )]
     BothOnPlatform {
@@ -89,7 +89,7 @@ pub enum MooringWarning {
     },
     /// A line without horizontal tension.
     #[error(
-        "line {} is slack: its length of {} m is more than the way along the seabed and up to its end, so that it does not hold the platform; shorten it, or correct the \
+        "line {} is slack: its length of {} m exceeds the path along the seabed and up to its end, so the line does not hold the platform; shorten it, or correct the \
          positions of its ends",
         .line + 1, Plain(*.length_m)
     )]

@@ -12,10 +12,10 @@ use crate::tower::TowerDescription;
 #[non_exhaustive]
 pub enum ParameterError {
     /// The name is empty.
-    #[error("the name of the number is missing")]
+    #[error("the name of the input value is missing")]
     Empty,
     /// No tower has such a number.
-    #[error("`{name}` is not a number of this tower: {hint}")]
+    #[error("unknown input name `{name}`; {hint}")]
     Unknown {
         /// The name.
         name: String,
@@ -24,7 +24,7 @@ pub enum ParameterError {
     },
     /// A number of a table of the tower file whose numbers have no names.
     #[error(
-        "`{name}` cannot be varied: numbers of [{table}] have no names for --set, sweeps, designs and derivatives; change it in the tower file{remedy}"
+        "`{name}` cannot be varied: input values of [{table}] have no names for --set, sweeps, designs and derivatives; change it in the tower file{remedy}"
     )]
     Fixed {
         /// The name.
@@ -35,7 +35,7 @@ pub enum ParameterError {
         remedy: &'static str,
     },
     /// Other towers have such a number.
-    #[error("`{name}` is not a number of this tower: it has no {noun}")]
+    #[error("unknown input name `{name}`: this tower has no {noun}")]
     Absent {
         /// The name.
         name: String,
@@ -43,7 +43,7 @@ pub enum ParameterError {
         noun: &'static str,
     },
     /// Some entries of a list have such a number, and others do not.
-    #[error("`{name}` is not a number of every entry: {lacking} has no {meaning}; name those that there are: {}", having.join(", "))]
+    #[error("`{name}` is not an input of every entry: {lacking} has no {meaning}; use the names that exist: {}", having.join(", "))]
     Partial {
         /// The name.
         name: String,
@@ -55,7 +55,7 @@ pub enum ParameterError {
         having: Box<[String]>,
     },
     /// The only material is meant, but there are several.
-    #[error("`{name}` is not a number of this tower: it has {count} materials; write `{instead}`")]
+    #[error("`{name}` is ambiguous: this tower has {count} materials; write `{instead}`")]
     SeveralMaterials {
         /// The name.
         name: String,
@@ -65,7 +65,7 @@ pub enum ParameterError {
         instead: String,
     },
     /// A list is shorter.
-    #[error("`{name}` is not a number of this tower: index {index} is too large, its {noun} have {}", range(*count))]
+    #[error("unknown input name `{name}`: index {index} is too large, the {noun} of this tower have {}", range(*count))]
     OutOfRange {
         /// The name.
         name: String,
@@ -87,7 +87,7 @@ pub enum ParameterError {
         names: Box<[String]>,
     },
     /// One number is needed.
-    #[error("`{name}` is the name of {count} numbers, but one number is needed")]
+    #[error("`{name}` is the name of {count} input values, but one input value is needed")]
     Several {
         /// The name.
         name: String,
@@ -118,7 +118,7 @@ pub enum ParameterError {
 const FIXED: [(&str, &str); 3] = [
     (
         "turbine",
-        "; for the modes of the tower the turbine is the rigid body `rna`, whose numbers can be varied",
+        "; for the modes of the tower the turbine is the rigid body `rna`, whose input values can be varied",
     ),
     ("drivetrain", ""),
     ("damping", ""),
@@ -190,10 +190,14 @@ fn hint(name: &str, description: &TowerDescription) -> String {
     if let Some(part) = of {
         let keys = part.numbers().into_iter().map(Number::name);
         let keys: Vec<&str> = keys.filter(|key| !key.is_empty()).collect();
-        return format!("the numbers of {} are {}", part.name(), keys.join(", "));
+        return format!(
+            "the input values of {} are {}",
+            part.name(),
+            keys.join(", ")
+        );
     }
     let names: Vec<&str> = parts.iter().map(|part| part.name()).collect();
-    format!("its numbers are those of {}", names.join(", "))
+    format!("names begin with {}", names.join(", "))
 }
 
 /// Whether a name is that of a part or of something in it.

@@ -10,7 +10,7 @@ use crate::tower::MOST_BLADES;
 pub enum RotorError {
     /// Fewer than three.
     #[error(
-        "a rotor of {blades} blades is not solved: its inertia and stiffness, seen from the tower, turn with the rotor, so that no speed has natural frequencies; \
+        "a rotor of {blades} blades is not supported: seen from the tower, its inertia and stiffness vary periodically, which would need Floquet theory; \
          the number of blades must be 3 or more"
     )]
     TooFewBlades {
@@ -19,7 +19,7 @@ pub enum RotorError {
     },
     /// More than any rotor has.
     #[error(
-        "a rotor of {blades} blades is not solved; the number of blades must be at most {MOST_BLADES}"
+        "a rotor of {blades} blades is not supported; the number of blades must be at most {MOST_BLADES}"
     )]
     TooManyBlades {
         /// The number given.

@@ -17,7 +17,7 @@ pub enum SensitivityError {
     Solve(#[from] SolveError),
     /// A change sets several numbers that are not equal, so it has no value on the tower.
     #[error(
-        "the numbers of `{change}` have the values {first} and {second}, so a derivative at one value does not exist; use scale(…) or add(…)"
+        "the input values of `{change}` are {first} and {second}, so a derivative at one value does not exist; use scale(…) or add(…)"
     )]
     Unequal {
         /// The name of the change.

@@ -72,12 +72,12 @@ pub enum NoDerivative {
     AtRest,
     /// The change couples the mode with another one of the same frequency, which splits the two:
     /// the frequency changes by the amount of the change, whatever its sign.
-    #[error("the number couples the mode with another one of the same frequency")]
+    #[error("the input value couples the mode with another mode of the same frequency")]
     Repeated,
     /// The tower can be changed in one direction only, or the frequency has a kink: it changes by
     /// another amount in the other direction.
     #[error(
-        "the frequency changes differently, or cannot change, in the two directions of the number"
+        "the frequency changes differently, or cannot change, in the two directions of the input value"
     )]
     OneSided,
 }

@@ -86,7 +86,7 @@ pub enum SolveError {
         available: usize,
     },
     /// Shapes that would need too much memory.
-    #[error("mode shapes of {modes} modes at {points} heights need more than {} GiB of memory; reduce one of the numbers", MAX_BYTES >> 30)]
+    #[error("mode shapes of {modes} modes at {points} heights need more than {} GiB of memory; reduce the number of modes or of heights", MAX_BYTES >> 30)]
     ShapesTooLarge {
         /// Modes requested.
         modes: usize,

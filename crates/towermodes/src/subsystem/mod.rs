@@ -21,7 +21,7 @@ pub use states::JointState;
 use crate::space::SpatialMatrix;
 use crate::tower::Motions;
 
-/// The equations of motion of an uncoupled group of motions, with the memory to work on them.
+/// The equations of motion of an uncoupled group of motions, with work arrays.
 ///
 /// A subsystem is assembled from the base upwards: base, then what flexes (joints or elements, by
 /// the methods of its kind) and what is attached in between. Its unknowns are scaled so that the

@@ -306,7 +306,7 @@ pub enum Warning {
     SoilAndClamp,
     /// The springs of PISA on a pile without shear deformation.
     #[error(
-        "the springs of PISA belong to a pile with shear deformation, which this tower does not have: it is too stiff; set shear = true, \
+        "the springs of PISA belong to a pile with shear deformation, which this tower does not have: the tower is too stiff; set shear = true, \
          or give the shear stiffness in the table of properties"
     )]
     PisaWithoutShear {
@@ -315,7 +315,7 @@ pub enum Warning {
     },
     /// Piles of a frame that are so close that they soften each other.
     #[error(
-        "the piles of members {first} and {second} are {} diameters apart, less than {}: each softens the soil of the other, which is left out, so the frequencies are too high; reduce factor in [ground]",
+        "the piles of members {first} and {second} are {} diameters apart, less than {}: each pile softens the soil of the other (group effect); the model neglects this, so the frequencies are too high; reduce factor in [ground]",
         Plain(rounded(*.diameters)), Plain(*.least)
     )]
     PileGroup {
@@ -359,7 +359,7 @@ pub enum Warning {
     },
     /// A joint of a pile just above or below the surface of the ground.
     #[error(
-        "joint {joint} is at {} m, just off the surface of the ground at {} m; give it the same height if it is at the surface",
+        "joint {joint} is at {} m, close to the surface of the ground at {} m; give it the same height if it is at the surface",
         Apart(*.height_m, *.surface_m), Apart(*.surface_m, *.height_m)
     )]
     JointNearSurface {
@@ -496,7 +496,7 @@ pub enum Warning {
     },
     /// Principal moments of inertia that no mass distribution has.
     #[error(
-        "{}a principal moment of inertia ({} kg m2) exceeds the sum of the other two ({} kg m2), which no mass distribution has",
+        "{}a principal moment of inertia ({} kg m2) exceeds the sum of the other two ({} kg m2): this is physically impossible",
         .site.before(), Rounded(*.largest_kg_m2), Rounded(*.others_kg_m2)
     )]
     TriangleInequality {
@@ -548,7 +548,7 @@ pub enum Warning {
     },
     /// Added mass that decreases with frequency so fast that the count of modes proves nothing.
     #[error(
-        "the list of modes is proved complete outside {:.4} to {:.4} Hz only: there the added mass decreases so fast with frequency that a mode may appear again, which is not listed",
+        "the list of modes is proved complete only outside {:.4} to {:.4} Hz: in that range the added mass decreases so fast with frequency that a mode may appear again, which is not listed",
         Plain(*.from_hz), Plain(*.to_hz)
     )]
     UncertainAddedMass {
@@ -634,7 +634,9 @@ pub enum Warning {
         worst: f64,
     },
     /// Parts of the structure are in the source of the description and not in the tower.
-    #[error("{0}: the frequencies are those of the rest, and say nothing about resonance")]
+    #[error(
+        "{0}: the frequencies are those of the structure without the missing parts and do not allow a statement about resonance"
+    )]
     PartsMissing(MissingParts),
     /// Fewer modes than requested are above the rounding error.
     #[error(

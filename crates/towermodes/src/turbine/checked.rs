@@ -77,7 +77,7 @@ impl Turbine {
     /// Checks a tower and what it carries, and puts them together.
     ///
     /// # Errors
-    /// [`TurbineError`] with the numbers of the first thing that no turbine can have.
+    /// [`TurbineError`] that describes the first invalid value.
     pub fn new(
         mut tower: TowerDescription,
         machine: TurbineDescription,
@@ -96,11 +96,11 @@ impl Turbine {
         })
     }
 
-    /// The same for a tower whose rotor-nacelle assembly, a rigid body, stands for the turbine: it
-    /// is left away.
+    /// Like [`Self::new`], but removes the rotor-nacelle assembly of the tower, a rigid body, which
+    /// the turbine replaces.
     ///
     /// # Errors
-    /// [`TurbineError`] with the numbers of the first thing that no turbine can have.
+    /// [`TurbineError`] that describes the first invalid value.
     pub fn in_place_of_rna(
         mut tower: TowerDescription,
         machine: TurbineDescription,
@@ -132,7 +132,7 @@ impl TurbineDescription {
     /// The turbine as a rigid body that does not turn, for towers without a turning rotor.
     ///
     /// # Errors
-    /// [`TurbineError`] with the numbers of the first thing that no turbine can have.
+    /// [`TurbineError`] that describes the first invalid value.
     pub fn rna(&self) -> Result<Rna, TurbineError> {
         checked(self).map(|(_, rna)| rna)
     }

@@ -39,7 +39,7 @@ pub struct TurbineDescription {
     /// direction of the rotation, Y downwind, Z outwards; its twist and pitch are positive towards
     /// feather, which turns the leading edge upwind. The elements end at its borders and sections.
     ///
-    /// Both inertias of a section act in all rotations.
+    /// Both rotary inertias of a section are included in all rotations of the section.
     pub blade: BladeDescription,
 }
 

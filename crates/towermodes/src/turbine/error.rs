@@ -62,7 +62,7 @@ pub enum TurbineError {
     },
     /// The tower carries a rotor-nacelle assembly already.
     #[error(
-        "the tower carries a rotor-nacelle assembly of {} kg besides the nacelle and the rotor of the turbine; give the tower none",
+        "the tower carries a rotor-nacelle assembly of {} kg besides the nacelle and the rotor of the turbine; describe the tower without a rotor-nacelle assembly",
         Plain(*.mass_kg)
     )]
     TwoMachines {
@@ -70,7 +70,7 @@ pub enum TurbineError {
         mass_kg: f64,
     },
     /// The blade has a speed of its own.
-    #[error("the blade turns at {} rad/s of its own; the speed of a turbine is given when it is solved, so that of the blade must be 0", Plain(*.speed_rad_per_s))]
+    #[error("the blade turns at {} rad/s of its own; the rotor speed of a turbine is given when the turbine is solved, so the speed of the blade must be 0", Plain(*.speed_rad_per_s))]
     BladeTurns {
         /// Its speed, rad/s.
         speed_rad_per_s: f64,
@@ -83,7 +83,7 @@ pub enum TurbineError {
     },
     /// An inertia at the blade tip that no body has: it breaks the triangle inequality.
     #[error(
-        "the largest principal inertia of the body at the tip of the blade, {} kg m2, is more than the sum of the other two, {} kg m2, which no body has; it must be at most that sum",
+        "the largest principal inertia of the body at the tip of the blade, {} kg m2, is more than the sum of the other two, {} kg m2: this is physically impossible; the largest principal inertia must be at most that sum",
         Plain(*.largest_kg_m2), Plain(*.others_kg_m2)
     )]
     TipInertia {
@@ -108,15 +108,15 @@ pub enum TurbineError {
     },
     /// The tower buckles under the weight on it, or the platform capsizes.
     #[error(
-        "the tower with the turbine is not stable at rest: {negative} of its motions have a negative stiffness, as a tower that buckles or a platform that capsizes"
+        "the tower with the turbine is not stable at rest: {negative} of its motions have a negative stiffness (the tower buckles or the platform capsizes)"
     )]
     Unstable {
         /// Number of such motions.
         negative: usize,
     },
-    /// A generator that no shaft could turn.
+    /// Generator inertia out of range.
     #[error(
-        "the inertia of the generator at the slow end of the shaft (generator inertia times the gear ratio squared) is {} kg m2, more than {MOST_GENERATOR:e} times that of the rotor, {} kg m2; the unit of both is kg m2",
+        "the inertia of the generator referred to the low-speed shaft (generator inertia times the gear ratio squared) is {} kg m2, more than {MOST_GENERATOR:e} times the inertia of the rotor, {} kg m2; the unit of both is kg m2",
         Plain(*.generator_kg_m2), Plain(*.rotor_kg_m2)
     )]
     Generator {
@@ -126,7 +126,7 @@ pub enum TurbineError {
         rotor_kg_m2: f64,
     },
     /// Numbers so large that products of them are infinite.
-    #[error("the numbers of the turbine are too large: their products are infinite")]
+    #[error("the values of the turbine are too large: their products overflow")]
     Overflow,
     /// A limit that is not positive, or infinite.
     #[error("the limit of the frequencies is {} Hz; it must be positive and finite", Plain(*.limit_hz))]

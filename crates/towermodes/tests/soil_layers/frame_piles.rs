@@ -501,5 +501,5 @@ fn mistakes_about_piles_of_a_frame_are_refused_or_warned_of() {
     let mut near = site();
     let own = ground_of(&mut near);
     (own.surface_m, own.layers[0].top_m) = (-17.99, -17.99);
-    warned(near).says("joint 0-0 is at -18 m, just off the surface of the ground at -17.99 m");
+    warned(near).says("joint 0-0 is at -18 m, close to the surface of the ground at -17.99 m");
 }

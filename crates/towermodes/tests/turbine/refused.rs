@@ -22,7 +22,7 @@ fn two_blades_are_refused_with_the_reason() {
     );
     assert_eq!(
         error.to_string(),
-        "a rotor of 2 blades is not solved: its inertia and stiffness, seen from the tower, turn with the rotor, so that no speed has natural frequencies; \
+        "a rotor of 2 blades is not supported: seen from the tower, its inertia and stiffness vary periodically, which would need Floquet theory; \
          the number of blades must be 3 or more"
     );
 }
@@ -31,7 +31,7 @@ fn two_blades_are_refused_with_the_reason() {
 fn a_generator_that_nothing_could_turn_is_refused() {
     let error = error(|machine| machine.generator.inertia_kg_m2 = 1e20);
     assert!(matches!(error, TurbineError::Generator { .. }), "{error}");
-    error.says("more than 1e9 times that of the rotor");
+    error.says("more than 1e9 times the inertia of the rotor");
 }
 
 #[test]

@@ -89,7 +89,7 @@ fn a_platform_that_capsizes_is_refused() {
     assert_eq!(error, TurbineError::Unstable { negative: 2 });
     assert_eq!(
         error.to_string(),
-        "the tower with the turbine is not stable at rest: 2 of its motions have a negative stiffness, as a tower that buckles or a platform that capsizes"
+        "the tower with the turbine is not stable at rest: 2 of its motions have a negative stiffness (the tower buckles or the platform capsizes)"
     );
 }
 

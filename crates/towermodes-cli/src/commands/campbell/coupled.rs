@@ -58,7 +58,7 @@ pub(crate) fn diagram_of(
             "--generator, --limit and --speeds apply to the turbine with flexible blades, --method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits and --soil-factor to the tower with a rigid rotor; omit one or the other",
         )),
         (Some(_), false) if alone => Ok(Diagram::Tower(vec![Note::new(
-            "the rotor is rigid in this diagram, because of options that apply to the tower alone (--method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits, --soil-factor); without them the diagram is that of the turbine with flexible blades".to_owned(),
+            "the rotor is rigid in this diagram, because options are given that apply only to the tower with a rigid rotor (--method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits, --soil-factor); without these options the diagram shows the turbine with flexible blades".to_owned(),
         )])),
         (Some(turbine), _) => Ok(Diagram::Turbine(Box::new(turbine))),
     }
@@ -69,7 +69,7 @@ fn without_turbine(input: &TowerInput) -> Vec<Note> {
     let Some(reason) = &input.turbine_missing else {
         return Vec::new();
     };
-    let rigid = "so the diagram is that of the tower with a rigid rotor".to_owned();
+    let rigid = "so the diagram shows the tower with a rigid rotor".to_owned();
     vec![reason.clone(), Note::new(rigid)]
 }
 

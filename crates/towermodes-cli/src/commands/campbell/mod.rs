@@ -190,7 +190,7 @@ impl CampbellArguments {
 
 /// That verdicts for softer and stiffer soil are those of the other diagram.
 fn without_band(input: &TowerInput) -> Vec<Note> {
-    let sentence = "the verdicts are for the soil and the foundation of the file; --uncoupled gives those for half and twice their stiffness, with a rigid rotor";
+    let sentence = "the verdicts are for the soil and the foundation of the file; --uncoupled gives verdicts for half and twice this stiffness, with a rigid rotor";
     let has_soil = input.description.stands_in_soil();
     has_soil
         .then(|| Note::new(sentence.to_owned()))
@@ -320,7 +320,7 @@ fn for_verdicts(reasons: &[NotChecked], format: FileFormat) -> String {
     match reasons {
         [NotChecked::PartsMissing(_)] => WHOLE.to_owned(),
         [NotChecked::SpeedsUnknown] => speeds.to_owned(),
-        _ => format!("{WHOLE}; the operating speeds are needed too: {speeds}"),
+        _ => format!("{WHOLE}; the operating speeds are also needed: {speeds}"),
     }
 }
 

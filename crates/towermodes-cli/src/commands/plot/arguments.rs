@@ -99,7 +99,7 @@ pub(crate) enum What {
     /// Difference of each method from the reference solution, mode by mode.
     Error,
     /// First bending frequencies over the stiffness of soil and foundation, from a quarter to four
-    /// times that of the file.
+    /// times the stiffness of the file.
     Soil,
     /// First bending frequencies over the depth of local scour, up to two pile diameters; only with
     /// soil in layers.

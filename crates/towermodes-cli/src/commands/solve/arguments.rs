@@ -33,7 +33,7 @@ Exit codes: 0 done, 1 the computation or the output failed, 2 wrong usage or wro
 /// The tower file format in short, then the examples.
 const LONG_HELP: &str = concat!(include_str!("tower-file.txt"), "\n", examples!());
 
-const SEGMENTS: &str = "Number of segments (bmodes and spectral: elements) [default: 100, plus 2 for each part shorter than 1/50 of the tower height; parts lie between steps, changes of taper or material and point masses; spectral: one per part; BModes decks: the elements of the deck]";
+const SEGMENTS: &str = "Number of segments (bmodes and spectral: elements) [default: 100, plus 2 for each part shorter than 1/50 of the tower height; a part is a length of tower without a step, a change of taper or material, or a point mass; spectral: one per part; BModes decks: the elements of the deck]";
 
 /// The arguments of `solve`.
 #[derive(Debug, Args)]
@@ -71,7 +71,7 @@ pub(crate) struct SolveArguments {
     #[arg(long, value_name = "COUNT", value_parser = number_parser(2, MAX_POINTS))]
     points: Option<usize>,
 
-    /// Add the derivatives of the frequencies with respect to every number of the tower to the JSON
+    /// Add the derivatives of the frequencies with respect to every input value to the JSON
     /// result; towermodes sensitivities shows them as a table
     #[arg(long)]
     pub(crate) sensitivities: bool,

@@ -6,7 +6,7 @@ mod several;
 pub(crate) use arguments::{SolveArguments, SolveFormat};
 
 use towermodes::frame::{Frame, FrameOptions, FrameSolution, FrameSolveError, solve_frame};
-use towermodes::{Blade, BladeMode, BladeSolution, Solution, Solver, Tower, Warning};
+use towermodes::{Blade, BladeMode, BladeSolution, Solver, Warning};
 use towermodes_files::{
     BladeInput, FileFormat, Input, Interface, MooringInput, Note, OutNodes, SolvedMooring,
     SolvedSubstructure, SubdynInput, TowerInput, write_blade_csv, write_blade_json, write_csv,
@@ -24,6 +24,10 @@ use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::progress::solve;
 use crate::table;
 use crate::terminal;
+
+/// The table of a tower whose files describe a turbine with flexible blades ends with this line.
+const RIGID: &str =
+    "rotor and nacelle are one rigid body here; `towermodes campbell` gives the coupled modes\n";
 
 /// Reads and solves the tower, the blade, the substructure or the mooring lines and prints the
 /// result; warnings go to standard error.
@@ -65,7 +69,14 @@ fn of_tower(
     let solution = explained(solution, (&tower, input))?;
     let mut result = Vec::new();
     match format {
-        SolveFormat::Table => result.extend(tower_text(&tower, &solution, arguments).into_bytes()),
+        SolveFormat::Table => {
+            let mut text = table::solution(&tower, &solution);
+            if input.turbine.is_some() {
+                text += RIGID;
+            }
+            let draw = |width| shapes(&tower, &solution, width);
+            result.extend(with_picture(text, draw, arguments).into_bytes());
+        }
         SolveFormat::Json if arguments.sensitivities => {
             let influences = influences_of(&input.description, None, &options);
             let influences = explained(influences, (&tower, input))?;
@@ -201,12 +212,6 @@ fn of_mooring(
     }
     note(&notes);
     Ok(result)
-}
-
-fn tower_text(tower: &Tower, solution: &Solution, arguments: &SolveArguments) -> String {
-    let table = table::solution(tower, solution);
-    let draw = |width| shapes(tower, solution, width);
-    with_picture(table, draw, arguments)
 }
 
 fn blade_text(blade: &Blade, solution: &BladeSolution, arguments: &SolveArguments) -> String {

@@ -18,29 +18,29 @@ const EXAMPLES: &str = "Examples:
   towermodes sweep study.toml --check slice-*.csv --summary
   towermodes sweep study.toml --first-order
 
-The columns of a table are names of numbers: rna.mass replaces the number, scale(stations[*].wall) multiplies it, add(stations[*].height) adds to it; `towermodes parameters FILE` lists the names. A study is a TOML file with [sweep]: base, sampling, distributions and correlations.
+The columns of a table are names of input values: rna.mass replaces the value, scale(stations[*].wall) multiplies it, add(stations[*].height) adds to it; `towermodes parameters FILE` lists the names. A sweep study is a TOML file with [sweep]: base, sampling, distributions and correlations.
 
-The results are one table, written as the rows are solved. A file gets its name when it is complete: a command that is interrupted leaves no file of this name. For many processors or hours of work, let each process write a slice of the rows (--rows) into a file of its own; files that are there need not be computed again. --check reads the slices of one sweep: it refuses slices of another one and names the rows that are missing. A row that cannot be solved has the error message in the column error.
+The results are one table, written as the rows are solved. A file gets its name when it is complete: a command that is interrupted leaves no file of this name. For many processors or hours of work, let each process write a slice of the rows (--rows) into a file of its own; existing files need not be computed again. --check reads the slices of one sweep: it refuses slices of another sweep and names the missing rows. A row that cannot be solved has the error message in the column error.
 
-Exit codes: 0 all rows are computed, possibly with rows that could not be solved (a warning gives their number), 1 the output failed, or with --check rows are missing or a slice is damaged, 2 wrong usage or wrong input. Ctrl-C ends the program by its signal; shells show 130.";
+Exit codes: 0 all rows are computed, possibly with rows that could not be solved (a warning gives their number), 1 the output failed, or with --check rows are missing or a slice is damaged, 2 wrong usage or wrong input. After Ctrl-C the exit status is 130.";
 
 /// The arguments of `sweep`.
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true, after_help = EXAMPLES)]
 pub(crate) struct SweepArguments {
-    /// The tower that is varied, in any format; or a study, a TOML file with [sweep]
+    /// The base tower, in any format; or a sweep study, a TOML file with [sweep]
     pub(crate) file: PathBuf,
 
-    /// Table of values in CSV or Parquet, one row for each tower: the columns are names of numbers;
-    /// not with a study
+    /// Table of values in CSV or Parquet, one row for each tower: the columns are names of
+    /// input values; not with a sweep study
     pub(crate) table: Option<PathBuf>,
 
-    /// Columns of the table that are not numbers of the tower and are left out, comma-separated
+    /// Columns of the table that are not input values and are skipped, comma-separated
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub(crate) ignore: Vec<String>,
 
-    /// Modes with columns in the results: how many of the lowest modes of the tower that is varied,
-    /// or their names, comma-separated: 'fore-aft 1,torsion 1' [default: 4]
+    /// Modes to report: a number K (the K lowest modes of the base tower), or names,
+    /// comma-separated: 'fore-aft 1,torsion 1' [default: 4]
     #[arg(long, value_name = "K or NAMES", value_parser = modes_parser)]
     modes: Option<SweepModes>,
 
@@ -58,21 +58,21 @@ pub(crate) struct SweepArguments {
     #[arg(long)]
     no_rotary_inertia: bool,
 
-    /// Solve only the rows FIRST to END-1, numbered from 0; an END behind the last row means the
+    /// Solve only the rows FIRST to END-1, numbered from 0; an END beyond the last row means the
     /// last row
     #[arg(long, value_name = "FIRST..END")]
     pub(crate) rows: Option<RowRange>,
 
-    /// Write the results to this file; without it they are printed as CSV
+    /// Write the results to this file; without --output they are printed as CSV
     #[arg(long, short, value_name = "PATH")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Format of the results [default: by the file extension, csv without one]; of --first-order
-    /// [default: table]
+    /// Format of the results [default: by the file extension, csv without one; with --first-order:
+    /// table]
     #[arg(long, short, value_enum)]
     pub(crate) format: Option<SweepFormat>,
 
-    /// Number of threads [default: the processors that are available to the process]
+    /// Number of threads [default: the number of processors available to the process]
     #[arg(long, value_name = "N", value_parser = number_parser(1, 4096))]
     threads: Option<usize>,
 
@@ -80,8 +80,8 @@ pub(crate) struct SweepArguments {
     #[arg(long)]
     no_inputs: bool,
 
-    /// Solve no rows, but read these files: refuse them if they are not slices of this sweep, and
-    /// name the rows that no file has
+    /// Solve no rows, but read these files: refuse files that are not slices of this sweep, and
+    /// name the missing rows
     #[arg(long = "check", value_name = "SLICES", num_args = 1..)]
     pub(crate) slices: Vec<PathBuf>,
 
@@ -91,13 +91,13 @@ pub(crate) struct SweepArguments {
     pub(crate) summary: bool,
 
     /// Solve no rows, but print mean and standard deviation of each frequency from derivatives at
-    /// the mean values of a study, the share of each varied number in the variance and, if the
+    /// the mean values of a study, the share of each varied input in the variance and, if the
     /// rotor is known, the probability that an excitation is closer than 5 %
     #[arg(long)]
     pub(crate) first_order: bool,
 
-    /// Draw the frequencies as SVG or PNG: curves for one varied number, or for two of which one
-    /// has few values, histograms for more
+    /// Draw the frequencies as SVG or PNG: with one varied input curves; with two, one of them with
+    /// few values, a family of curves; otherwise histograms
     #[arg(long, value_name = "PATH")]
     pub(crate) plot: Option<PathBuf>,
 
@@ -112,9 +112,9 @@ pub(crate) enum SweepFormat {
     Csv,
     /// Apache Parquet, smaller and faster to read.
     Parquet,
-    /// With --first-order: for people.
+    /// With --first-order: human-readable table.
     Table,
-    /// With --first-order: all digits, for other programs.
+    /// With --first-order: all digits, machine-readable.
     Json,
 }
 
@@ -139,7 +139,7 @@ impl FromStr for RowRange {
     fn from_str(text: &str) -> Result<Self, String> {
         let wrong = || {
             format!(
-                "`{text}` is no range of rows; write FIRST..END, as 0..50000 for the first 50000 rows"
+                "`{text}` is not a range of rows; write FIRST..END, for example 0..50000 for the first 50000 rows"
             )
         };
         let (start, end) = text.split_once("..").ok_or_else(wrong)?;
@@ -148,7 +148,7 @@ impl FromStr for RowRange {
         match start < end {
             true => Ok(Self { start, end }),
             false => Err(format!(
-                "there is no row in {text}; END is the row behind the last one"
+                "there is no row in {text}; END is the row after the last one"
             )),
         }
     }

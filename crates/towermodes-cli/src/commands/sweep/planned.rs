@@ -76,7 +76,7 @@ fn of_study(arguments: &SweepArguments) -> Result<Parts, Failure> {
     let reading = &arguments.reading;
     if reading.options() != ReadOptions::default() {
         return Err(Failure::usage(
-            "with a study, the options for reading its tower are keys of [sweep.reading]",
+            "with a sweep study, the options for reading its tower are keys of [sweep.reading]",
         ));
     }
     let beside = SiblingFiles::of(&arguments.file);
@@ -174,7 +174,7 @@ fn study_of(file: &Path) -> Result<SweepStudy, Failure> {
     // A study is TOML; any other tower file needs a table.
     if !matches!(recognize(&source), None | Some(FileFormat::Toml)) {
         return Err(Failure::usage(
-            "give a table of values after the tower file, or a study: a TOML file with [sweep]",
+            "give a table of values after the tower file, or a sweep study: a TOML file with [sweep]",
         ));
     }
     read_sweep_study(&source).map_err(Failure::from)

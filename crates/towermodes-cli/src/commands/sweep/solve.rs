@@ -73,7 +73,7 @@ fn failures(solved: &Solved) -> Option<String> {
 fn remark(solved: &Solved) {
     let has = |of: &RowRemarks| if of.rows == 1 { "has" } else { "have" };
     let (warnings, shared) = (&solved.warnings, &solved.shared);
-    let unusual = "unusual input that the base does not have";
+    let unusual = "unusual input that the base tower does not have";
     say(
         warnings,
         solved.rows,

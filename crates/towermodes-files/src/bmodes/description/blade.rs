@@ -199,7 +199,7 @@ fn turned_inertias(deck: &Deck, notes: &mut Notes) {
     let is_turned = |(_, (twist, inertia)): &(&Section, (f64, f64))| (twist - inertia).abs() > 45.0;
     if let Some((row, (twist, inertia))) = rows.find(is_turned) {
         let message = format!(
-            "at sec_loc {} the principal axes of inertia (tw_iner = {inertia}) are rotated by more than 45 degrees from those of stiffness (str_tw = {twist})",
+            "at sec_loc {} the principal axes of inertia (tw_iner = {inertia}) are rotated by more than 45 degrees from the principal axes of stiffness (str_tw = {twist})",
             row[Column::Location].value
         );
         notes.at_sections(

@@ -49,7 +49,7 @@ pub(super) fn check_label(
         return Ok(());
     };
     let [expected, found] = [parameter, other].map(|p| format!("`{}`", p.name));
-    let hint = "is a line above missing, or one too many?";
+    let hint = "is a line missing above, or is there an extra line?";
     Err(label
         .wrong(DiagnosticKind::misplaced(expected, found))
         .with_hint(hint))
@@ -76,7 +76,7 @@ pub(super) fn explained(mistake: Diagnostic, token: &Token<'_>) -> Diagnostic {
     } else if starts_as_number {
         mistake.with_hint("write a number as 350000, 3.5e5 or 3.5d5")
     } else {
-        mistake.with_hint("is a line above missing, or one too many?")
+        mistake.with_hint("is a line missing above, or is there an extra line?")
     }
 }
 
@@ -84,7 +84,7 @@ pub(super) fn explained(mistake: Diagnostic, token: &Token<'_>) -> Diagnostic {
 pub(crate) fn left_out(what: &str, before: &Token<'_>) -> Diagnostic {
     let kind = DiagnosticKind::NoValue {
         what: what.to_owned(),
-        reason: "there is nothing between two commas before this",
+        reason: "a value is missing between two commas before this",
     };
     before.wrong(kind).with_hint("write each value")
 }

@@ -69,7 +69,7 @@ pub(super) fn check_locations(rows: &mut [Section]) -> Result<(), Diagnostic> {
         if index > 1 && here.value == location(index - 2).value {
             let what = format!("sec_loc {}", here.value);
             let kind = DiagnosticKind::Repeated { what, times: 3 };
-            let hint = "two rows make a step: keep the one below it and the one above it";
+            let hint = "a step has two rows: keep the row below the step and the row above it";
             return Err(here.wrong(kind).with_hint(hint));
         }
     }

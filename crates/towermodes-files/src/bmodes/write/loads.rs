@@ -76,7 +76,7 @@ fn rotation_note(tower: &Tower) -> Option<Note> {
     let largest_n = springs.fold(0.0, f64::max);
     (largest_n > 0.0).then(|| {
         Note::left_out(format!(
-            "BModes has no springs against rotation along a tower: those of the soil, up to {} N m per radian and metre, are left out",
+            "BModes has no springs against rotation along a tower: the rotational springs of the soil, up to {} N m per radian and metre, are left out",
             Rounded(largest_n)
         ))
     })

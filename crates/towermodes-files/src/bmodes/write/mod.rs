@@ -118,7 +118,7 @@ fn note_whole(
     }
     if tower.missing_parts().is_some() {
         notes.push(Note::left_out(
-            "the parts of the structure that this model lacks are named in the title alone: results of the written deck look complete",
+            "the parts of the structure that this model lacks are named only in the title: results of the written deck look complete",
         ));
     }
     if description.damping.loss_factors != LossFactors::default() {

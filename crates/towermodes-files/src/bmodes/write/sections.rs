@@ -83,7 +83,7 @@ fn note_sections(made_up: &MadeUp, notes: &mut Vec<Note>) {
     }
     if made_up.polar_inertia {
         note(
-            "BModes needs polar inertia: that of a thin steel tube of the same EI is written"
+            "BModes needs polar inertia: the polar inertia of a thin steel tube of the same EI is written"
                 .into(),
         );
     }

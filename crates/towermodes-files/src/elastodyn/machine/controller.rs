@@ -76,7 +76,7 @@ fn controller_file(fst: &Source, files: &dyn FileResolver) -> Result<Source, Not
     let named = line_of(&fst.text, "ServoFile").and_then(|line| line.first());
     let named = named.ok_or_else(|| {
         let message = format!(
-            "{} has no ServoFile, the way to the controller: the operating speeds of the rotor are unknown",
+            "{} has no ServoFile, which refers to the controller: the operating speeds of the rotor are unknown",
             fst.name
         );
         Note::assumption(message)
@@ -193,7 +193,7 @@ struct Value {
 fn value_of(source: &Source, name: &str) -> Result<Value, Note> {
     let Some(entry) = entry(source, name) else {
         let message = format!(
-            "{} has no {name}, so it is no input of ROSCO: the operating speeds of the rotor are unknown",
+            "{} has no {name}, so it is not an input file of ROSCO: the operating speeds of the rotor are unknown",
             source.name
         );
         return Err(Note::assumption(message));

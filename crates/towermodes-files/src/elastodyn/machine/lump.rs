@@ -182,11 +182,11 @@ fn rotor_message(shaft: &Shaft, lock: RotorLock) -> String {
                 false => "",
             };
             format!(
-                "the rotor is locked to the nacelle: the inertia about the shaft is {locked}{once}; use --rotor free for a rotor that turns freely on its shaft"
+                "the rotor is parked (locked to the nacelle): the inertia about the shaft is {locked}{once}; use --rotor free for a rotor that rotates freely on its shaft"
             )
         }
         RotorLock::Free => format!(
-            "the rotor is free: the inertia about the shaft is {felt} instead of {locked} of a locked rotor, so the RNA is not one rigid body"
+            "the rotor is free: the inertia about the shaft is {felt} instead of {locked} of a parked rotor, so the RNA is not one rigid body"
         ),
     }
 }

@@ -73,7 +73,7 @@ pub(crate) fn notes(
             Some(OperatingSpeeds::Unknown(reason)) => vec![reason.clone()],
             None => {
                 let message = format!(
-                    "RotSpeed = {} rpm is the speed at which the simulation begins, not the range of operating speeds; the .fst file leads to the controller, which has the range",
+                    "RotSpeed = {} rpm is the initial speed of the simulation, not the range of operating speeds; read the .fst file, which refers to the controller with this range",
                     main.rotor_speed_rpm
                 );
                 vec![at("RotSpeed", Note::assumption(message))]

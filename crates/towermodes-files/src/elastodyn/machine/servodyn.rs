@@ -1,4 +1,4 @@
-//! The yaw spring of a model, which stands in the file of ServoDyn that an `.fst` file names.
+//! The yaw spring of a model, which is in the file of ServoDyn that an `.fst` file names.
 
 use super::super::fst::switch;
 use super::super::names::line_of;
@@ -28,7 +28,7 @@ pub(crate) enum YawSpring {
 /// The yaw spring that the files of an `.fst` file have.
 pub(crate) fn yaw_spring(fst: &Source, files: &dyn FileResolver) -> YawSpring {
     if let Some((0, at)) = switch(fst, "CompServo") {
-        let message = "YawDOF is True, but CompServo is 0, and the spring YawSpr of the yaw drive stands in the file of ServoDyn: the nacelle does not yaw on the tower";
+        let message = "YawDOF is True, but CompServo is 0, and the spring YawSpr of the yaw drive is in the file of ServoDyn: the nacelle does not yaw on the tower";
         return YawSpring::Unknown(Note::assumption(message).at(fst, at));
     }
     let Some(name) = line_of(&fst.text, "ServoFile").and_then(|line| line.first()) else {

@@ -51,16 +51,17 @@ fn reason(parts: &Parts<'_>) -> Option<Reason> {
     let main = parts.main;
     let blades = main.blade_count;
     if main.tower_hangs() {
-        let message = "a turbine on a tower that hangs is not solved: its rotor would turn below";
+        let message =
+            "a turbine on a hanging tower is not supported: its rotor would be below the tower";
         return Some(("TowerHt", message.to_owned()));
     }
     if main.furling {
-        let message = "Furling is True: a rotor and a tail that furl (FurlFile) are not solved; for the frequencies of the turbine it must be False";
+        let message = "Furling is True: a furling rotor and tail (FurlFile) are not supported; for the frequencies of the turbine Furling must be False";
         return Some(("Furling", message.to_owned()));
     }
     if blades < 3 {
         let of_teeter = match blades == 2 && main.machine_dofs.teeter {
-            true => "; its teeter (TeetDOF) is not solved either",
+            true => "; teeter (TeetDOF) is not supported either",
             false => "",
         };
         let message = RotorError::TooFewBlades { blades };
@@ -83,7 +84,7 @@ fn unlike_blades(parts: &Parts<'_>) -> Option<Reason> {
             main.blade_files.first()?,
         );
         let message = format!(
-            "blade {number} ({own}) has another table or other factors than blade 1 ({other}): unlike blades are not solved; all files BldFile must have the same content"
+            "blade {number} ({own}) has another table or other factors than blade 1 ({other}): different blades are not supported; all files BldFile must have the same content"
         );
         return Some((key, message));
     }
@@ -97,7 +98,7 @@ fn unlike_blades(parts: &Parts<'_>) -> Option<Reason> {
         let index = values.iter().position(|value| *value != values[0])?;
         let (key, own, first) = (keys[index], values[index], values[0]);
         let message = format!(
-            "{key} is {} {unit} and {} is {} {unit}: unlike blades are not solved; both must be equal",
+            "{key} is {} {unit} and {} is {} {unit}: different blades are not supported; both must be equal",
             Plain(own),
             keys[0],
             Plain(first)
@@ -110,7 +111,7 @@ fn too_many_rows(parts: &Parts<'_>) -> Option<Reason> {
     let rows = parts.blades.first()?.rows.len();
     (rows > MOST_SECTIONS).then(|| {
         let message = format!(
-            "the blade file has {rows} rows: blades of more than {MOST_SECTIONS} sections are not solved on a tower; keep every second row, or fewer"
+            "the blade file has {rows} rows: blades of more than {MOST_SECTIONS} sections are not supported on a tower; keep every second row, or fewer"
         );
         (BLADES[0], message)
     })
@@ -196,17 +197,18 @@ fn notes(parts: &Parts<'_>) -> Vec<Note> {
     notes.extend(yaw_note(parts));
     if let Some(index) = main.blade_dofs.iter().position(|moves| !moves) {
         let key = BLADE_DOFS[index];
-        let message = format!("{key} is False, but the blades bend in all their modes here");
+        let message =
+            format!("{key} is False, but here all bending modes of the blades are included");
         notes.push(at(key, Note::assumption(message)));
     }
     if main.pitch_dof {
-        let message = "PitchDOF is True, but the blades do not turn on their pitch bearings here";
+        let message = "PitchDOF is True, but the blades do not rotate on their pitch bearings here";
         notes.push(at("PitchDOF", Note::left_out(message)));
     }
     let pitch_deg = main.blade_pitch_deg[0];
     if pitch_deg != 0.0 {
         let message = format!(
-            "BlPitch(1) = {pitch_deg} degrees, the initial pitch, is that of all blades at all speeds"
+            "BlPitch(1) = {pitch_deg} degrees, the initial pitch, applies to all blades at all speeds"
         );
         notes.push(at("BlPitch(1)", Note::assumption(message)));
     }
@@ -216,13 +218,15 @@ fn notes(parts: &Parts<'_>) -> Vec<Note> {
 /// Whether the generator turns.
 fn generator_note(parts: &Parts<'_>) -> Note {
     match (parts.main.machine_dofs.generator, parts.lock) {
-        (true, _) => Note::new("GenDOF is True: the generator of the turning turbine turns freely"),
-        (false, RotorLock::Free) => Note::assumption(
-            "GenDOF is False, but the generator of the turning turbine turns freely, as --rotor free says",
-        ),
-        (false, RotorLock::Locked) => {
-            Note::new("GenDOF is False: the generator of the turning turbine has a constant speed")
+        (true, _) => {
+            Note::new("GenDOF is True: the generator of the operating turbine rotates freely")
         }
+        (false, RotorLock::Free) => Note::assumption(
+            "GenDOF is False, but the generator of the operating turbine rotates freely, as requested by --rotor free",
+        ),
+        (false, RotorLock::Locked) => Note::new(
+            "GenDOF is False: the generator of the operating turbine has a constant speed",
+        ),
     }
 }
 
@@ -235,7 +239,7 @@ fn yaw_note(parts: &Parts<'_>) -> Option<Note> {
         Some(YawSpring::Unknown(note)) => Some(note.clone()),
         Some(_) => None,
         None => {
-            let message = "YawDOF is True, but the spring YawSpr of the yaw drive stands in the file of ServoDyn: the nacelle does not yaw on the tower; give the .fst file, which names that file";
+            let message = "YawDOF is True, but the spring YawSpr of the yaw drive is in the file of ServoDyn: the nacelle does not yaw on the tower; give the .fst file, which names that file";
             let at = parts.main.place("YawDOF").start;
             Some(Note::assumption(message).at(parts.source, at))
         }

@@ -87,7 +87,7 @@ fn notes(tower: &Tower, made: &MadeTower) -> Vec<Note> {
     }
     if tower.missing_parts().is_some() {
         notes.push(Note::left_out(
-            "the parts of the structure that this model lacks are named in the second line alone: the shapes and frequencies are those of the tower without them",
+            "the parts of the structure that this model lacks are named only in the second line: the shapes and frequencies are those of the tower without them",
         ));
     }
     notes.extend(

@@ -43,9 +43,9 @@ impl DesignStudy {
                 };
                 let place = self.variables.iter().rfind(of_name);
                 let span = place.map_or(0..0, |variable| variable.name.span.clone());
-                let what = format!("{number}, which `{first}` changes too,");
+                let what = format!("{number}, which `{first}` also changes,");
                 let kind = DiagnosticKind::Repeated { what, times: 2 };
-                let hint = "each number may belong to one variable only";
+                let hint = "each input value may belong to only one variable";
                 return Some(Diagnostic::new(span, kind).with_hint(hint));
             }
         }
@@ -69,7 +69,8 @@ fn groups(
         };
         return Err(DiagnosticKind::UnusedKey {
             key: key.to_owned(),
-            because: "with scale(…) and add(…): name the numbers alone".to_owned(),
+            because: "with scale(…) and add(…); give the plain names of the input values"
+                .to_owned(),
         });
     }
     let by_height = |is_together: &dyn Fn([f64; 2], usize) -> bool| {
@@ -97,8 +98,8 @@ fn groups(
                 "`{}` with each = \"height\" or \"can\"",
                 variable.name.value
             ),
-            "numbers of stations, as stations[*].wall",
-            "other numbers",
+            "input values of stations, such as stations[*].wall",
+            "other input values",
         )
     })
 }

@@ -65,7 +65,7 @@ fn band(table: &Table<'_>, what: &str, reading: &mut Reading) -> Option<DesignBa
         refuse_keys(table, &["margin"], "without between = \"1P-3P\"", reading);
         return of_ends(table, what, reading);
     };
-    refuse_keys(table, &["min", "max"], "beside `between`", reading);
+    refuse_keys(table, &["min", "max"], "together with `between`", reading);
     if let Some(text) = between.get_ref().as_str() {
         let Some(multiples) = multiples(text) else {
             let mistake = wrong_kind(between, "between", "two frequencies or two multiples");

@@ -21,7 +21,7 @@ use schema::{DESIGN, LIMITS, STUDY};
 pub use schema::design_study_schema;
 
 /// What a study needs at least.
-const LEAST: &str = "a design needs [design.variables] with what is chosen, as \"stations[*].wall\" = { between = [0.012, 0.060] }, and [design.frequencies], as \"fore-aft 1\" = { min = 0.3 }";
+const LEAST: &str = "a design file needs [design.variables] with the design variables, as \"stations[*].wall\" = { between = [0.012, 0.060] }, and [design.frequencies], as \"fore-aft 1\" = { min = 0.3 }";
 
 /// Reads the study of a design from a TOML file.
 ///
@@ -55,8 +55,8 @@ fn other_file(entries: &DeTable<'_>) -> Option<Diagnostic> {
         return None;
     }
     let others = [
-        ("tower", "a tower file, not the study of a design"),
-        ("sweep", "the study of a sweep, not of a design"),
+        ("tower", "a tower file, not a design file"),
+        ("sweep", "a sweep study, not a design file"),
     ];
     let (_, found) = others.iter().find(|(key, _)| entries.contains_key(*key))?;
     let found = (*found).to_owned();

@@ -21,8 +21,8 @@ tables! {
 
     /// `[design]`.
     DESIGN = "[design]":
-        required "variables" Table "" "what is chosen: names of numbers with their bounds";
-        required "frequencies" Table "" "what is to be reached: names of modes with their bands";
+        required "variables" Table "" "design variables: names of input values with their bounds";
+        required "frequencies" Table "" "frequency targets: names of modes with their bands";
         optional "limits" Table "" "limits of the shape of the tower";
         optional "segments" Number "" "number of segments or elements; default as of solve";
         optional "method" Text "" "the method of computation; default as of solve";
@@ -32,8 +32,8 @@ tables! {
     VARIABLE = "[design.variables]":
         required "between" Numbers "" "lowest and highest value";
         optional "step" Number "" "values are multiples of it, such as plate thicknesses";
-        optional "each" Text "" "which numbers of a list have values of their own: number, height (one value for all stations at a height) or can (one value for both ends of a can); without it all have one value";
-        optional "order" Text "" "with each: falling (no number exceeds the one below it) or free, the default";
+        optional "each" Text "" "which input values of a list are separate variables: number (each one), height (one value for all stations at a height) or can (one value for both ends of a can); without it all have one value";
+        optional "order" Text "" "with each: falling (no value exceeds the one below it) or free, the default";
 
     /// A value of `[design.frequencies]`.
     FREQUENCY = "[design.frequencies]":

@@ -13,7 +13,7 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 /// The key of the rows.
 pub(super) const KEY: &str = "added_mass_by_frequency";
 
-const HINT: &str = "a row has the angular frequency in rad/s and the upper triangle of the matrix row by row (21 numbers): [frequency, xx, xy, ...]; the first row is that of the frequency 0, the last that of inf";
+const HINT: &str = "a row has the angular frequency in rad/s and the upper triangle of the matrix row by row (21 numbers): [frequency, xx, xy, ...]; the first row is for the frequency 0, the last for inf";
 
 /// The table of some rows.
 pub(super) fn table(value: &Value<'_>, reading: &mut Reading) -> Option<Arc<AddedMassTable>> {

@@ -66,7 +66,7 @@ pub(super) fn layers(
         if let Some(value) = entry.get(quantity.key) {
             let (key, because) = (
                 quantity.key.to_owned(),
-                "beside its column in profile".to_owned(),
+                "together with its column in profile".to_owned(),
             );
             let kind = DiagnosticKind::UnusedKey { key, because };
             let mistake = Diagnostic::new(value.span(), kind);
@@ -117,9 +117,10 @@ fn source_of(path: &str, named: &Value<'_>, reading: &mut Reading) -> Option<(So
     let found = reading.profiles.iter().find(|file| file.path == path);
     let mistake = match found.map(|file| (&file.source, file.index)) {
         Some((Ok(source), index)) => return Some((source.clone(), index)),
-        Some((Err(error), _)) => unreadable(error)
-            .with_hint("it is searched beside the tower file; names may be case-sensitive"),
-        None => unreadable(&"a text has no files beside it")
+        Some((Err(error), _)) => unreadable(error).with_hint(
+            "it is looked for in the folder of the tower file; names may be case-sensitive",
+        ),
+        None => unreadable(&"a text without a folder cannot refer to files")
             .with_hint("write one [[ground.layer]] for each piece of the profile"),
     };
     reading.refuse(mistake)

@@ -21,7 +21,7 @@ pub(super) fn shear_modulus(
     };
     let source = first.key();
     if let Some(second) = given.iter().find(|modulus| modulus.key() != source) {
-        let because = format!("beside {source}: both give the shear modulus");
+        let because = format!("together with {source}: both give the shear modulus");
         table.refuse_unused(second.key(), because, "keep one of the two", reading)?;
     }
     if first.correlation().is_none() {

@@ -57,8 +57,8 @@ fn other_file(entries: &DeTable<'_>) -> Option<Diagnostic> {
     }
     let others = [
         ("tower", "a tower file, not measured frequencies"),
-        ("sweep", "the study of a sweep, not measured frequencies"),
-        ("design", "the study of a design, not measured frequencies"),
+        ("sweep", "a sweep study, not measured frequencies"),
+        ("design", "a design file, not measured frequencies"),
     ];
     let (_, found) = others.iter().find(|(key, _)| entries.contains_key(*key))?;
     let found = (*found).to_owned();

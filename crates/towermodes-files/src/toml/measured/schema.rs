@@ -17,12 +17,12 @@ tables! {
 
     /// The whole file.
     MEASURED_FILE = "the file":
-        optional "calibrate" Table "" "the numbers that are to explain the measurements";
+        optional "calibrate" Table "" "the input values to be fitted to the measurements";
         required "measured" Any "" "the measured frequencies";
 
     /// `[calibrate]`.
     CALIBRATE = "[calibrate]":
-        optional "unknowns" Table "" "names of numbers in quotation marks, each with what is known of it";
+        optional "unknowns" Table "" "names of input values in quotation marks, each with its prior or bounds";
 
     /// A value of `[calibrate.unknowns]`.
     UNKNOWN = "[calibrate.unknowns]":
@@ -34,5 +34,5 @@ tables! {
         optional "mode" Text "" "the mode, as fore-aft 1; without it the mode is found by shape and frequency";
         required "frequency" Number "Hz" "measured natural frequency";
         required "deviation" Number "Hz" "its standard deviation";
-        optional "shape" Any "" "rows of height, fore-aft and side-side displacement, which find the mode";
+        optional "shape" Any "" "rows of height, fore-aft and side-side displacement, used to identify the mode";
 }

@@ -42,7 +42,7 @@ fn correlation(row: &Value<'_>, reading: &mut Reading) -> Option<Placed> {
     let key = match is_of_values {
         true => "coefficient",
         false => {
-            let because = "beside `score_coefficient`";
+            let because = "together with `score_coefficient`";
             table.refuse_unused("coefficient", because, "remove it", reading)?;
             "score_coefficient"
         }

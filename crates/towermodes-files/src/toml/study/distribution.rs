@@ -98,7 +98,7 @@ fn one_distribution(table: &Table<'_>, what: &str, reading: &mut Reading) -> Opt
     match (given.next(), given.next()) {
         (Some(one), None) => Some(one),
         (Some(first), Some(second)) => {
-            let because = format!("beside `{first}`");
+            let because = format!("together with `{first}`");
             table.refuse_unused(second, because, "keep one distribution", reading);
             None
         }
@@ -118,7 +118,7 @@ fn distribution(
     reading: &mut Reading,
 ) -> Option<Distribution> {
     if !matches!(found, "normal" | "lognormal") {
-        let because = format!("beside `{found}`, whose values are limited");
+        let because = format!("together with `{found}`, whose values are limited");
         refuse_keys(table, &["truncated"], &because, reading);
     }
     let value = table.get(found)?;
@@ -180,7 +180,7 @@ fn levels(
             return whole(value, "levels", 2, reading).map(Some);
         }
         ("uniform", Some(_)) => "without sampling = \"grid\"".to_owned(),
-        (other, _) => format!("beside `{other}`"),
+        (other, _) => format!("together with `{other}`"),
     };
     refuse_keys(table, &["levels"], &because, reading);
     None

@@ -25,7 +25,7 @@ pub(super) use results::{method, mode_name, segments};
 pub use schema::sweep_study_schema;
 
 /// What a study needs at least.
-const LEAST: &str = "a study needs [sweep] with base = \"tower.toml\", and table = \"values.csv\" or sampling with [sweep.vary]";
+const LEAST: &str = "a sweep study needs [sweep] with base = \"tower.toml\", and table = \"values.csv\" or sampling with [sweep.vary]";
 
 /// Reads the study of a sweep from a TOML file. The base and the table are not opened.
 ///
@@ -61,10 +61,10 @@ fn other_file(entries: &DeTable<'_>) -> Option<Diagnostic> {
     if entries.contains_key("sweep") || !entries.contains_key("tower") {
         return None;
     }
-    let found = "a tower file, not the study of a sweep".to_owned();
+    let found = "a tower file, not a sweep study".to_owned();
     let mistake = Diagnostic::new(0..0, DiagnosticKind::WrongFile { found });
     Some(mistake.with_hint(
-        "give a table of values after it, as in `towermodes sweep tower.toml values.csv`, or a study with [sweep]",
+        "give a table of values after it, as in `towermodes sweep tower.toml values.csv`, or a sweep study with [sweep]",
     ))
 }
 
@@ -86,7 +86,7 @@ fn study(root: &Table<'_>, source: &Source, reading: &mut Reading) -> Option<Swe
 
 /// A required path.
 fn file_of(sweep: &Table<'_>, key: &str, reading: &mut Reading) -> Option<Placed<String>> {
-    let hint = "the path of the tower that is varied, in any format, relative to the study";
+    let hint = "the path of the base tower, in any format, relative to the study";
     let value = sweep.require(key, hint, reading)?;
     let path = text(value, key, reading)?;
     if path.trim().is_empty() {
@@ -107,12 +107,17 @@ fn rows(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepRows> {
         (None, _) => sampling::sampled(sweep, reading),
         (Some(_), None) => {
             let needless = ["rows", "seed", "vary", "correlation"];
-            let beside = "beside `table`, which has the rows";
+            let beside = "together with `table`, which has the rows";
             refuse_keys(sweep, &needless, beside, reading);
             file_of(sweep, "table", reading).map(SweepRows::Table)
         }
         (Some(_), Some(_)) => {
-            sweep.refuse_unused("table", "beside `sampling`", "keep one of the two", reading);
+            sweep.refuse_unused(
+                "table",
+                "together with `sampling`",
+                "keep one of the two",
+                reading,
+            );
             None
         }
     }

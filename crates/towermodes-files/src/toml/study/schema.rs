@@ -21,13 +21,13 @@ tables! {
 
     /// `[sweep]`.
     SWEEP = "[sweep]":
-        required "base" Text "" "file with the tower that is varied, in any format, relative to the study";
+        required "base" Text "" "file with the base tower, in any format, relative to the study";
         optional "table" Text "" "file with the values, a column for each name: CSV or Parquet";
         optional "sampling" Text "" "in place of table: grid, latin-hypercube, random or sobol";
-        optional "rows" Number "" "number of rows; for a grid leave it out: it is the product of the numbers of levels";
+        optional "rows" Number "" "number of rows; omit it for a grid: the number of rows is the product of the numbers of levels";
         optional "seed" Number "" "another seed gives other values; default 0";
-        optional "vary" Table "" "what varies: names of numbers with their distributions";
-        optional "correlation" Any "" "list of tables, one for each pair of varied numbers that depend on each other";
+        optional "vary" Table "" "what varies: names of input values with their distributions";
+        optional "correlation" Any "" "list of tables, one for each pair of correlated inputs";
         optional "results" Table "" "what is computed and written for each row";
         optional "reading" Table "" "how the file of the tower is read: the options of the command line with the same names, with _ for -";
 
@@ -43,13 +43,13 @@ tables! {
     /// `[[sweep.correlation]]`.
     CORRELATION = "[[sweep.correlation]]":
         required "between" Any "" "a list of two names of [sweep.vary]";
-        optional "coefficient" Number "" "correlation coefficient of two normal numbers without limits, from -1 to 1";
-        optional "score_coefficient" Number "" "correlation coefficient of the normal scores of two numbers with any distributions, from -1 to 1";
+        optional "coefficient" Number "" "correlation coefficient of two normally distributed inputs without limits, from -1 to 1";
+        optional "score_coefficient" Number "" "correlation coefficient of the normal scores of two inputs with any distributions, from -1 to 1";
 
     /// `[sweep.results]`.
     RESULTS = "[sweep.results]":
         optional "modes" Any "" "number of lowest modes of the original tower, or a list of names; default 4";
-        optional "segments" Number "" "number of segments or elements; default 20, with spectral those of the method, with bmodes those of a BModes deck";
+        optional "segments" Number "" "number of segments or elements; default 20; with spectral chosen by the method, with bmodes the elements of a BModes deck";
         optional "method" Text "" "the method of computation; default as of solve";
         optional "rotary_inertia" Flag "" "whether sections have rotary inertia in bending; default true";
         optional "inputs" Flag "" "whether the varied values are columns of the results; default true";

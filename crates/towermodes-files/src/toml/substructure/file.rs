@@ -40,7 +40,7 @@ pub(super) fn frame(table: &Table<'_>, path: &Value<'_>, reading: &mut Reading) 
     for key in schema::SUBSTRUCTURE.key_names() {
         if !BESIDE.contains(&key) {
             let hint = "the file has it: keep one of the two";
-            table.refuse_unused(key, "beside `file`", hint, reading)?;
+            table.refuse_unused(key, "together with `file`", hint, reading)?;
         }
     }
     text(path, "file", reading)?;
@@ -52,11 +52,13 @@ pub(super) fn frame(table: &Table<'_>, path: &Value<'_>, reading: &mut Reading) 
     let input = match reading.substructure_file.take() {
         None => {
             let hint = "write joints and members here";
-            return reading.refuse(mistake("a text has no files beside it").with_hint(hint));
+            return reading
+                .refuse(mistake("a text without a folder cannot refer to files").with_hint(hint));
         }
         Some(Ok(input)) => input,
         Some(Err(ReadError::Unreadable(error))) => {
-            let hint = "it is searched beside the tower file; names may be case-sensitive";
+            let hint =
+                "it is looked for in the folder of the tower file; names may be case-sensitive";
             return reading.refuse(mistake(&error.to_string()).with_hint(hint));
         }
         Some(Err(ReadError::Mistakes {

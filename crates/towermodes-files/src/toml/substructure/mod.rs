@@ -42,7 +42,7 @@ pub(super) fn substructure(
     let floats = floats(root);
     if !floats {
         let hint = "the substructure is what the tower stands on: keep one of the two, or give a foundation of type \"floating\" for a substructure that floats";
-        root.refuse_unused("foundation", "beside [substructure]", hint, reading);
+        root.refuse_unused("foundation", "together with [substructure]", hint, reading);
         let hint = "only a substructure that floats has water planes: give [foundation] with type = \"floating\"";
         table.refuse_unused(
             "water_plane",

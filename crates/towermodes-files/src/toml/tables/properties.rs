@@ -146,7 +146,7 @@ fn column(
 ) -> Option<Vec<f64>> {
     let values = list(value, key, reading)?;
     if let Some(rows) = rows.filter(|&rows| rows != values.len()) {
-        let expected = format!("{rows} as z_m");
+        let expected = format!("{rows}, the number of values in z_m");
         let kind = DiagnosticKind::wrong_count(key, values.len(), expected);
         let hint = "every column has one value for each height";
         return reading.refuse(Diagnostic::new(value.span(), kind).with_hint(hint));

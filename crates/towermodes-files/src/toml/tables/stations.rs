@@ -95,13 +95,14 @@ fn stations_of_file(
     let file = match reading.station_file.take() {
         Some(Ok(file)) => file,
         Some(Err(error)) => {
-            let hint = "it is searched beside the tower file; names may be case-sensitive";
+            let hint =
+                "it is looked for in the folder of the tower file; names may be case-sensitive";
             return reading.refuse(no_station_file(value, &error).with_hint(hint));
         }
         None => {
             let hint =
                 "write them here: stations = [[height, outer diameter, wall thickness], ...]";
-            let mistake = no_station_file(value, &"a text has no files beside it");
+            let mistake = no_station_file(value, &"a text without a folder cannot refer to files");
             return reading.refuse(mistake.with_hint(hint));
         }
     };

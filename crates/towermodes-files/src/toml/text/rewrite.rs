@@ -51,7 +51,9 @@ pub enum WrittenAnew {
         file: String,
     },
     /// More has changed than numbers of the file, or one number of it became two different ones.
-    #[error("no other numbers in the text of the old file describe the new tower")]
+    #[error(
+        "the new tower cannot be described by changing only values in the text of the old file"
+    )]
     Other,
 }
 
@@ -90,7 +92,7 @@ pub fn rewritten(input: &TowerInput, changed: &TowerDescription) -> Rewritten {
             });
             let (text, mut notes) = write_toml_with(changed, own);
             if own.is_none() && turbine.is_some() && input.format == FileFormat::Toml {
-                let message = "nacelle, drivetrain and blades of the turbine are left out: with the changed numbers they are one rigid body";
+                let message = "nacelle, drivetrain and blades of the turbine are omitted: with the changed values they are one rigid body";
                 notes.push(Note::left_out(message));
             }
             Rewritten {

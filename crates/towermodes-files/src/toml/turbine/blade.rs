@@ -66,14 +66,14 @@ fn sections_of_file(
 ) -> Option<Vec<BladeSection>> {
     for (name, _) in [("blade.span", None)].into_iter().chain(COLUMNS) {
         let hint = "keep the file or the lists";
-        table.refuse_unused(key(name), "beside file", hint, reading);
+        table.refuse_unused(key(name), "together with file", hint, reading);
     }
     text(value, "file", reading)?;
     let source = match reading.blade_file.take() {
         Some(Ok(source)) => source,
         Some(Err(error)) => {
             let kind = DiagnosticKind::unreadable("file", &error);
-            let hint = "files are searched beside the tower file";
+            let hint = "files are looked for in the folder of the tower file";
             return reading.refuse(Diagnostic::new(value.span(), kind).with_hint(hint));
         }
         None => {
@@ -123,7 +123,7 @@ fn sections(
     spans: &mut Spans,
     reading: &mut Reading,
 ) -> Option<Vec<BladeSection>> {
-    let hint = "span = [places of the sections from 0 to 1], and a list as long for each other column; or file = \"blade.dat\"";
+    let hint = "span = [positions of the sections from 0 to 1], and a list as long for each other column; or file = \"blade.dat\"";
     let value = table.require("span", hint, reading);
     let places = value.and_then(|value| column(value, "blade.span", None, spans, reading));
     let rows = places.as_ref().map(Vec::len);
@@ -198,8 +198,12 @@ fn column(
     spans.remember(name, value.span());
     let values = list(value, key, reading)?;
     if let Some(rows) = rows.filter(|&rows| rows != values.len()) {
-        let kind = DiagnosticKind::wrong_count(key, values.len(), format!("{rows} as span"));
-        let hint = "every list has one value for each place of span";
+        let kind = DiagnosticKind::wrong_count(
+            key,
+            values.len(),
+            format!("{rows}, the number of values in span"),
+        );
+        let hint = "every list has one value for each position of span";
         return reading.refuse(Diagnostic::new(value.span(), kind).with_hint(hint));
     }
     let entry = match key {

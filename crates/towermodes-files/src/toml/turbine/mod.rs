@@ -60,16 +60,13 @@ pub(super) fn turbine(
 /// Refuses tables that describe the same parts.
 fn check_neighbours(root: &Table<'_>, turbine: &Value<'_>, reading: &mut Reading) {
     let hint = "keep one of the two: the turbine has nacelle, hub and blades";
-    if root
-        .refuse_unused("rna", "beside [turbine]", hint, reading)
-        .is_none()
-    {
+    if root.get("rna").is_some() {
         let message = "[turbine] and [rna] both describe what the tower carries".to_owned();
         let kind = DiagnosticKind::Contradiction(message);
-        reading.mistake(Diagnostic::new(turbine.span(), kind).with_hint("keep one of the two"));
+        reading.mistake(Diagnostic::new(turbine.span(), kind).with_hint(hint));
     }
     let hint = "remove it: generator_inertia, gear_ratio and the blades are in [turbine]";
-    root.refuse_unused("drivetrain", "beside [turbine]", hint, reading);
+    root.refuse_unused("drivetrain", "together with [turbine]", hint, reading);
 }
 
 /// What a user can do who wants the tower below a rotor of two blades.

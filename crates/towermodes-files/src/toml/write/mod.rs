@@ -82,7 +82,7 @@ fn missing_parts(parts: &[MissingPart], writing: &mut Writing) {
     }
     let names: Vec<String> = parts.iter().map(|part| quoted(part.name())).collect();
     writing.line("");
-    writing.line("# WARNING: the source of this tower has parts that are not in this file. The frequencies are those of the rest.");
+    writing.line("# WARNING: the source of this tower has parts that are not in this file. The frequencies are those of the structure without these parts.");
     writing.line("# Remove the next line only after these parts are described below.");
     writing.line(format!("missing_parts = [{}]", names.join(", ")));
 }

@@ -63,7 +63,7 @@ fn shear_stiffness(rows: &[PropertyStation], writing: &mut Writing) {
     }
     if given < rows.len() {
         let message = format!(
-            "{given} of {} rows have a shear stiffness: that of the others is written as nan, which the reader refuses",
+            "{given} of {} rows have a shear stiffness: in the other rows it is written as nan, which the reader refuses",
             rows.len()
         );
         writing.note(message);

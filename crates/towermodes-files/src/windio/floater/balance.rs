@@ -330,7 +330,7 @@ fn note_ends(
     let why = match chosen {
         0 => "as in WISDEM",
         _ if is_wanted => "as wanted",
-        _ => "because the platform is nearer to balance then",
+        _ => "because the platform is then closer to balance",
     };
     let message = format!(
         "members of the floating platform {}, {why}: they displace {cut:.1} m3 cut and {whole:.1} m3 whole; compare with the known mass of the turbine, because frequencies differ by some percent",
@@ -376,7 +376,7 @@ fn ballast_water(hull: &Hull, needed_kg: f64, node: &Node, reading: &mut Reading
 }
 
 fn note_strips(node: &Node, reading: &mut Reading<'_>) {
-    let message = "the added mass of the platform is that of strips of its members (Ca) at all frequencies, without ends but for joints with axial_coeffs: heave can be 20 % and the tower 5 % too high against potential flow";
+    let message = "the added mass of the platform follows from strips of its members (Ca) at all frequencies, without member ends except at joints with axial_coeffs: heave can be 20 % and the tower 5 % too high against potential flow";
     reading.note_at(node.span.start, Note::approximation(message));
 }
 

@@ -41,7 +41,9 @@ pub(super) fn by_diameter(kind: &str, diameter_m: f64) -> Option<(LineType, Stri
             "no chain is made of bars of {diameter_m} m, so this is the diameter of equal volume and the nominal one is {nominal_m:.4} m"
         ),
         (true, false) => {
-            format!("taken as the nominal diameter; that of equal volume is {volume_m:.4} m")
+            format!(
+                "taken as the nominal diameter; the diameter of equal volume is {volume_m:.4} m"
+            )
         }
         (false, _) => "the nominal diameter".to_owned(),
     };

@@ -190,13 +190,13 @@ impl Assembly {
         let missing = missing.join(", ");
         let bodies = bodies.join(", ");
         if self.bodies.is_empty() {
-            reading.note(Note::missing_part("NO ROTOR-NACELLE ASSEMBLY: the file has no mass of it, so the frequencies are those of the bare tower; add [rna] after `convert --to toml`"));
+            reading.note(Note::missing_part("NO ROTOR-NACELLE ASSEMBLY: the file does not give its mass, so the frequencies are those of the tower alone; add [rna] after `convert --to toml`"));
             return;
         }
         let note = match missing.is_empty() {
             true => Note::new(format!("rotor-nacelle assembly: {total:.0} kg ({bodies})")),
             false => Note::missing_part(format!(
-                "INCOMPLETE ROTOR-NACELLE ASSEMBLY: {total:.0} kg ({bodies}); the file has no mass of {missing}, so the frequencies are too high unless the other masses include it; give the whole [rna] after `convert --to toml`"
+                "INCOMPLETE ROTOR-NACELLE ASSEMBLY: {total:.0} kg ({bodies}); the file does not give the mass of {missing}, so the frequencies are too high unless the other masses include it; give the whole [rna] after `convert --to toml`"
             )),
         };
         reading.note_at(self.span.start, note);

@@ -15,7 +15,7 @@ const STRAIGHT: f64 = 1e-6;
 pub(crate) fn missing(outline: &Outline, version: Version, reading: &Reading<'_>) -> Note {
     let blade = outline.components.as_ref().and_then(|c| c.blade.as_ref());
     let Some(blade) = blade else {
-        let message = "components has no blade: the turning turbine needs blades with mass and stiffness; write [turbine] after `convert --to toml`";
+        let message = "components has no blade: the operating turbine needs blades with mass and stiffness; write [turbine] after `convert --to toml`";
         return Note::missing_part(message);
     };
     let Some(stiffness) = blade.stiffness_matrix() else {
@@ -24,13 +24,13 @@ pub(crate) fn missing(outline: &Outline, version: Version, reading: &Reading<'_>
             Version::Two => "structure.elastic_properties.stiffness_matrix",
         };
         return Note::missing_part(format!(
-            "the blade has no {key}: the turning turbine needs the stiffness of its blades; write [turbine] after `convert --to toml`"
+            "the blade has no {key}: the operating turbine needs the stiffness of its blades; write [turbine] after `convert --to toml`"
         ));
     };
     let message = match (blade.axis(), off_axis_m(outline)) {
         (Some(axis), Some(off_m)) => {
             let message = format!(
-                "the axis of the blade is curved, {off_m:.2} m off a straight line: the blades of the turning turbine have straight axes; write [turbine] after `convert --to toml`"
+                "the axis of the blade is curved, {off_m:.2} m off a straight line: the blades of the operating turbine have straight axes; write [turbine] after `convert --to toml`"
             );
             return Note::missing_part(message).at(reading.source, axis.span.start);
         }

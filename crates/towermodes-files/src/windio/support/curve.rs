@@ -62,7 +62,7 @@ impl Curve {
     ) -> Result<Self, Diagnostic> {
         let grid = grid(grid_node, what)?;
         if grid.len() != values.len() {
-            let expected = format!("{} as its grid", grid.len());
+            let expected = format!("{}, the number of values in its grid", grid.len());
             let kind = DiagnosticKind::wrong_count(what, values.len(), expected);
             return Err(Diagnostic::new(values_node.span.clone(), kind)
                 .with_hint("one value for each position of the grid"));

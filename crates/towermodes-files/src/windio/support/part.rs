@@ -278,7 +278,7 @@ fn point_masses(
     let mass_node = node.require("mass", &name)?;
     let (grid, masses) = (grid_node.numbers(&name)?, mass_node.numbers(&name)?);
     if grid.len() != masses.len() {
-        let expected = format!("{} as the grid", grid.len());
+        let expected = format!("{}, the number of values in the grid", grid.len());
         let kind = DiagnosticKind::wrong_count(name, masses.len(), expected);
         return Err(Diagnostic::new(mass_node.span.clone(), kind));
     }

@@ -258,7 +258,7 @@ fn note_sections(part: &Part, reading: &mut Reading<'_>) {
     let table = part.elastic.as_ref().filter(|_| part.layers.is_empty());
     if table.is_some_and(|table| table.rotary.is_none()) {
         reading.note(Note::assumption(format!(
-            "the elastic properties of the {what} have no rotary inertia: that of a thin tube of the outer diameter is used, or none without a diameter"
+            "the elastic properties of the {what} have no rotary inertia: the rotary inertia of a thin tube of the outer diameter is used, or none without a diameter"
         )));
     }
 }

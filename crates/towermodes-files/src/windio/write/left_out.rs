@@ -52,7 +52,7 @@ pub(super) fn notes(description: &TowerDescription) -> Vec<Note> {
         ),
         (
             !d.missing_parts.is_empty(),
-            "the parts of the structure that this model lacks are named in a comment, which no reader sees: results of the written file look complete",
+            "the parts of the structure that this model lacks are named only in a comment, which programs do not read: results of the written file look complete",
         ),
         (true, "the drag coefficient is unknown and written as 0"),
     ];

@@ -45,7 +45,7 @@ pub fn coupled_campbell(coupled: &CoupledCampbell) -> Figure {
     let figure = campbell(&coupled.campbell);
     let proof = proved(coupled);
     Figure {
-        title: "Campbell diagram of the turning turbine: natural frequencies and excitations against rotor speed"
+        title: "Campbell diagram of the operating turbine: natural frequencies and excitations against rotor speed"
             .to_owned(),
         description: format!("{} {STRUCTURE_ONLY} {proof}", figure.description),
         ..figure

@@ -63,7 +63,7 @@ fn notes(modes: &TurbineModes) -> [String; 2] {
         more => format!(" The {more} modes above are not drawn."),
     };
     [
-        "Solid: the largest deflection; dashed: a quarter of a period later, the rotor has turned; thin: the places of tips at all azimuths.".to_owned(),
+        "Solid: the largest deflection; dashed: a quarter of a period later, with the rotor rotated; thin: positions of the tips at all azimuths.".to_owned(),
         format!(
             "Grey: undeformed. From the side and from downwind; the largest deflection is {} % of the tower's height.{left_out}",
             short(100.0 * REACH, 3)

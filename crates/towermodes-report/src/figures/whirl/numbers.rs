@@ -43,7 +43,7 @@ pub(super) fn description(modes: &TurbineModes) -> String {
         false => named.join(", "),
     };
     format!(
-        "Tower and rotor at the largest deflection of each mode and a quarter of a period later, seen from the side and from downwind, in axes that do not turn: {named}."
+        "Tower and rotor at the largest deflection of each mode and a quarter of a period later, seen from the side and from downwind, in the fixed frame: {named}."
     )
 }
 
@@ -54,10 +54,10 @@ pub(super) fn table(modes: &TurbineModes) -> DataTable {
         "frequency (Hz)",
         "tower top x",
         "tower top y",
-        "tips along the shaft: collective",
+        "out-of-plane tip deflection: collective",
         "forward",
         "backward",
-        "tips in the plane of rotation: collective",
+        "in-plane tip deflection: collective",
         "forward",
         "backward",
     ];

@@ -11,7 +11,7 @@ use crate::report::error::ReportError;
 const CHOSEN: usize = 2;
 
 const SCALE: &str = "Height and diameter are to the same scale.";
-const NOMINAL_SCALE: &str = "Heights are to scale; the input has no diameter, so the width is that of a steel tube with the same bending stiffness and a wall thickness of 1/200 of its diameter, to the same scale.";
+const NOMINAL_SCALE: &str = "Heights are to scale; the input has no diameter, so the width shown is the width of a steel tube with the same bending stiffness and a wall thickness of 1/200 of its diameter, to the same scale.";
 
 /// The words of an animation.
 struct Words<'a> {
@@ -40,7 +40,7 @@ pub(super) fn of_tower(data: &AnimationData) -> Result<String, ReportError> {
         instead: "the same shapes are in the figure above.",
         noun: "tower",
         remark: format!(
-            "Grey line: the undeformed tower. {scale} The amplitude of a mode is arbitrary: the largest deflection is the chosen amplitude in percent of the height, or a rotation of three degrees per percent where that is less. All modes are animated at the same frequency. The dashed line is a line on the shell; it shows the rotation of the sections.{bodies}"
+            "Grey line: the undeformed tower. {scale} The amplitude of a mode is arbitrary: the largest deflection is the chosen amplitude in percent of the height, or, for torsion, 3 degrees of rotation per percent of this amplitude if that is less. All modes are animated at the same frequency. The dashed line is a line on the shell; it shows the rotation of the sections.{bodies}"
         ),
     };
     let modes = data.modes.iter();
@@ -53,11 +53,11 @@ pub(super) fn of_turbine(data: &WhirlAnimation) -> Result<String, ReportError> {
     let motion = motion(data);
     let words = Words {
         id: "whirl",
-        title: "Animated modes of the turning turbine",
+        title: "Animated modes of the operating turbine",
         instead: "stills of the same modes are in the figure above.",
         noun: "turbine",
         remark: format!(
-            "{motion} The amplitude of a mode is arbitrary: the largest deflection is the chosen amplitude in percent of the tower's height. Grey lines: the undeformed turbine. Dashed line: the places of the tips at all azimuths; in a whirl this curve runs around the rotor, forward with the rotation or backward against it. The dot marks the tip of the first blade. Widths of blades and the nacelle are nominal."
+            "{motion} The amplitude of a mode is arbitrary: the largest deflection is the chosen amplitude in percent of the tower's height. Grey lines: the undeformed turbine. Dashed line: positions of the tips at all azimuths; in a whirl mode this curve moves around the rotor, forward in the direction of rotation or backward against it. The dot marks the tip of the first blade. The widths of blades and nacelle are nominal."
         ),
     };
     let modes = data.modes.iter();
@@ -141,7 +141,7 @@ fn bodies(bodies: &[Body]) -> String {
         (Substance::Mass, "centres of mass as balls"),
         (
             Substance::Rna,
-            "nacelle, hub and blades in a nominal shape, because the input has no dimensions of them",
+            "nacelle, hub and blades in a nominal shape, because the input does not give their dimensions",
         ),
     ];
     let is_there = |of: Substance| bodies.iter().any(|body| body.of == of);

@@ -7,7 +7,7 @@ use super::paragraph;
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let mut blocks = vec![paragraph(
-        "These are the files that the input was read from, so that the report can be checked and reproduced without other documents. Their \
+        "The input was read from these files; they are included so that the report can be checked and reproduced without other documents. Their \
          sizes and checksums are in the section on reproduction; a file that is copied from here and saved has the same checksum, unless a difference is stated.",
     )];
     blocks.extend(

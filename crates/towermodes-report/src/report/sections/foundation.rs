@@ -128,10 +128,10 @@ fn static_balance(tower: &Tower) -> Vec<Block> {
             "vertical force of the mooring lines (N)",
             force(balance.lines_n),
         ),
-        ("force left in x, y, z (N)", format!("{x}, {y}, {z}")),
-        ("vertical force left, of the weight", share),
+        ("residual force in x, y, z (N)", format!("{x}, {y}, {z}")),
+        ("residual vertical force, fraction of the weight", share),
         (
-            "moment left about x, y, z (N m)",
+            "residual moment about x, y, z (N m)",
             format!("{rx}, {ry}, {rz}"),
         ),
     ];
@@ -149,7 +149,10 @@ fn static_balance(tower: &Tower) -> Vec<Block> {
         true => "equilibrium",
         false => "reference position",
     };
-    facts.push(("mooring lines have the stiffness of the", at.to_owned()));
+    facts.push((
+        "stiffness of the mooring lines applies to the",
+        at.to_owned(),
+    ));
     vec![table(Table::of_facts(&caption, facts))]
 }
 

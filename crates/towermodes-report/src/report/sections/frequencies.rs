@@ -148,7 +148,7 @@ fn errors(solution: &Solution) -> String {
     let source = match solution.method {
         Method::Spectral => {
             "The discretization error is estimated from the change of the frequency from one polynomial degree, or from one element \
-             length, to the next. The frequency is not extrapolated; the table repeats it as the extrapolated frequency."
+             length, to the next. The frequency is not extrapolated: in the column of the extrapolated frequency the table repeats the frequency itself."
                 .to_owned()
         }
         _ => discretization(solution),
@@ -164,7 +164,7 @@ fn discretization(solution: &Solution) -> String {
     let parts = [from_meshes(solution), from_reference(solution)];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     match parts.is_empty() {
-        true => "No estimate of the discretization error was possible; the frequency itself is given in its place."
+        true => "The discretization error could not be estimated; the column of the extrapolated frequency gives the frequency itself."
             .to_owned(),
         false => parts.join(" "),
     }
@@ -179,8 +179,8 @@ fn from_meshes(solution: &Solution) -> Option<String> {
     let others: Vec<String> = others.iter().map(usize::to_string).collect();
     let (own, unit) = (solution.segments, solution.method.unit());
     Some(format!(
-        "The listed frequencies are those with {own} {unit}s. Their discretization error is estimated by comparison with those \
-         with {} {unit}s. The extrapolated frequency is the Richardson extrapolation of these frequencies to zero {unit} length.",
+        "The listed frequencies are computed with {own} {unit}s. Their discretization error is estimated by comparison with the frequencies \
+         for {} {unit}s. The extrapolated frequency is the Richardson extrapolation of these frequencies to zero {unit} length.",
         listed(&others),
     ))
 }
@@ -196,8 +196,8 @@ fn from_reference(solution: &Solution) -> Option<String> {
         _ => format!(" of modes {}", listed(&numbers)),
     };
     Some(format!(
-        "The discretization error{of} is the difference from the reference solution (method spectral), plus the error of that solution. The \
-         extrapolated frequency{of} is that of the reference solution."
+        "The discretization error{of} is the difference from the reference solution (method spectral), plus the error of the reference solution. The \
+         extrapolated frequency{of} is the frequency of the reference solution."
     ))
 }
 

@@ -79,7 +79,7 @@ fn body(content: &ReportContent) -> Vec<Section> {
     let mut explaining = Vec::new();
     if let Some(whole) = &content.turbine {
         let blocks = turbine::blocks(whole);
-        explaining.push(section("turbine", "The turning turbine", blocks));
+        explaining.push(section("turbine", "Turbine with rotating rotor", blocks));
     }
     if let Some(band) = &content.soil_band {
         let blocks = soil_band::blocks(band);

@@ -24,7 +24,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     vec![
         paragraph(format!(
             "Produced by towermodes {}. The same version, command and files give the same report byte by byte: it contains nothing random and no \
-             date except that of --date.",
+             date except the date of --date.",
             content.circumstances.version
         )),
         Block::Code(content.circumstances.command_line.clone()),

@@ -68,7 +68,7 @@ fn question(campbell: &Campbell) -> String {
     let multiples: Vec<String> = campbell.multiples.iter().map(|n| format!("{n}P")).collect();
     if !campbell.speeds_are_known() {
         return format!(
-            "The rotor has {}. Its excitations are the multiples {} of the rotor speed. The table gives where each meets a natural frequency.",
+            "The rotor has {}. Its excitations are the multiples {} of the rotor speed. The table gives the rotor speed at which each excitation crosses a natural frequency.",
             operation_of(campbell),
             multiples.join(", ")
         );

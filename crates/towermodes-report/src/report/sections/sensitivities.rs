@@ -29,8 +29,8 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let figure = figures::tornado(&content.description, influences, &Tolerances::default());
     vec![
         paragraph(
-            "Percent of each frequency per percent of each number of the input (elasticity). A percent of a height is one percent of the \
-             height of the tower. Rows at the same height are a step and move together.",
+            "Elasticity: change of each frequency in percent for a 1 % change of each input value (for a height: 1 % of the \
+             height of the tower). Rows at the same height are a step and move together.",
         ),
         own_picture(figure),
         table(elasticities(influences)),
@@ -42,7 +42,7 @@ fn elasticities(influences: &Influences) -> Table {
     let names: Vec<String> = modes
         .map(|mode| format!("#{} ({} Hz)", mode.label, four_digits(mode.frequency_hz)))
         .collect();
-    let header = ["number", "#value", "unit"].into_iter();
+    let header = ["input", "#value", "unit"].into_iter();
     let mut table = Table::new(
         "Elasticities of the lowest frequencies, the largest first",
         header.chain(names.iter().map(String::as_str)),

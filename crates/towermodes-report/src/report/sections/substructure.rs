@@ -32,9 +32,9 @@ fn parts(foundation: &FrameFoundation) -> Table {
         ("joints", description.joints.len().to_string()),
         ("joints with free rotations", hinged.to_string()),
         ("members", description.members.len().to_string()),
-        ("supports that hold all motions", clamped.to_string()),
+        ("supports that fix all motions", clamped.to_string()),
         (
-            "supports with free or sprung motions",
+            "supports with free motions or springs",
             (description.supports.len() - clamped).to_string(),
         ),
         (
@@ -85,7 +85,7 @@ fn sections(frame: &Frame) -> Table {
         }
     }
     let mut table = Table::new(
-        "Members by section, without growth and water; of a taper from end to end",
+        "Members by section, without growth and water; tapered members from end to end",
         [
             "section",
             "#outer diameter or sides (m)",
@@ -228,7 +228,7 @@ pub(super) fn assumption(foundation: &FrameFoundation) -> String {
     let supports = if description.supports.iter().all(|it| it.is_clamped()) {
         "its supports are clamped"
     } else {
-        "its supports are linear springs, or hold some motions"
+        "its supports are linear springs, or fix some motions"
     };
     format!(
         "The tower stands on the rigid transition piece of a frame of {members}, which vibrate with it; {supports}. {weight}{water}"

@@ -29,7 +29,11 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         None => "Resonance",
     };
     statements.push(resonance(content, lead));
-    statements.push(frequencies(content));
+    let lead = match turbine {
+        Some(_) => "Frequencies with a rigid rotor",
+        None => "Frequencies",
+    };
+    statements.push(frequencies(content, lead));
     statements.push(verification(content));
     blocks.push(Block::Statements(statements));
     let diagram = content.campbell.as_ref().and_then(|of| of.as_ref().ok());
@@ -107,17 +111,17 @@ fn caveat(content: &ReportContent) -> &'static str {
         content.circumstances.model_notes.is_empty(),
     ) {
         (false, _) => {
-            "The model has no rotor-nacelle assembly: the class and the distances are not those of the turbine. "
+            "The model has no rotor-nacelle assembly: the class and the distances do not apply to the turbine. "
         }
         (true, false) => {
-            "The class and the distances are those of the model without the missing parts. "
+            "The class and the distances apply to the model without the missing parts. "
         }
         (true, true) => "",
     }
 }
 
 /// The first mode of each family, and the first of all.
-fn frequencies(content: &ReportContent) -> Statement {
+fn frequencies(content: &ReportContent, lead: &'static str) -> Statement {
     let solution = &content.solution;
     let families = [
         Family::Surge,
@@ -146,7 +150,7 @@ fn frequencies(content: &ReportContent) -> Statement {
         false => "Tower without rotor-nacelle assembly: ",
     };
     Statement {
-        lead: "Frequencies",
+        lead,
         text: format!("{bare}{}.", texts.join("; ")),
         verdict: None,
     }

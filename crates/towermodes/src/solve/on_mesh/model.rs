@@ -18,7 +18,7 @@ use crate::tower::{Motions, Tower};
 /// any member of a jacket in the lowest modes.
 const FRAME_DEGREE: usize = 8;
 
-/// The subsystems of a tower or a blade, with the memory to work on them.
+/// The subsystems of a tower or a blade, with work arrays.
 ///
 /// They are chains or beams, whichever was assembled last: one of the two lists is empty.
 #[derive(Default)]

@@ -49,10 +49,10 @@ impl Problem {
                 "clamp the base, add springs or soil for this motion, or use type = \"floating\""
             }
             Self::GearRatio { .. } => {
-                "turns of the generator per turn of the rotor, for example 97; 1 without a gearbox"
+                "generator speed divided by rotor speed, for example 97; 1 without a gearbox"
             }
             Self::DrivetrainBeyondRna { .. } => {
-                "give [rna] inertia xx with the rotor locked: it contains rotor and generator once each; the generator's inertia is that about its own shaft"
+                "give [rna] inertia xx with the rotor locked: it includes rotor_inertia and generator_inertia once each, without the gear ratio; generator_inertia is about the shaft of the generator"
             }
             Self::CouplingOfRigid => "omit coupling, or give finite lateral and rocking springs",
             Self::SoilPoissonsRatio { .. } => "sand has about 0.3, saturated clay 0.5",

@@ -118,7 +118,7 @@ pub enum Problem {
     },
     /// A third station at one height.
     #[error(
-        "three stations at height {} m; two define a step, a third has no meaning",
+        "three stations at height {} m; two define a step, and a third is not allowed",
         Plain(*.height_m)
     )]
     HeightThrice {
@@ -222,7 +222,7 @@ pub enum Problem {
         value: f64,
     },
     /// A formula for piles that has no form for this profile of the soil.
-    #[error("the formula of {formula} has no form for this profile of the soil")]
+    #[error("the formula of {formula} does not apply to this profile of the soil")]
     ProfileWithoutFormula {
         /// Authors and year.
         formula: &'static str,
@@ -305,7 +305,7 @@ pub enum Problem {
     },
     /// Rows of added mass by frequency that do not rise from above zero.
     #[error(
-        "row {row} of the added mass by frequency is at {} rad/s; it must be finite and above {} rad/s, that of the row before it",
+        "row {row} of the added mass by frequency is at {} rad/s; it must be finite and above {} rad/s, the frequency of the row before it",
         Plain(*.frequency), Plain(*.before)
     )]
     AddedMassFrequencies {
@@ -459,7 +459,7 @@ pub enum Problem {
     },
     /// A tower on a frame that begins below the surface of the ground.
     #[error(
-        "the tower begins at {} m on its substructure, below the surface of the ground at {} m (after scour); the piles belong to the substructure",
+        "the tower begins at {} m on its substructure, below the surface of the ground at {} m (after scour); the piles must be part of the substructure",
         Apart(*.base_m, *.surface_m), Apart(*.surface_m, *.base_m)
     )]
     TowerOnFrameInSoil {
@@ -475,7 +475,7 @@ pub enum Problem {
     #[error("the diameter of the pile is given twice: its tubes have diameters")]
     PileWithTwoDiameters,
     /// A gear ratio that no gearbox has.
-    #[error("the gear ratio is {}; it must be 0.001 to 10 000, or negative for the other way", Plain(*.gear_ratio))]
+    #[error("the gear ratio is {}; it must be 0.001 to 10 000, or negative if the generator rotates in the opposite direction", Plain(*.gear_ratio))]
     GearRatio {
         /// The ratio.
         gear_ratio: f64,

@@ -118,7 +118,7 @@ pub enum FrameWarning {
     },
     /// Moduli that are probably exchanged.
     #[error(
-        "member {name}{}: the shear modulus {} Pa is larger than Young's modulus {} Pa, which no isotropic material has; steel has 8.08e10 and 2.1e11: check whether both are exchanged",
+        "member {name}{}: the shear modulus {} Pa is larger than Young's modulus {} Pa: this is impossible for an isotropic material; steel has 8.08e10 and 2.1e11: check whether both are exchanged",
         and_others(*.others), Plain(*.shear_modulus_pa), Plain(*.youngs_modulus_pa)
     )]
     ShearAboveYoungs {

@@ -12,7 +12,7 @@ pub struct GroundLayer {
     /// How the springs follow from these.
     #[input(Input::choice("model", "the soil model")
         .optional()
-        .note("of the springs, in place of that of [ground]"))]
+        .note("model of the springs, in place of model in [ground]"))]
     pub model: SoilModel,
     /// Height of its upper end in the datum of the stations, m.
     #[input(Input::height("top", "the height of the top of the layer").note("height").hint(HEIGHT))]

@@ -10,7 +10,7 @@ use crate::tower::description::TowerDescription;
 const REFERENCE_PA: f64 = 101.3e3;
 /// The pressure p_a of Robertson & Cabal, Pa.
 const ROBERTSON_PA: f64 = 100e3;
-/// Unit weight of water, for the total stress that a cone resistance is reduced by, N/m³.
+/// Unit weight of water, to compute the total stress subtracted from a cone resistance, N/m³.
 const WATER_N_PER_M3: f64 = 1.0e4;
 const KILO: f64 = 1e3;
 

@@ -37,7 +37,7 @@ pub struct Drivetrain {
     #[input(Input::new("gear_ratio", "", Limit::Finite, "the gear ratio")
         .or(1.0)
         .quiet()
-        .note("turns of the generator per turn of the rotor; 1 by default"))]
+        .note("generator speed divided by rotor speed; 1 by default"))]
     pub gear_ratio: f64,
 }
 

@@ -82,21 +82,21 @@ impl fmt::Display for Ineffective {
                 "a centre of mass without mass has no effect; give the mass"
             }
             Self::UnusedMaterial => {
-                "this material is not used by any station, so it has no effect; name it in the stations made of it"
+                "this material is not used by any station, so it has no effect; name the material in the stations that are made of it"
             }
             Self::SoilOfZeros => "all springs of this soil layer are zero, so it has no effect",
             Self::LayerBelowTip => {
-                "this layer is below the tip of the pile and not next to it, so it has no effect"
+                "this layer is below the tip of the pile, so it has no effect"
             }
             Self::AngleBesideModulus => {
                 "subgrade_modulus takes the place of the friction angle, which has no effect; keep one of the two"
             }
             Self::FactorOfMatlock => {
-                "the strength factor J is of Matlock's resistance and has no effect on reese-stiff-clay, which has a resistance of its own"
+                "the strength factor J is of Matlock's resistance and has no effect on reese-stiff-clay, which has its own formula for the resistance"
             }
             Self::AddedMassOfZeros => "all masses of this table are zero, so it has no effect",
             Self::FloodedBesideFrame => {
-                "flooded is about the stations of the tower, none of which is under water, so it has no effect; members with water inside are listed in flooded of [substructure]"
+                "flooded applies to the stations of the tower, of which none is under water, so it has no effect; members with water inside are listed in flooded of [substructure]"
             }
             Self::WaterOfZeros => {
                 "the added mass coefficient is zero and the tower is not flooded, so the water has no effect"

@@ -37,7 +37,7 @@ pub struct CoupledSpectrum {
     pub frequencies: Vec<CoupledFrequency>,
     /// The limit, Hz.
     pub limit_hz: f64,
-    /// Whether the counts prove that these are all, and that the turbine is stable.
+    /// Whether eigenvalue counts prove that the list is complete and that the turbine is stable.
     ///
     /// Where the stiffness has no negative eigenvalue this is always so. Where it has n, there are
     /// n/2 modes of negative energy, less those that are unstable: if n/2 are found, the list is

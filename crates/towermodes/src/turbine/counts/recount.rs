@@ -10,7 +10,7 @@ use super::super::results::mode::{TurbineMode, TurbineModes};
 /// Modes that counts show where a list has others, or none.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
-    "counts change by {counted} between {from_hz:.6} and {to_hz:.6} Hz, but the list has {listed} there"
+    "the eigenvalue count changes by {counted} between {from_hz:.6} and {to_hz:.6} Hz, but the list has {listed} there"
 )]
 pub struct MissedModes {
     /// Where the interval begins, Hz.

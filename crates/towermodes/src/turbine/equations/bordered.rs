@@ -6,7 +6,7 @@ use crate::scalar::{Complex, Scalar};
 /// Most coordinates: six of the body and two of joints.
 const MOST: usize = 8;
 
-/// A Hermitian matrix with up to two coordinates beside the motion of a body.
+/// A 6×6 Hermitian matrix of a body, bordered by up to two further coordinates.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bordered {
     entries: [[Complex; MOST]; MOST],

@@ -42,7 +42,7 @@ pub(crate) struct Machine {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct MachineFactors {
     pub(crate) rotor: RotorFactors,
-    /// Of the shaft, then of the yaw drive.
+    /// The factors of the joint of the shaft, then of the yaw drive.
     pub(crate) joints: [Bordered; 2],
 }
 
@@ -74,7 +74,7 @@ impl Machine {
         own
     }
 
-    /// The machine for the motion of the tower top in its axes, at a frequency w and a speed Ω,
+    /// The dynamic stiffness of the machine at the tower top, at a frequency w and a speed Ω,
     /// rad/s, with its generator locked or free: K + i w G − w² M with all else eliminated, but for
     /// harmonics of the blades that do not move the hub.
     pub(super) fn seen_from_top(

@@ -21,7 +21,7 @@ use crate::subsystem::{Coefficients, Subsystem};
 /// inertia.
 pub(crate) const UNRESISTED: f64 = 1e-5;
 
-/// The equations of motion of a turbine on a mesh, with the memory to work on them:
+/// The equations of motion of a turbine on a mesh, with work arrays:
 ///
 /// H(w) = K + i w G − w² M,
 ///

@@ -18,9 +18,9 @@ const CLEARLY: f64 = 2.0 / 3.0;
 /// How a blade deflects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum BladeMotion {
-    /// About the edge axis of its sections, mostly downwind.
+    /// Bending normal to the chord (flapwise), mostly downwind.
     Flap,
-    /// About the flap axis of its sections, mostly in the plane of the rotor.
+    /// Bending along the chord (edgewise), mostly in the plane of the rotor.
     Edge,
     /// Twist about its axis.
     Torsion,

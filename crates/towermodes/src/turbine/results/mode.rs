@@ -12,7 +12,7 @@ use crate::scalar::{Complex, Scalar};
 /// A mode of a turbine at a speed of its rotor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TurbineMode {
-    /// Its frequency, with the bounds that counts prove.
+    /// The frequency, with bounds from eigenvalue counts.
     pub frequency: CoupledFrequency,
     /// An estimate of the error of the mesh, Hz: the change of the frequency to a finer one, and
     /// the error of soil springs that are straight between depths; none before
@@ -56,7 +56,8 @@ pub struct TurbineModes {
     pub modes: Vec<TurbineMode>,
     /// The limit, Hz.
     pub limit_hz: f64,
-    /// Whether counts prove that these are all below the limit, and that the turbine is stable; see
+    /// Whether eigenvalue counts prove that the list contains all modes below the limit and that
+    /// the turbine is stable; see
     /// [`CoupledSpectrum::is_complete`](super::super::CoupledSpectrum::is_complete).
     pub is_complete: bool,
     /// Intervals, Hz, in which counts do not exclude two more modes, one of positive and one of

@@ -96,10 +96,10 @@ fn floating(given_platform: &FloatingPlatform, tower: &Tower) -> String {
     };
     let lines = match (&given_platform.mooring_lines, given_platform.at_equilibrium) {
         (Some(_), false) => {
-            " The mooring lines are quasi-static: their stiffness is that at the reference position, their mass is left out."
+            " The mooring lines are quasi-static: their stiffness applies to the reference position, and their mass is neglected."
         }
         (Some(_), true) => {
-            " The mooring lines are quasi-static: their stiffness is that at the equilibrium of weights, buoyancy and lines without wind, their mass is left out."
+            " The mooring lines are quasi-static: their stiffness applies to the equilibrium of weights, buoyancy and lines without wind, and their mass is neglected."
         }
         (None, _) => "",
     };

@@ -60,7 +60,7 @@ fn left_out(content: &ReportContent) -> &'static str {
             "The element of BModes has neither: rotary inertia and shear stiffness of the input are neglected."
         }
         (true, Method::Bmodes, false) => {
-            "The element of BModes has no rotary inertia: that of the input is neglected."
+            "The element of BModes has no rotary inertia: the rotary inertia of the input is neglected."
         }
         (false, Method::Bmodes, true) => {
             "The element of BModes has no shear deformation: the shear stiffness of the input is neglected."

@@ -16,22 +16,22 @@ use crate::svg::Figure;
 use crate::wording::{STRUCTURE_ONLY, proved};
 
 /// What the table of the modes means.
-const MEANING: &str = "Each name is that of one mode. Going up in frequency, a mode gets the part of the turbine whose elastic energy so far exceeds the number of its names by most; \
-     a mode with less than 60 % of its energy in its name shares it with another part. \
-     Counts prove the frequency of the model within the given half-width; the error of the mesh is the change of the frequency to a finer mesh.";
+const MEANING: &str = "Each name is given to one mode only. In the order of rising frequency, each mode is named after the part of the turbine whose accumulated elastic energy exceeds the number of modes already named after it by the largest amount; \
+     a mode with less than 60 % of its energy in the motion of its name is shared with another part. \
+     The bound of the solver error is the half-width of the interval in which eigenvalue counts bracket the frequency; the mesh error is the change of the frequency from this mesh to a finer mesh.";
 
 /// Why a share stands in place of a difference.
-const OTHER_MOTION: &str = "Where a share stands in place of a difference, the mode of this name has less than 60 % of its energy in this motion, which the flexible rotor spreads over several modes, so it is not compared.";
+const OTHER_MOTION: &str = "Where the table gives a share in place of a difference, the flexible rotor spreads this motion over several modes: the mode of this name has less than 60 % of its energy in this motion, so its frequency is not compared.";
 
 /// What the frequencies mean for blades and tower.
-const FRAME: &str = "What acts on the tower with a frequency excites the modes that have it here. On a blade, which turns, a forward whirl has this frequency less the rotor speed, a \
+const FRAME: &str = "A load on the tower at a frequency excites the modes listed at this frequency. On a rotating blade, a forward whirl has this frequency minus the rotor speed, a \
      backward whirl this frequency plus the rotor speed.";
 
 pub(super) fn blocks(whole: &Result<TurbineResults, CoupledError>) -> Vec<Block> {
     let results = match whole {
         Ok(results) => results,
         Err(error) => {
-            let text = format!("The turbine with its turning rotor was not solved: {error}.");
+            let text = format!("The turbine with rotating rotor was not solved: {error}.");
             return vec![paragraph(text)];
         }
     };
@@ -59,13 +59,13 @@ fn diagram(results: &TurbineResults) -> Vec<Block> {
     if !coupled.changes().is_empty() {
         blocks.push(table(tables::changes(coupled)));
         blocks.push(paragraph(
-            "A curve follows a mode by its shape. Where two curves veer and exchange their shapes, they exchange their names too; the diagram marks the places with circles.",
+            "A curve follows a mode by its shape. Where two curves veer and exchange their shapes, they also exchange their names; circles mark these places in the diagram.",
         ));
     }
     if !coupled.meetings.is_empty() {
         blocks.push(table(tables::meetings(coupled)));
         blocks.push(paragraph(
-            "Curves that cross keep their shapes: the modes hardly act on each other. Curves that veer exchange them, and energy flows between the modes.",
+            "Where curves cross, both modes keep their shapes and hardly interact. Where curves veer, the modes exchange their shapes, and energy is transferred between them.",
         ));
     }
     let caption = "Distance of every excitation from every coupled mode";
@@ -77,12 +77,12 @@ fn diagram(results: &TurbineResults) -> Vec<Block> {
 fn what(results: &TurbineResults) -> String {
     let machine = results.turbine.machine();
     let generator = match machine.generator.is_locked {
-        true => "is held at the constant speed",
-        false => "turns freely",
+        true => "has a constant speed",
+        false => "rotates freely",
     };
     format!(
-        "In this section the rotor is flexible and turns: tower, nacelle, drivetrain and {} blades vibrate together, and frequencies are those in axes that do not turn. The \
-         generator {generator}. {STRUCTURE_ONLY} The other sections take the rotor-nacelle assembly as a rigid body.",
+        "In this section the rotor is flexible and rotates: tower, nacelle, drivetrain and {} blades vibrate together; frequencies are given in the non-rotating (fixed) frame. The \
+         generator {generator}. {STRUCTURE_ONLY} The other sections model the rotor-nacelle assembly as a rigid body.",
         machine.blades
     )
 }

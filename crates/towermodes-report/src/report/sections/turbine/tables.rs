@@ -23,7 +23,7 @@ pub(super) fn names(coupled: &CoupledCampbell) -> Table {
     let heads: Vec<String> = heads.collect();
     let columns = ["#no.", "coupled mode"].into_iter();
     let columns = columns.chain(heads.iter().map(String::as_str));
-    let columns = columns.chain(["whirls with"]);
+    let columns = columns.chain(["whirl partner"]);
     let mut table = Table::new("Coupled modes against the rotor speed", columns);
     let is_shown = |name: &TurbineModeName| {
         let mut speeds = speeds.iter();
@@ -83,7 +83,7 @@ pub(super) fn meetings(coupled: &CoupledCampbell) -> Table {
         "Crossings and veerings of the curves",
         [
             "curves",
-            "meet by",
+            "interaction",
             "#rotor speed (rpm)",
             "#f (Hz)",
             "#least distance (Hz)",
@@ -120,8 +120,8 @@ pub(super) fn modes(modes: &TurbineModes) -> Table {
             "#no.",
             "mode",
             "#f (Hz)",
-            "#proved within (Hz)",
-            "#error of the mesh (Hz)",
+            "#bound of the solver error (± Hz)",
+            "#mesh error (Hz)",
             "elastic energy",
         ],
     );
@@ -161,9 +161,9 @@ pub(super) fn against_rigid(rows: &[AgainstRigid], rotor: &Rotor) -> Table {
             "tower mode",
             "#rigid rotor (Hz)",
             "#flexible, at rest (Hz)",
-            "#difference (%)",
+            "#vs rigid (%)",
             &highest,
-            "#difference (%)",
+            "#vs rigid (%)",
         ],
     );
     let hz = |change: Option<Change>| {

@@ -100,7 +100,7 @@ fn figure_mn_per_m3(angle_deg: f64, submerged: bool) -> f64 {
         false => [0.2153, -8.232, 63.657],
     };
     let fit = square * phi * phi + slope * phi + constant;
-    // Below its minimum the parabola rises towards smaller angles, which the figure does not.
+    // Below its minimum the parabola rises towards smaller angles, whereas the figure stays flat.
     let is_below_minimum = 2.0 * square * phi + slope < 0.0;
     // `max` would hide a value that is missing.
     match fit < LEAST_MN_PER_M3 || is_below_minimum {
