@@ -181,7 +181,7 @@ fn read(is_flexible: bool, has_water: bool) -> Result<TowerInput, ReadError> {
     };
     match read_source(source, &files, &ReadOptions::default())? {
         Input::Tower(input) => Ok(*input),
-        Input::Blade(_) | Input::Substructure(_) => panic!("no tower"),
+        Input::Blade(_) | Input::Substructure(_) | Input::Mooring(_) => panic!("no tower"),
     }
 }
 

@@ -27,7 +27,9 @@ fn read(path: &str, is_dry: bool, options: &ReadOptions) -> Option<TowerInput> {
     }
     match read_source(source, &SiblingFiles::of(&path), options) {
         Ok(Input::Tower(input)) => Some(*input),
-        Ok(Input::Blade(_) | Input::Substructure(_)) => panic!("{}: no tower", path.display()),
+        Ok(Input::Blade(_) | Input::Substructure(_) | Input::Mooring(_)) => {
+            panic!("{}: no tower", path.display())
+        }
         Err(error) => panic!("{}: {error}", path.display()),
     }
 }

@@ -28,7 +28,7 @@ fn tower_of(path: &Path) -> Option<TowerInput> {
         let source = Source::from_path(path).ok()?;
         match read_source(source, &SiblingFiles::of(path), &options).ok()? {
             Input::Tower(tower) => Some(*tower),
-            Input::Blade(_) | Input::Substructure(_) => None,
+            Input::Blade(_) | Input::Substructure(_) | Input::Mooring(_) => None,
         }
     })
 }

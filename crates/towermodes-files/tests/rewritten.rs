@@ -64,7 +64,9 @@ fn read_or_refused(text: &str, files: &InMemory) -> Result<TowerInput, String> {
     let source = source("tower.toml", text);
     match read_source(source, files, &ReadOptions::default()) {
         Ok(Input::Tower(input)) => Ok(*input),
-        Ok(Input::Blade(_) | Input::Substructure(_)) => Err("it is no tower".to_owned()),
+        Ok(Input::Blade(_) | Input::Substructure(_) | Input::Mooring(_)) => {
+            Err("it is no tower".to_owned())
+        }
         Err(error) => Err(error.to_string()),
     }
 }

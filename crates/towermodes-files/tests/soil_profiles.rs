@@ -85,7 +85,7 @@ fn read_with(tower: &str, table: &str) -> Result<TowerInput, ReadError> {
     };
     match read_source(source, &files, &ReadOptions::default())? {
         Input::Tower(tower) => Ok(*tower),
-        Input::Blade(_) | Input::Substructure(_) => panic!("no tower"),
+        Input::Blade(_) | Input::Substructure(_) | Input::Mooring(_) => panic!("no tower"),
     }
 }
 

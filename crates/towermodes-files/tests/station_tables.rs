@@ -52,7 +52,7 @@ fn read_with(tower: &str, table: &str) -> Result<TowerInput, ReadError> {
     let read = read_source(source, &InMemory { files }, &ReadOptions::default())?;
     match read {
         Input::Tower(tower) => Ok(*tower),
-        Input::Blade(_) | Input::Substructure(_) => panic!("no tower"),
+        Input::Blade(_) | Input::Substructure(_) | Input::Mooring(_) => panic!("no tower"),
     }
 }
 

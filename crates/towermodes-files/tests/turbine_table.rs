@@ -67,7 +67,7 @@ fn source(text: &str) -> Source {
 fn read_with(text: &str, files: &InMemory, options: &ReadOptions) -> Result<TowerInput, ReadError> {
     match read_source(source(text), files, options)? {
         Input::Tower(tower) => Ok(*tower),
-        Input::Blade(_) | Input::Substructure(_) => panic!("no tower"),
+        Input::Blade(_) | Input::Substructure(_) | Input::Mooring(_) => panic!("no tower"),
     }
 }
 

@@ -42,7 +42,7 @@ fn survives(
     };
     let error = match result {
         Ok(Input::Tower(input)) => input.tower().err(),
-        Ok(Input::Blade(_) | Input::Substructure(_)) => None,
+        Ok(Input::Blade(_) | Input::Substructure(_) | Input::Mooring(_)) => None,
         Err(error) => Some(error),
     };
     error.map_or(Ok(()), |error| is_inside_its_file(&error))

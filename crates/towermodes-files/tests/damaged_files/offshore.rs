@@ -137,7 +137,7 @@ fn survives(model: &Model, file: usize, damages: &[Damage]) -> Result<(), TestCa
     let result = read_source(main, &others as &dyn FileResolver, &ReadOptions::default());
     let tower = result.and_then(|input| match input {
         Input::Tower(input) => input.tower().map(Some),
-        Input::Blade(_) | Input::Substructure(_) => Ok(None),
+        Input::Blade(_) | Input::Substructure(_) | Input::Mooring(_) => Ok(None),
     });
     match tower {
         Ok(Some(tower)) => {

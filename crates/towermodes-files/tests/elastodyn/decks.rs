@@ -118,7 +118,9 @@ fn gravity_may_be_left_out_of_any_file() {
         let input = read_source(source("t.toml", toml), &InMemory::default(), options);
         match input.expect("a tower") {
             towermodes_files::Input::Tower(tower) => tower.description.gravity_m_per_s2,
-            towermodes_files::Input::Blade(_) | towermodes_files::Input::Substructure(_) => {
+            towermodes_files::Input::Blade(_)
+            | towermodes_files::Input::Substructure(_)
+            | towermodes_files::Input::Mooring(_) => {
                 panic!("no tower")
             }
         }

@@ -107,7 +107,7 @@ impl Model<'_> {
         };
         match read_source(source("model.fst", fst), &files, &self.options)? {
             Input::Tower(input) => Ok(input),
-            Input::Blade(_) | Input::Substructure(_) => panic!("no tower"),
+            Input::Blade(_) | Input::Substructure(_) | Input::Mooring(_) => panic!("no tower"),
         }
     }
 
