@@ -379,7 +379,7 @@ fn a_missing_line_is_noticed_where_it_is_missing() {
 fn a_line_too_many_is_noticed() {
     main_all_refused(
         r#"
-        A small tower\n | A small tower\nof steel\n | 5 | Echo & `---` & too many
+        A small tower\n | A small tower\nof steel\n | 5 | Echo & `---` & an extra line
         80.0      radius | # height\n80.0      radius | 9 | radius & too many
         --- Tip mass ---\n | --- Tip\nmass ---\n | 19 | tip_mass & `mass`
         "#,

@@ -104,7 +104,7 @@ fn other_files_are_said_to_be_other_files() {
     for (text, message) in [
         ("", "the file is empty"),
         ("[tower]\n", "a tower file"),
-        ("[sweep]\n", "the study of a sweep"),
+        ("[sweep]\n", "a sweep study"),
         ("[design]\n", "[design] has no `variables`"),
     ] {
         let found = first_mistake(read(text).expect_err("a mistake"), text);

@@ -265,7 +265,9 @@ fn models_on_the_ground_have_the_frequencies_of_an_independent_program_with_wate
         let found = frequencies(weighed(&input, false), 8);
         assert_close(model.path, &found, expected, tolerances);
         let found = frequencies(weighed(&input, true), 8);
-        assert_close(model.path, &found, model.weighed, [1e-4; 2]);
+        // The reference program leaves out forces in rigid links, which lower the first modes of
+        // the jacket, whose interface joints are 2 m below its reference point, by 1e-4.
+        assert_close(model.path, &found, model.weighed, [2e-4; 2]);
     }
 }
 

@@ -331,7 +331,7 @@ fn what_only_the_tower_shows_is_shown_in_the_table() {
         (4, 17),
         &[
             "outer diameter 5 m is less than twice the wall thickness 3 m",
-            "the column's header",
+            "the header of the column",
         ],
     );
     let falling = "height_m,diameter_m,wall_m\n0,6,0.03\n50,5,0.03\n40,4,0.02\n";

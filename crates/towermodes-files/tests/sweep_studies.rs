@@ -170,7 +170,7 @@ fn correlations_that_are_wrong() {
         score_coefficient = 0.5 | score_coeficient = 0.5 | 14:1 | did you mean `score_coefficient`?
         score_coefficient = 0.5 | score_coefficient = 1.5 | 12:1 | it must be from -1 to 1
         score_coefficient = 0.5 | score_coefficient = nan | 14:21 | NaN
-        score_coefficient = 0.5 | coefficient = 0.5 | 12:1 | `rna.mass` is not one; give `score_coefficient`
+        score_coefficient = 0.5 | coefficient = 0.5 | 12:1 | `rna.mass` does not have one; give `score_coefficient`
         score_coefficient = 0.5 | score_coefficient = 0.5\ncoefficient = 0.5 | 15:15 | `coefficient` has no effect together with `score_coefficient`
         { normal = [1.0, 0.02] } | { triangular = [0.95, 1.0, 1.05] } | 9:31 | write { normal = [mean, deviation], truncated = [lowest, highest] }
         "material.density", "material.youngs_modulus" | "material.density", "rna.mass" | 15:1 | is given twice
@@ -378,7 +378,7 @@ fn names_are_found_in_the_base() {
     assert_eq!(good[2].name(), "scale(stations[*].wall)");
     let wrong = GOOD.replace("\"rna.mass\"", "\"rna.mas\"");
     let error = changes(&wrong).expect_err("no such number").to_string();
-    error.begins("study.toml:7:1: `rna.mas` is not a number");
+    error.begins("study.toml:7:1: unknown input name `rna.mas`");
     error.says("did you mean `rna.mass`?");
     let twice = GOOD.replace("\"rna.center[2]\"", "\"set(rna.mass)\"");
     let error = changes(&twice).expect_err("set twice").to_string();

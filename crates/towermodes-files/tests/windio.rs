@@ -270,7 +270,7 @@ fn what_the_assembly_lacks_is_said() {
         &input,
         "INCOMPLETE ROTOR-NACELLE ASSEMBLY: 100000 kg"
     ));
-    assert!(has_note(&input, "no mass of hub, blades"));
+    assert!(has_note(&input, "does not give the mass of hub, blades"));
     missing_parts(&input).says("INCOMPLETE");
     assert!(!missing_parts(&input).contains("shear modulus"));
     let drivetrain = "    drivetrain:";

@@ -173,7 +173,7 @@ fn blades_of_beamdyn_need_no_blade_file() {
     assert_eq!(input.description.missing_parts, [MissingPart::Blades]);
     assert!(input.blade.is_none() && input.turbine.is_none());
     let reason = input.turbine_missing.clone().expect("a reason").to_string();
-    reason.says("the blades are those of BeamDyn");
+    reason.says("the blades are defined in BeamDyn");
     let tower = input.tower().expect("a tower");
     let missing = tower.missing_parts().expect("blades").to_string();
     assert_eq!(missing, "the mass of the blades is not in this model");

@@ -20,12 +20,9 @@ pub enum WindIoWriteError {
     },
     /// What carries the tower would be lost, and the written tower would look clamped.
     #[error(
-        "the tower stands on {carrier}, which is not written in windIO: to write the tower alone, read the file with --clamped, or give a tower file [foundation] type = \"clamped\""
+        "the tower stands on a substructure of members, which this program does not write in windIO: to write the tower alone, read the file with --clamped, or delete [substructure] in the tower file"
     )]
-    Carried {
-        /// What carries the tower.
-        carrier: &'static str,
-    },
+    OnFrame,
     /// The tower is not the one of the description.
     #[error("the description has neither stations nor properties")]
     NoSections,

@@ -5,7 +5,7 @@ mod left_out;
 mod sections;
 mod yaml_text;
 
-use towermodes::{Foundation, PointMass, Rna, Rotor, Tower, TowerDescription};
+use towermodes::{PointMass, Rna, Rotor, Tower, TowerDescription};
 
 use super::machine::rna::WHOLE_ASSEMBLY;
 use crate::note::Note;
@@ -26,8 +26,8 @@ pub fn write_windio(
     tower: &Tower,
     description: &TowerDescription,
 ) -> Result<(String, Vec<Note>), WindIoWriteError> {
-    if let Some(carrier) = carrier(&description.foundation) {
-        return Err(WindIoWriteError::Carried { carrier });
+    if description.foundation.frame().is_some() {
+        return Err(WindIoWriteError::OnFrame);
     }
     let mut notes = left_out::notes(description);
     let axis = Axis::new(tower.base_m(), tower.top_m(), &tower.station_heights_m())?;
@@ -59,13 +59,6 @@ pub fn write_windio(
         None => text,
     };
     Ok((text, notes))
-}
-
-/// What carries a tower and has no form here: without it the frequencies are those of another
-/// structure.
-fn carrier(foundation: &Foundation) -> Option<&'static str> {
-    let members = foundation.frame().map(|_| "a substructure of members");
-    members.or_else(|| foundation.floating().map(|_| "a floating platform"))
 }
 
 /// The component `tower`, and the materials that it uses.
