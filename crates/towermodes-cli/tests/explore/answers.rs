@@ -311,7 +311,7 @@ fn towers_taken_away_say_what_they_lack() {
     );
     assert_eq!(lacks.len(), 2);
     lacks[0].begins("Comments of the old file are left out, because ");
-    lacks[1].says("blades of the turbine are left out");
+    lacks[1].says("blades of the turbine are omitted");
     file.begins("# From examples/nrel-5mw-turbine.toml by towermodes explore.\n# Comments");
     file.says(&format!("\n# {}\n", lacks[1]));
     let (file, lacks) = taken("examples/nrel-5mw.bmi", json!({}));

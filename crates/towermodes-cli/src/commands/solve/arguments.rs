@@ -24,7 +24,7 @@ macro_rules! examples {
   towermodes solve IEA-15-240-RWT.yaml --part tower --no-rna
   towermodes solve examples/*.toml --output frequencies.csv
   towermodes solve examples/tripod_SubDyn.dat --method subdyn
-  towermodes solve MoorDyn.dat
+  towermodes solve examples/spar_MoorDyn.dat
 
 Exit codes: 0 done, 1 the computation or the output failed, 2 wrong usage or wrong input."
     };
