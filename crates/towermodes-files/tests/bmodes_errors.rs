@@ -379,8 +379,8 @@ fn a_missing_line_is_noticed_where_it_is_missing() {
 fn a_line_too_many_is_noticed() {
     main_all_refused(
         r#"
-        A small tower\n | A small tower\nof steel\n | 5 | Echo & `---` & an extra line
-        80.0      radius | # height\n80.0      radius | 9 | radius & too many
+        A small tower\n | A small tower\nof steel\n | 5 | Echo & `---` & extra line
+        80.0      radius | # height\n80.0      radius | 9 | radius & extra line
         --- Tip mass ---\n | --- Tip\nmass ---\n | 19 | tip_mass & `mass`
         "#,
     );

@@ -192,7 +192,7 @@ fn a_table_that_is_needed_may_not() {
         &LAYERED[to..]
     );
     let error = read_with(&text, &ReadOptions::default()).expect_err("no table");
-    error.says("7 values instead of 11");
+    error.says("11, the number of values in its grid");
 }
 
 #[test]

@@ -253,7 +253,7 @@ fn a_large_shift_of_the_mean_is_a_doubt() {
     let percent = format!("{:.0} % of its standard deviation", 100.0 * shift / 0.2);
     said[0].begins("fore-aft 1: the curvature moves the mean by 0.0");
     assert!(said[0].contains(&percent), "{said:?} {percent}");
-    said[0].ends("not to be trusted; solve rows");
+    said[0].ends("not reliable; solve rows");
 }
 
 /// The exact mean and deviation of the lognormal frequency of the same tower, of which the first

@@ -315,7 +315,7 @@ fn a_slice_that_is_not_whole_is_refused() {
         let slices = Slices::open(&sweep, &source, std::slice::from_ref(&path));
         let error = slices.expect("a header").each(&mut |_| {});
         let error = error.expect_err("not whole").to_string();
-        let is_named = error.contains("slice.csv is not whole: ");
+        let is_named = error.contains("slice.csv is incomplete: ");
         assert!(is_named && error.contains(expected), "{error}");
         error.ends("--rows 100..200");
     }

@@ -64,7 +64,7 @@ impl fmt::Display for DampingRemark {
                 };
                 write!(
                     f,
-                    "the damping of the {name} is not included: no loss factor is given, although the {name} has {} % of the {energy} energy of the {mode}",
+                    "the damping of the {name} is not included: no loss factor is given, although {} % of the {energy} energy of the {mode} is in the {name}",
                     four_digits(100.0 * fraction)
                 )
             }

@@ -145,10 +145,9 @@ impl fmt::Display for Remark {
                     format!("the {bound} bound {} of {name}", Rounded(*value))
                 });
                 let bounds: Vec<String> = bounds.collect();
-                let are = if bounds.len() == 1 { "is" } else { "are" };
                 write!(
                     f,
-                    "{mode} is not explained: {} Hz was measured, {} Hz is fitted ({residual:+.1} standard deviations), and {} {are} in the way",
+                    "{mode} is not explained: {} Hz was measured, {} Hz is fitted ({residual:+.1} standard deviations), limited by {}",
                     Rounded(*measured_hz),
                     Rounded(*fitted_hz),
                     listed(&bounds)

@@ -128,7 +128,7 @@ fn a_bound_that_is_reached_is_said() {
     let said = remarks(&result).join("\n");
     said.says("foundation.rocking is at its lower bound 5e10");
     said.says("fore-aft 1 is not explained: 0.2 Hz was measured, 0.2");
-    said.says("and the lower bound 5e10 of foundation.rocking is in the way");
+    said.says("limited by the lower bound 5e10 of foundation.rocking");
     said.says("the residuals are larger than the standard deviations allow");
 }
 

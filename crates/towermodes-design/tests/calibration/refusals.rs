@@ -178,7 +178,7 @@ fn a_frequency_that_cannot_be_reached_is_refused_with_the_nearest() {
     assert_eq!(error.measurement(), Some(0));
     let said = error.to_string();
     said.says("give the measured frequency of fore-aft 1, 5 Hz; the nearest frequency is 0.2");
-    said.says("with the upper bound 1e12 of foundation.rocking in the way");
+    said.says("limited by the upper bound 1e12 of foundation.rocking");
 }
 
 fn with_value(base: &TowerDescription, name: &str, value: f64) -> TowerDescription {

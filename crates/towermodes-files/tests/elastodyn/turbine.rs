@@ -124,7 +124,7 @@ fn a_rotor_that_the_user_frees_has_a_free_generator() {
 #[test]
 fn a_model_that_makes_no_turbine_says_why() {
     let table = r#"
-        NumBl 2 & HubIner_Teeter 600 | main.dat:45: a rotor of 2 blades is not supported: seen from the tower, its inertia and stiffness vary periodically, which would need Floquet theory; the number of blades must be
+        NumBl 2 & HubIner_Teeter 600 | main.dat:45: a rotor of 2 blades is not supported: seen from the tower, its inertia and stiffness vary periodically, which would need Floquet theory; the number of blades must be 3 or more
         NumBl 2 & HubIner_Teeter 600 & TeetDOF True | the number of blades must be 3 or more; teeter (TeetDOF) is not supported either
         Furling True | Furling is True: a furling rotor and tail (FurlFile) are not supported; for the frequencies of the turbine Furling must be False
         PreCone(3) -2.5 | main.dat:50: PreCone(3) is -2.5 degrees and PreCone(1) is 0 degrees: different blades are not supported; both must be equal

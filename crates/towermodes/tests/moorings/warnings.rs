@@ -39,7 +39,7 @@ fn slack_lines_are_told() {
     slack.lines[1].length_m = 1200.0;
     let warnings = warnings(&slack);
     assert_eq!(warnings.len(), 1, "{warnings:?}");
-    warnings[0].begins("line 2 is slack: its length of 1200 m is more than");
+    warnings[0].begins("line 2 is slack: its length of 1200 m exceeds");
 }
 
 /// Each warning with the numbers: a change of the lines of Hywind and what is said of it first.
