@@ -162,7 +162,8 @@ fn refusals_name_their_numbers() {
     explorer.is_well();
 }
 
-/// The names of the sheet are those of `parameters`, but those of the assembly of a turbine, and each value is between its ends.
+/// The names of the sheet are those of `parameters`, except those of the assembly of a turbine, and
+/// each value is between its ends.
 #[test]
 fn sliders_are_the_numbers_of_the_tower() {
     for tower in TOWERS {
@@ -218,9 +219,10 @@ fn elasticities_are_those_of_sensitivities() {
     assert!(compared > 10, "{compared}");
 }
 
-/// A factor on a whole column is that of `sensitivities`: one on heights is no sum of heights, whose
-/// percent are percent of the height of the tower, and rows of a step move together. Where the
-/// heights of a tower in soil can be scaled in one direction only, there is none.
+/// The elasticity of a factor on a whole column is that of `sensitivities`: that of the heights is
+/// no sum over stations, whose percent are percent of the height of the tower, and rows of a step
+/// move together. Where the heights of a tower in soil can be scaled in one direction only, there
+/// is none.
 #[test]
 fn elasticities_of_columns_are_those_of_factors() {
     for (tower, height) in [
