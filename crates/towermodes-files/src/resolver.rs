@@ -17,12 +17,16 @@ pub trait FileResolver {
 
 /// A path that is relative to a folder, as seen from where the folder is.
 pub(crate) fn beside(folder: &str, path: &str) -> String {
-    let is_absolute = path.starts_with(['/', '\\']) || path.chars().nth(1) == Some(':');
-    if is_absolute || folder.is_empty() {
+    if is_absolute(path) || folder.is_empty() {
         path.to_owned()
     } else {
         format!("{folder}/{path}")
     }
+}
+
+/// Whether a path is absolute, here or on Windows.
+fn is_absolute(path: &str) -> bool {
+    path.starts_with(['/', '\\']) || path.chars().nth(1) == Some(':')
 }
 
 /// Regular files on disk, relative to the folder of the main file or to the current folder.
@@ -42,7 +46,8 @@ impl SiblingFiles {
     /// path relative to the folder of the main file; the file name alone in that folder, because
     /// decks are often copied without their subfolders; the path relative to the current folder.
     /// If none of them exists, the first one is searched with other capital letters, because decks
-    /// written on Windows do not distinguish them.
+    /// written on Windows do not distinguish them. Of an absolute path of another machine the
+    /// folders are left out one by one, from the left.
     pub fn path(&self, path: &str) -> PathBuf {
         let relative: PathBuf = path.split(['/', '\\']).collect();
         let relative = if path.starts_with('/') {
@@ -55,7 +60,21 @@ impl SiblingFiles {
         let candidates = [Some(named.clone()), beside, Some(relative.clone())];
         let found = candidates.into_iter().flatten().find(|path| path.is_file());
         let found = found.or_else(|| ignoring_case(&self.folder, &relative));
+        let found = found.or_else(|| self.end_of(path, &relative));
         found.unwrap_or(named)
+    }
+
+    /// The file at the longest end of an absolute path that there is in the folder.
+    fn end_of(&self, path: &str, relative: &Path) -> Option<PathBuf> {
+        if !is_absolute(path) {
+            return None;
+        }
+        let mut parts = relative.components();
+        std::iter::from_fn(|| {
+            parts.next()?;
+            Some(self.folder.join(parts.as_path()))
+        })
+        .find(|path| path.is_file())
     }
 }
 

@@ -155,7 +155,7 @@ impl Source {
         Self::from_bytes(name, bytes)
     }
 
-    /// The text of a file whose bytes are known, in UTF-8 or Latin-1.
+    /// The text of a file whose bytes are known, in UTF-8, Latin-1, or UTF-16 with a mark.
     ///
     /// # Errors
     /// [`FileError`].
@@ -163,16 +163,19 @@ impl Source {
         if bytes.len() as u64 > MAX_FILE_BYTES {
             return Err(FileError::TooLarge { name });
         }
-        let source = match String::from_utf8(bytes) {
-            Ok(text) => Self { name, text },
+        let text = match String::from_utf8(bytes) {
+            Ok(text) => text,
             Err(error) => {
                 let byte = error.utf8_error().valid_up_to();
-                match latin1(error.as_bytes()) {
-                    Some(text) => Self { name, text },
+                let bytes = error.as_bytes();
+                match utf16(bytes).or_else(|| latin1(bytes)) {
+                    Some(text) => text,
                     None => return Err(FileError::NotText { name, byte }),
                 }
             }
         };
+        let text = with_line_feeds(text);
+        let source = Self { name, text };
         source.check_is_itself()?;
         Ok(source)
     }
@@ -251,10 +254,41 @@ fn latin1(bytes: &[u8]) -> Option<String> {
     bytes.iter().all(is_text).then(text)
 }
 
+/// The text of bytes in UTF-16, which some shells of Windows write, with a byte order mark.
+fn utf16(bytes: &[u8]) -> Option<String> {
+    let (mark, rest) = bytes.split_first_chunk::<2>()?;
+    let unit: fn([u8; 2]) -> u16 = match mark {
+        [0xff, 0xfe] => u16::from_le_bytes,
+        [0xfe, 0xff] => u16::from_be_bytes,
+        _ => return None,
+    };
+    let (pairs, odd) = rest.as_chunks::<2>();
+    let units: Vec<u16> = pairs.iter().map(|pair| unit(*pair)).collect();
+    let text = String::from_utf16(&units).ok();
+    text.filter(|text| odd.is_empty() && !text.contains('\0'))
+}
+
+/// A text whose lines end in a carriage return alone, with line feeds in their place.
+fn with_line_feeds(text: String) -> String {
+    match text.contains('\r') && !text.contains('\n') {
+        true => text.replace('\r', "\n"),
+        false => text,
+    }
+}
+
 /// The bytes of a text that was made of a file with these bytes, in the encoding of that file.
 pub fn encoded_as(text: &str, original: &[u8]) -> Vec<u8> {
     if std::str::from_utf8(original).is_ok() {
         return text.as_bytes().to_vec();
+    }
+    if utf16(original).is_some() {
+        let is_little = original.starts_with(&[0xff, 0xfe]);
+        let units = std::iter::once(0xfeff).chain(text.encode_utf16());
+        let pairs = units.map(|unit: u16| match is_little {
+            true => unit.to_le_bytes(),
+            false => unit.to_be_bytes(),
+        });
+        return pairs.flatten().collect();
     }
     let latin1 = text.chars().map(|c| u8::try_from(u32::from(c)));
     let latin1: Result<Vec<u8>, _> = latin1.collect();
@@ -275,9 +309,21 @@ mod tests {
             encoded_as("\u{fc}", "\u{fc}".as_bytes()),
             "\u{fc}".as_bytes()
         );
-        for binary in [&b"\xff\xfe1\0"[..], b"\0\xff", b"\x7f\x80"] {
+        for binary in [&b"\xff\xfe1\0x"[..], b"\xff\xfe\0\0", b"\0\xff", b"\x7f\x80"] {
             assert!(Source::from_reader("deck".into(), binary).is_err());
         }
+    }
+
+    #[test]
+    fn other_encodings_and_line_ends_are_read() {
+        let text = |bytes: &[u8]| Source::from_reader("deck".into(), bytes).expect("text").text;
+        assert_eq!(text(b"\xff\xfe1\0\r\0\n\0\xb0\0"), "1\r\n\u{b0}");
+        assert_eq!(text(b"\xfe\xff\0\x31\0\n"), "1\n");
+        for bytes in [&b"\xff\xfe1\0\xb0\0"[..], b"\xfe\xff\0\x31\0\n"] {
+            assert_eq!(encoded_as(&text(bytes), bytes), bytes);
+        }
+        assert_eq!(text(b"1 NumBl\r2 x\r"), "1 NumBl\n2 x\n");
+        assert_eq!(text(b"1\r\n2\r3\n"), "1\r\n2\r3\n");
     }
 
     #[test]

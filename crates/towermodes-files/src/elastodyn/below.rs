@@ -14,7 +14,9 @@ use super::main_input::main_file::MainFile;
 use super::names::line_of;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
-use crate::hydrodyn::{HydrodynInput, HydrodynPlatform, WaterDefaults, read_hydrodyn, read_water};
+use crate::hydrodyn::{
+    HydrodynInput, HydrodynPlatform, read_hydrodyn, read_water, water_of_fst,
+};
 use crate::input::ReadOptions;
 use crate::mooring::{MooringInput, MooringSite, read_map, read_moordyn};
 use crate::note::Note;
@@ -88,10 +90,11 @@ impl<'a> Model<'a> {
     /// That the file cannot be read: without it the model is another structure.
     fn file(&self, module: &str, names: &[&str]) -> Result<Option<Found<'a>>, ReadError> {
         let lines = names.iter();
-        let Some(named) = lines.clone().find_map(|name| {
-            let line = line_of(&self.fst.text, name)?;
-            line.first()
-        }) else {
+        let Some(line) = lines.clone().find_map(|name| line_of(&self.fst.text, name)) else {
+            return Ok(None);
+        };
+        let named = line.file_name(names[0]);
+        let Some(named) = named.map_err(|mistake| ReadError::mistake(self.fst, mistake))? else {
             return Ok(None);
         };
         let path = named.text.trim();
@@ -273,7 +276,7 @@ impl<'a> Model<'a> {
         let Some(file) = self.file("CompHydro", &["HydroFile", "HDFile"])? else {
             return Ok(None);
         };
-        let mut defaults = read_water(self.fst, WaterDefaults::default())?;
+        let mut defaults = water_of_fst(self.fst)?;
         if is_on(self.fst, "CompSeaSt")
             && let Some(sea) = self.file("CompSeaSt", &["SeaStFile"])?
         {

@@ -13,6 +13,7 @@ use super::machine::controller::{OperatingSpeeds, operating_speeds};
 use super::machine::lump;
 use super::machine::rotor;
 use super::machine::servodyn::{YawSpring, yaw_spring};
+use super::machine::structural_control::structural_controls;
 use super::machine::turbine;
 use super::machine::turbine::Parts;
 use super::main_input::main_file::MainFile;
@@ -90,6 +91,8 @@ struct Model {
     yaw: Option<YawSpring>,
     /// The operating speeds, if there is an `.fst` file.
     speeds: Option<OperatingSpeeds>,
+    /// The notes on structural controls.
+    controls: Vec<Note>,
     below: Below,
 }
 
@@ -125,6 +128,8 @@ impl Model {
         let yaw = yaw.map(|fst| yaw_spring(fst, files));
         let speeds = found.fst.as_ref();
         let speeds = speeds.map(|fst| operating_speeds(fst, &main, files));
+        let controls = found.fst.as_ref();
+        let controls = controls.map_or_else(Vec::new, |fst| structural_controls(fst, files));
         let below = match &found.fst {
             Some(fst) if !options.clamped => below(fst, &main, files, options)?,
             _ => Below::default(),
@@ -138,6 +143,7 @@ impl Model {
             reading,
             blades,
             yaw,
+            controls,
         })
     }
 
@@ -234,6 +240,7 @@ impl Model {
     fn notes(&self, ends: Ends, options: &ReadOptions) -> Vec<Note> {
         let main = &self.main;
         let mut notes = self.found.notes.clone();
+        notes.extend_from_slice(&self.controls);
         if let Some(fst) = &self.found.fst {
             notes.extend(fst::notes(fst, main, &self.below.parts, options.clamped));
         }

@@ -28,7 +28,8 @@ fn name_on<'a>(line: &Line<'a>) -> Option<&'a str> {
     if is_ruler(line) {
         return None;
     }
-    line.tokens().nth(1).map(|token| token.text)
+    let second = line.tokens().nth(1).map(|token| token.text);
+    second.or_else(|| line.name_behind_path())
 }
 
 /// Whether a line has a name after its value.

@@ -73,6 +73,7 @@ impl<'a> Positional<'a> {
     /// is a mistake.
     pub(super) fn parameter(&mut self, record: &Record) -> Result<Parameter<'a>, Diagnostic> {
         let line = self.lines.expect_filled(&record.label())?;
+        check_no_comment(&line, &record.label())?;
         match named(&line, &self.known) {
             Some(name) if name != record.name => Err(misplaced(&line, record.name, name)),
             _ => Parameter::of(&line, record),
@@ -85,6 +86,7 @@ impl<'a> Positional<'a> {
         record: &Record,
     ) -> Result<Parameter<'a>, Diagnostic> {
         let line = self.lines.expect_filled(&record.label())?;
+        check_no_comment(&line, &record.label())?;
         Parameter::of(&line, record)
     }
 
@@ -97,6 +99,7 @@ impl<'a> Positional<'a> {
     ) -> Result<Line<'a>, Diagnostic> {
         let what = format!("row {} of {table}", so_far + 1);
         let line = self.lines.expect_filled(&what)?;
+        check_no_comment(&line, &what)?;
         let first = line.first();
         if first.as_ref().is_some_and(Token::is_number) {
             line.check_commas(&format!("a number of {what}"))?;
@@ -107,11 +110,27 @@ impl<'a> Positional<'a> {
             None => ("a blank line".to_owned(), line.span()),
         };
         let (name, value) = (count.record.name, count.token.text);
-        Err(
-            Diagnostic::new(span, DiagnosticKind::misplaced(what, found))
-                .with_hint(format!("{name} is {value}, but there are {so_far} rows")),
-        )
+        let hint = match so_far {
+            0 if !is_ruler(&line) => {
+                "two lines, names and units, are between the heading of the table and its rows"
+                    .to_owned()
+            }
+            _ => format!("{name} is {value}, but there are {so_far} rows"),
+        };
+        Err(Diagnostic::new(span, DiagnosticKind::misplaced(what, found)).with_hint(hint))
     }
+}
+
+/// Refuses a comment where a value must be: OpenFAST takes its first word for the value.
+pub(super) fn check_no_comment(line: &Line<'_>, expected: &str) -> Result<(), Diagnostic> {
+    let text = line.text.trim_start();
+    if !text.starts_with(['!', '#', '%']) {
+        return Ok(());
+    }
+    let start = line.start + line.text.len() - text.len();
+    let kind = DiagnosticKind::misplaced(expected, "a comment");
+    let hint = "lines are read by position, also in OpenFAST: write comments behind the values";
+    Err(Diagnostic::new(start..start + text.trim_end().len(), kind).with_hint(hint))
 }
 
 /// The mistake of a line with the name of another parameter than expected.
@@ -125,6 +144,7 @@ pub(super) fn misplaced(line: &Line<'_>, expected: &str, found: &str) -> Diagnos
 #[derive(Debug, Clone)]
 pub(super) struct Parameter<'a> {
     record: Record,
+    line: Line<'a>,
     pub(super) token: Token<'a>,
 }
 
@@ -140,6 +160,7 @@ impl<'a> Parameter<'a> {
         match line.first() {
             Some(token) => Ok(Self {
                 record: *record,
+                line: *line,
                 token,
             }),
             None => {
@@ -184,9 +205,10 @@ impl<'a> Parameter<'a> {
 
     /// The name of a file.
     pub(super) fn file(&self) -> Result<String, Diagnostic> {
+        let what = self.record.label();
+        self.line.file_name(&what)?;
         let path = self.token.text.trim();
         if path.is_empty() {
-            let what = self.record.label();
             let kind = DiagnosticKind::wrong_type(what, "a file name in quotes", "an empty text");
             return Err(self.token.wrong(kind));
         }

@@ -35,4 +35,5 @@ pub use potential::PotentialFlow;
 pub use read::read_hydrodyn;
 pub use strip::{MarineGrowth, Stretch, StripAddedMass, StripMember};
 pub(crate) use strips::{StripWater, ring, strip_water};
+pub(crate) use water::water_of_fst;
 pub use water::{SeaWater, WaterDefaults, read_water};

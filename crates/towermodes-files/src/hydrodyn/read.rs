@@ -98,9 +98,7 @@ fn found(
     defaults: WaterDefaults,
 ) -> Result<Found, Diagnostic> {
     if !is_hydrodyn(values) {
-        let found = "no input file of HydroDyn".to_owned();
-        return Err(Diagnostic::new(0..0, DiagnosticKind::WrongFile { found })
-            .with_hint("such a file has PotMod, AddCLin, NJoints and NMembers"));
+        return Err(not_hydrodyn(values));
     }
     let water = water::complete(water::given(values, defaults)?)?;
     let added = added_stiffness::read(values, source)?;
@@ -121,8 +119,22 @@ fn found(
 }
 
 fn is_hydrodyn(values: &Values<'_>) -> bool {
-    let has = |name: &str| values.line(name).is_some();
-    has("NMembers") && (has("PotMod") || has("HasWAMIT"))
+    values.line("NMembers").is_some() && has_potential_flow(values)
+}
+
+fn has_potential_flow(values: &Values<'_>) -> bool {
+    ["PotMod", "HasWAMIT"].iter().any(|name| values.line(name).is_some())
+}
+
+/// The mistake of a file that is none of HydroDyn, or only its beginning.
+fn not_hydrodyn(values: &Values<'_>) -> Diagnostic {
+    if has_potential_flow(values) {
+        let kind = DiagnosticKind::missing_key("the HydroDyn file", "NMembers");
+        return Diagnostic::new(0..0, kind).with_hint("is the file complete?");
+    }
+    let found = "no input file of HydroDyn".to_owned();
+    Diagnostic::new(0..0, DiagnosticKind::WrongFile { found })
+        .with_hint("such a file has PotMod, AddCLin, NJoints and NMembers")
 }
 
 /// The density of water, kg/m³, from fresh to the saltiest.

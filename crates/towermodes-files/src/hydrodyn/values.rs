@@ -13,10 +13,13 @@ pub(super) struct Values<'a> {
 }
 
 /// The name on a line, behind one or more values.
-fn name_of<'a>(line: &Line<'a>) -> Option<Token<'a>> {
+fn name_of<'a>(line: &Line<'a>) -> Option<&'a str> {
     let mut tokens = line.tokens();
     tokens.next()?;
-    tokens.find(|token| !token.is_number() && !token.is_quoted)
+    let behind = tokens.find(|token| !token.is_number() && !token.is_quoted);
+    behind
+        .map(|token| token.text)
+        .or_else(|| line.name_behind_path())
 }
 
 impl<'a> Values<'a> {
@@ -24,7 +27,7 @@ impl<'a> Values<'a> {
         let mut lines = HashMap::new();
         for line in Lines::new(text) {
             if let Some(name) = name_of(&line) {
-                let name = name.text.to_ascii_lowercase();
+                let name = name.to_ascii_lowercase();
                 lines.entry(name).or_insert(line);
             }
         }

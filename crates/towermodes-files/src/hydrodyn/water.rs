@@ -4,6 +4,7 @@
 use super::values::Values;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
+use crate::records::Token;
 use crate::source::Source;
 
 const NAMES: [&str; 3] = ["WtrDens", "WtrDpth", "MSL2SWL"];
@@ -48,6 +49,27 @@ pub fn read_water(source: &Source, defaults: WaterDefaults) -> Result<WaterDefau
     given(&values, defaults).map_err(|mistake| ReadError::mistake(source, mistake))
 }
 
+/// The water that a `.fst` file gives. The other files take their defaults from it, so it has none.
+///
+/// # Errors
+/// [`ReadError::Mistakes`] as [`read_water`], and at `default`.
+pub(crate) fn water_of_fst(source: &Source) -> Result<WaterDefaults, ReadError> {
+    let values = Values::of(&source.text);
+    for name in NAMES {
+        let token = values.token(name);
+        if let Some(token) = token.filter(|token| is_default(token)) {
+            let kind = DiagnosticKind::wrong_type(name, "a number", "`DEFAULT`");
+            let hint = "in the .fst file it has no default: HydroDyn and SeaState take theirs from it";
+            return Err(ReadError::mistake(source, token.wrong(kind).with_hint(hint)));
+        }
+    }
+    read_water(source, WaterDefaults::default())
+}
+
+fn is_default(token: &Token<'_>) -> bool {
+    token.text.trim().eq_ignore_ascii_case("default")
+}
+
 /// The same of a file whose values are known.
 pub(super) fn given(
     values: &Values<'_>,
@@ -69,7 +91,7 @@ pub(super) fn given(
 fn value(values: &Values<'_>, name: &str) -> Result<Option<f64>, Diagnostic> {
     match values.token(name) {
         None => Ok(None),
-        Some(token) if token.text.trim().eq_ignore_ascii_case("default") => Ok(None),
+        Some(token) if is_default(&token) => Ok(None),
         Some(_) => values.number(name).map(Some),
     }
 }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::token::{Token, Tokens};
-use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 
 /// A line of a file, without its end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,6 +28,42 @@ impl<'a> Line<'a> {
     /// Its first value.
     pub(crate) fn first(&self) -> Option<Token<'a>> {
         self.tokens().next()
+    }
+
+    /// The word after the first value where this value takes the rest of the line: a path that is
+    /// not in quotes ends at its first slash, and a quote that is not closed ends nowhere.
+    pub(crate) fn name_behind_path(&self) -> Option<&'a str> {
+        let mut words = self.text.split_whitespace();
+        let first = words.next()?;
+        let is_open = |quote: char| first.starts_with(quote) && first.matches(quote).count() == 1;
+        let is_cut = first.contains('/') && !first.starts_with(['"', '\'']);
+        let is_cut = is_cut || is_open('"') || is_open('\'');
+        words.next().filter(|_| is_cut)
+    }
+
+    /// The name of a file, which is its first value.
+    ///
+    /// # Errors
+    /// A quote that is not closed, or a name without quotes that ends at a slash: no program that
+    /// reads these files finds it.
+    pub(crate) fn file_name(&self, what: &str) -> Result<Option<Token<'a>>, Diagnostic> {
+        let Some(token) = self.first() else {
+            return Ok(None);
+        };
+        let rest = &self.text[token.span.end - self.start..];
+        let is_open = token.is_quoted && token.span.len() != token.text.len() + 2;
+        if !is_open && (token.is_quoted || !rest.starts_with('/')) {
+            return Ok(Some(token));
+        }
+        let word = self.text.split_whitespace().next().unwrap_or_default();
+        let found = quoted(word);
+        let kind = DiagnosticKind::wrong_type(what, "a file name between two quotes", found);
+        let from = token.span.start;
+        let hint = match is_open {
+            true => "close the quote behind the name",
+            false => "without quotes a name ends at its first `/`",
+        };
+        Err(Diagnostic::new(from..from + word.len(), kind).with_hint(hint))
     }
 
     /// The number after a decimal comma, as in `87,6`: a comma between two numbers without a blank,
@@ -152,6 +188,23 @@ mod tests {
         ] {
             assert_eq!(behind(text), None, "{text}");
         }
+    }
+
+    #[test]
+    fn file_names_are_whole() {
+        let line = |text| super::Line { text, start: 0 };
+        for text in ["\"a/b c.dat\" EDFile", "'a/b.dat' EDFile", "a.dat EDFile", "a\\b.dat x"] {
+            let found = line(text).file_name("EDFile").expect(text).expect(text);
+            assert!(text.contains(found.text) && found.text.ends_with(".dat"), "{text}");
+        }
+        for text in ["a/b.dat EDFile", "\"a/b.dat EDFile - x", "'a.dat EDFile", "../b.dat EDFile"] {
+            let mistake = line(text).file_name("EDFile").expect_err(text);
+            assert_eq!(mistake.span, 0..text.find(' ').expect(text), "{text}");
+            assert!(mistake.message().contains("between two quotes"), "{text}");
+            assert_eq!(line(text).name_behind_path(), Some("EDFile"), "{text}");
+        }
+        assert_eq!(line("").file_name("EDFile").expect("nothing"), None);
+        assert_eq!(line("1 2 3").name_behind_path(), None);
     }
 
     #[test]

@@ -16,12 +16,16 @@ pub(crate) struct Token<'a> {
 }
 
 impl Token<'_> {
-    /// The finite number; exponents may be written with d, as in Fortran.
+    /// The finite number; exponents may be written with d or, if they have three digits, without a
+    /// letter, as Fortran does.
     pub(crate) fn number(&self, what: &str) -> Result<f64, Diagnostic> {
         let with_e = || self.text.replace(['d', 'D'], "e").parse::<f64>().ok();
         let parsed = match self.is_quoted {
             true => None,
-            false => self.text.parse().ok().or_else(with_e),
+            false => {
+                let plain = self.text.parse().ok();
+                plain.or_else(with_e).or_else(|| without_letter(self.text))
+            }
         };
         match parsed {
             Some(value) if value.is_finite() => Ok(value),
@@ -66,6 +70,19 @@ impl Token<'_> {
             expected,
             quoted(self.text),
         ))
+    }
+}
+
+/// A number such as `1.5-101`: Fortran omits the letter before an exponent of three digits.
+fn without_letter(text: &str) -> Option<f64> {
+    let sign = text.len().checked_sub(4).filter(|&at| text.is_char_boundary(at))?;
+    let (mantissa, exponent) = text.split_at(sign);
+    let has_sign = exponent.starts_with(['+', '-']);
+    let is_exponent = has_sign && exponent[1..].bytes().all(|byte| byte.is_ascii_digit());
+    let is_mantissa = mantissa.contains('.') && mantissa.ends_with(|c: char| c.is_ascii_digit());
+    match is_exponent && is_mantissa {
+        true => format!("{mantissa}e{exponent}").parse().ok(),
+        false => None,
     }
 }
 
@@ -163,7 +180,9 @@ mod tests {
         assert_eq!(number("1.5d3"), Ok(1500.0));
         assert_eq!(number("1.D0"), Ok(1.0));
         assert_eq!(number(".5E-1"), Ok(0.05));
-        for wrong in ["nan", "inf", "1e999", "350000kg", "'1'", "x", "d"] {
+        assert_eq!(number("1.5+003"), Ok(1500.0));
+        assert_eq!(number("-2.5-101"), Ok(-2.5e-101));
+        for wrong in ["nan", "inf", "1e999", "350000kg", "'1'", "x", "d", "1-003", "1.5+03", "1e5-003"] {
             assert!(number(wrong).is_err(), "{wrong}");
         }
     }

@@ -83,6 +83,7 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     let outline = reading.keep(found)?;
     let version = outline.version(&reading.source.text);
     text::known_keys::note_lookalikes(&outline, options.part, reading);
+    machine::given_masses::note_structures(&outline, options.part, reading);
     let (rna, rotor) = top(&outline, version, options, reading);
     let structure = Structure::read(&outline, version, options.part, reading);
     let ((rna, without_mass), mut structure) = (rna?, structure?);

@@ -217,6 +217,52 @@ fn a_file_that_is_not_there_is_refused() {
         .says("(the platform moves); its foundation is in other files");
 }
 
+/// Without quotes a name ends at its first slash, also in OpenFAST; a quote that is not closed takes
+/// the whole line.
+#[test]
+fn names_of_files_must_be_whole() {
+    let options = ReadOptions::default();
+    let wrong = |result: Result<ElastoDynDeck, ReadError>, name: &str, hint: &str| {
+        let Err(ReadError::Mistakes { source_file, mistakes }) = result else {
+            panic!("a mistake: {name}");
+        };
+        assert_eq!(&source_file.text[mistakes[0].span.clone()], name);
+        mistakes[0].message().says("a file name between two quotes");
+        mistakes[0].hint.clone().expect("a hint").says(hint);
+    };
+    let slash = "without quotes a name ends at its first `/`";
+    let quote = "close the quote";
+    for (name, hint) in [("ed/main.dat", slash), ("../main.dat", slash), ("\"main.dat", quote)] {
+        let fst = source("a.fst", format!("x\nx\n{name} EDFile - (quoted string)\n"));
+        wrong(read_elastodyn(fst, &files(TOWER), &options), name, hint);
+        let lines = format!("1 CompSub\n{name} SubFile - file\n");
+        wrong(by_fst(&lines, 5, &options), name, hint);
+        let main = source("main.dat", main_text(5, &[("TwrFile", name)]));
+        wrong(read_elastodyn(main, &files(TOWER), &options), name, hint);
+    }
+}
+
+#[test]
+fn comments_on_lines_of_their_own_are_refused() {
+    let refusal = |main: String, tower: String| {
+        let main = source("main.dat", main);
+        let result = read_elastodyn(main, &files(&tower), &ReadOptions::default());
+        result.expect_err("a comment").to_string()
+    };
+    let good = main_text(5, &[]);
+    for (name, comment) in [("TipRad", "! longer"), ("NacMass", "# NacMass was 1"), ("Echo", "%")] {
+        let line = good.lines().find(|line| line.contains(name)).expect(name);
+        let said = refusal(good.replace(line, &format!("{comment}\n{line}")), TOWER.to_owned());
+        said.says(&format!("expected {name} here, found a comment"));
+    }
+    let rows: Vec<&str> = TOWER.lines().skip_while(|line| !line.contains("HtFract")).collect();
+    let said = refusal(good.clone(), TOWER.replace(rows[3], &format!("! base\n{}", rows[3])));
+    said.says("found a comment");
+    // The heading of a table may be any text, and is two lines.
+    let said = refusal(good, TOWER.replace(rows[0], &format!("# my tower\n{}", rows[0])));
+    said.says("row 1 of the distributed properties");
+}
+
 /// A model of several rotors has a tower in each of its main files.
 #[test]
 fn a_model_with_several_rotors_is_refused() {
@@ -241,6 +287,28 @@ fn a_turbine_in_a_current_has_a_note() {
         let said = said(lines);
         assert!(said.iter().any(is_it), "{said:?}");
     }
+}
+
+#[test]
+fn structural_controls_are_left_out_with_a_note() {
+    let servo = "------ SERVODYN\nx\n0 NumBStC - n\n\"unused\" BStCfiles\n2 NumTStC - n\n\
+                 \"a.dat\" \"b.dat\" TStCfiles\n1 NumSStC - n\n\"c.dat\" SStCfiles\n";
+    let said = |switch: &str| {
+        let fst =
+            format!("OpenFAST\nx\n\"main.dat\" EDFile\n{switch} CompServo\n\"s.dat\" ServoFile\n");
+        let mut companions = files(TOWER);
+        companions.files.insert("main.dat".into(), main_text(5, &[]));
+        companions.files.insert("s.dat".into(), servo.to_owned());
+        let deck = read_elastodyn(source("a.fst", fst), &companions, &ReadOptions::default());
+        let said = messages(&deck.expect("a deck"));
+        let found = said.into_iter().filter(|note| note.contains("StC"));
+        found.collect::<Vec<String>>()
+    };
+    let found = said("1");
+    assert_eq!(found.len(), 2, "{found:?}");
+    found[0].begins("s.dat:5: the 2 structural controls of the tower (NumTStC) are left out");
+    found[1].begins("s.dat:7: the structural control of the platform or the substructure");
+    assert!(said("0").is_empty());
 }
 
 /// The tower of a floating turbine in a current: TowerHt −24 m, TowerBsHt −9 m, the nacelle below

@@ -71,6 +71,15 @@ fn a_wrong_member_or_table_is_refused_at_its_row() {
 }
 
 #[test]
+fn a_file_that_ends_early_is_refused() {
+    let text = deck(Layout::V31, &[]);
+    let end = text.find("NMembers").expect("members");
+    let end = text[..end].rfind('\n').expect("a line");
+    let error = read_with(&text[..end], [WAMIT_1, WAMIT_HST]).expect_err("no members");
+    error.says("the HydroDyn file has no `NMembers`");
+}
+
+#[test]
 fn a_wrong_file_of_wamit_is_refused_at_its_line() {
     let with = |first: &str| WAMIT_1.replacen("-1 1 1 2.0", first, 1);
     let without = |period: &str| {

@@ -141,6 +141,111 @@ fn an_unballasted_platform_is_said_to_be_out_of_balance() {
     note.expect("a note").message.says("undisplaced position");
 }
 
+/// The notes with these words.
+fn notes<'n>(input: &'n TowerInput, words: &str) -> Vec<&'n str> {
+    let messages = input.notes.iter().map(|note| note.message.as_str());
+    messages.filter(|message| message.contains(words)).collect()
+}
+
+/// The texts that are used in several places are noted in one sentence.
+#[test]
+fn members_without_a_coefficient_of_added_mass_have_one_note() {
+    let words = "no coefficient of added mass";
+    let text = volturnus(top_kg());
+    assert!(notes(&read(text.clone()), words).is_empty());
+    let one = read(text.replacen("              Ca: 1.0\n", "", 1));
+    let [note] = notes(&one, words)[..] else {
+        panic!("one note");
+    };
+    assert_eq!(
+        note,
+        "member `main_column` has no coefficient of added mass: Ca = 1 is assumed"
+    );
+    let most = read(text.replace("              Ca: 1.0\n", ""));
+    let [note] = notes(&most, words)[..] else {
+        panic!("one note");
+    };
+    note.says("7 members (`main_column` to `upper3`) have no");
+    // Tower and platform are of the same steel.
+    let steel = text.replace("E: 200.e+009, nu: 0.3, G: 79.3e+009", "E: 200.e+9, nu: 0.3, G: 70.e+9");
+    assert_eq!(notes(&read(steel), "G of material").len(), 1);
+}
+
+/// The angle between stiffeners, rad.
+const SPACING: f64 = 0.523599;
+
+/// The platform with longitudinal stiffeners in its middle column.
+fn stiffened(spacing: f64, version: u8) -> TowerInput {
+    let stiffeners = format!(
+        "                longitudinal_stiffeners: {{material: steel, web_height: 0.2, web_thickness: 0.1, flange_width: 0.2, flange_thickness: 0.1, spacing: {spacing}}}\n"
+    );
+    let before = "                bulkhead: {material: steel, thickness: {grid: [0.0, 1.0]";
+    let mut text = volturnus(top_kg()).replacen(before, &(stiffeners + before), 1);
+    if version == 2 {
+        text = text.replace("name: VolturnUS-S\n", "windIO_version: '2.0'\nname: VolturnUS-S\n");
+        for (old, new) in [
+            ("outer_shape_bem:\n            reference_axis", "reference_axis"),
+            ("            outer_diameter: {grid: [0, 1], values: [10.0, 10.0]}\n        internal_structure_2d_fem", "        outer_shape: {outer_diameter: {grid: [0, 1], values: [10.0, 10.0]}}\n        structure"),
+            ("3.14159265", "180.0"),
+            ("1.0471976", "60.0"),
+            ("1.0471975", "60.0"),
+        ] {
+            assert!(text.contains(old), "{old}");
+            text = text.replace(old, new);
+        }
+    }
+    read(text)
+}
+
+/// Twelve stiffeners of 0.04 m2 on 35 m.
+#[test]
+fn stiffeners_that_overlap_have_their_angle_in_the_other_unit() {
+    let words = "longitudinal stiffeners";
+    let without = platform(&read(volturnus(top_kg()))).mass_kg;
+    let in_rad = stiffened(SPACING, 1);
+    assert!(notes(&in_rad, words).is_empty());
+    // Ballast balances the platform: its mass stays.
+    assert_close("mass", platform(&in_rad).mass_kg, without, 1e-12);
+    let ballast = |input: &TowerInput| {
+        let note = notes(input, "the variable ballast is")[0].to_owned();
+        let words: Vec<&str> = note.split(' ').collect();
+        words[4].parse::<f64>().expect("tonnes")
+    };
+    let steel_t = 12.0 * 0.04 * 35.0 * 7.8;
+    let less_t = ballast(&read(volturnus(top_kg()))) - ballast(&in_rad);
+    assert!((less_t - steel_t).abs() < 0.2, "{less_t} t, {steel_t} t");
+    for (spacing, version) in [(SPACING.to_degrees(), 1), (SPACING, 2)] {
+        let input = stiffened(spacing, version);
+        let said = notes(&input, words);
+        assert_eq!(said.len(), 1, "{said:?}");
+        said[0].says(&format!("in windIO {version} it is in"));
+        assert!((ballast(&input) - ballast(&in_rad)).abs() < 0.2, "{version}");
+    }
+    assert!(notes(&stiffened(SPACING.to_degrees(), 2), words).is_empty());
+}
+
+/// Walls and bulkheads of a member are scaled to the mass that the user gives, fixed ballast too.
+#[test]
+fn a_member_may_have_its_mass_from_the_user() {
+    let of = |given: &str| {
+        let text = volturnus(2e8);
+        let member = "            - name: column2\n";
+        read(text.replace(member, &format!("{member}              member_mass_user: {given}\n")))
+    };
+    let words = "member_mass_user";
+    let [light, heavy] = [of("900000.0"), of("1.9e6")];
+    // The platform is out of balance, so that no ballast water follows its mass.
+    let [a, b] = [&light, &heavy].map(|input| platform(input));
+    assert_close("mass", b.mass_kg - a.mass_kg, 1e6, 1e-9);
+    // The column stands at y = -44.8 m.
+    let y_m = |p: &FloatingPlatform| p.center_m[1] * p.mass_kg;
+    let expected = -51.75 * 1.0471976_f64.sin() * 1e6;
+    let moved = y_m(b) - y_m(a);
+    assert!((moved.abs() / expected.abs() - 1.0).abs() < 1e-6, "{moved} {expected}");
+    notes(&light, words)[0].says("member `column2` has member_mass_user = 900000 kg");
+    assert!(notes(&of("0.0"), words).is_empty());
+}
+
 #[test]
 fn a_public_spar_has_the_volume_and_mass_of_an_independent_program() {
     let Some(folder) = std::env::var_os("TOWERMODES_PEER_DATA") else {

@@ -457,13 +457,13 @@ pub enum Warning {
     },
     /// A matrix of a floating platform was not symmetric.
     #[error(
-        "the {what} of the platform is not symmetric (entries differ by up to {:.2} %); the mean of both triangles is used",
+        "the {what} is not symmetric: half the difference of opposite entries is up to {:.2} % of their size; the mean of both is used",
         100.0 * .difference
     )]
     Symmetrized {
         /// Which matrix.
         what: &'static str,
-        /// The largest difference of two entries that should be equal, as a fraction of the larger.
+        /// Half the largest difference of opposite entries, as a fraction of their size.
         difference: f64,
     },
     /// Weights, buoyancy and mooring lines of a floating tower that are not in balance.

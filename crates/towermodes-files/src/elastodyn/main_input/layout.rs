@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::super::names::{is_ruler, plain, plain_name_on};
-use super::super::positional::misplaced;
+use super::super::positional::{check_no_comment, misplaced};
 use super::super::record::Record;
 use super::main_records::{BLOCKS, Block, Presence};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
@@ -124,6 +124,9 @@ fn known_names(lines: &[Line<'_>]) -> Vec<Option<&'static str>> {
 
 /// Checks that a line can be the entry at its place.
 fn check(entry: Entry, line: &Line<'_>, name: Option<&'static str>) -> Result<(), Diagnostic> {
+    if let Entry::Parameter(record) = entry {
+        check_no_comment(line, record.name)?;
+    }
     match (entry, name) {
         (Entry::Parameter(record), Some(name)) if name != record.name => {
             Err(misplaced(line, record.name, name))

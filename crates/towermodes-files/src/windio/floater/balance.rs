@@ -13,7 +13,7 @@ use super::joints::{Joints, capped, vector};
 use super::lines::{Sea, lines};
 use super::members::{Member, Piece, members};
 use super::steel::{bulkheads, walls};
-use super::stiffeners::{longitudinal, rings};
+use super::stiffeners::{longitudinal, note_angles, rings};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::hydrodyn::{SeaWater, StripMember, StripWater, strip_water};
@@ -54,6 +54,7 @@ pub(crate) fn float(
     });
     joints.shift(axis_m);
     let members = members(node, version, &mut joints, &mut materials, reading)?;
+    note_angles(&members, version, &materials, reading)?;
     note_transition(node, &joints, afloat, reading);
     let moored = match mooring {
         Some(mooring) => Some(lines(mooring, &joints, axis_m, &sea, reading)?),
@@ -222,16 +223,18 @@ impl Platform<'_> {
             let ballasts = ballasts(member, self.materials, reading)?;
             let limits: Vec<f64> = ballasts.iter().flat_map(|ballast| ballast.range).collect();
             let (strip, pieces) = member.pieces(self.joints, range, &limits, &water);
-            steel.extend(self.steel(member, &strip, &pieces, range, reading)?);
+            let mut of_steel = self.steel(member, &strip, &pieces, range, reading)?;
+            let mut of_ballast = Filled::default();
             for ballast in &ballasts {
-                Ballast::fill(
-                    ballast,
-                    &strip,
-                    &pieces,
-                    self.sea.density_kg_per_m3,
-                    &mut filled,
-                )?;
+                let density = self.sea.density_kg_per_m3;
+                ballast.fill(&strip, &pieces, density, &mut of_ballast)?;
             }
+            if let Some(given_kg) = member.given_kg {
+                scale_to(given_kg, &mut of_steel, &mut of_ballast.fixed);
+            }
+            steel.append(&mut of_steel);
+            filled.fixed.append(&mut of_ballast.fixed);
+            filled.water.append(&mut of_ballast.water);
             strips.push(strip);
             joints_of.push(member.joints);
         }
@@ -302,6 +305,28 @@ impl Platform<'_> {
     }
 }
 
+/// Scales bodies so that all together have a mass.
+fn scale_to(given_kg: f64, steel: &mut [RigidBody], ballast: &mut [RigidBody]) {
+    let all = || steel.iter().chain(ballast.iter());
+    let found_kg: f64 = all().map(|body| body.mass_kg).sum();
+    if found_kg <= 0.0 {
+        return;
+    }
+    for body in steel.iter_mut().chain(ballast) {
+        *body = scaled(body, given_kg / found_kg);
+    }
+}
+
+/// A body with this share of its mass.
+fn scaled(body: &RigidBody, share: f64) -> RigidBody {
+    let tensor = body.inertia_kg_m2.tensor();
+    RigidBody {
+        mass_kg: share * body.mass_kg,
+        center_m: body.center_m,
+        inertia_kg_m2: Inertia::from_tensor(tensor.map(|row| row.map(|entry| share * entry))),
+    }
+}
+
 /// Which hull: the one that its ballast can balance, the cut one if both are; without ballast
 /// water the one that is nearer to balance.
 fn choose(hulls: &[Hull; 2], needed_kg: [f64; 2]) -> usize {
@@ -362,17 +387,7 @@ fn ballast_water(hull: &Hull, needed_kg: f64, node: &Node, reading: &mut Reading
     if most_kg == 0.0 {
         return RigidBody::default();
     }
-    let share = used_kg / most_kg;
-    RigidBody {
-        mass_kg: share * most_kg,
-        center_m: hull.full.center_m,
-        inertia_kg_m2: Inertia::from_tensor(
-            hull.full
-                .inertia_kg_m2
-                .tensor()
-                .map(|row| row.map(|entry| share * entry)),
-        ),
-    }
+    scaled(&hull.full, used_kg / most_kg)
 }
 
 fn note_strips(node: &Node, reading: &mut Reading<'_>) {

@@ -13,6 +13,7 @@ use super::joints::{Joint, Joints, capped};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::hydrodyn::{SeaWater, Stretch, StripAddedMass, StripMember};
 use crate::note::Note;
+use crate::number::Rounded;
 
 /// A circular member.
 #[derive(Debug)]
@@ -27,6 +28,8 @@ pub(super) struct Member<'n> {
     pub(super) outfitting: f64,
     /// Coefficient of added mass across the axis.
     pub(super) across: f64,
+    /// The mass that the user gives for its walls, bulkheads, stiffeners and fixed ballast, kg.
+    pub(super) given_kg: Option<f64>,
     /// Layers, bulkheads, ballast, stiffeners.
     pub(super) structure: &'n Node,
 }
@@ -61,6 +64,7 @@ pub(super) fn members<'n>(
     for node in list {
         members.push(member(node, version, joints, materials, reading)?);
     }
+    note_assumed(list, reading);
     Ok(members)
 }
 
@@ -163,7 +167,8 @@ fn member<'n>(
         diameter,
         layers,
         outfitting,
-        across: across(node, &what, reading)?,
+        across: across(node, &what)?,
+        given_kg: given_kg(node, &what, reading)?,
         structure,
         name,
     })
@@ -198,12 +203,14 @@ fn diameter(node: &Node, what: &str, reading: &Reading<'_>) -> Result<Curve, Dia
     }
 }
 
+/// The coefficient of added mass of a member that has none: that of a circular cylinder in
+/// potential flow.
+const ASSUMED_ACROSS: f64 = 1.0;
+
 /// The coefficient of added mass: a number, or a list of which the first counts for a circle.
-fn across(node: &Node, what: &str, reading: &mut Reading<'_>) -> Result<f64, Diagnostic> {
-    let Some(given) = node.get("Ca").or_else(|| node.get("ca")) else {
-        let message = format!("{what} has no coefficient of added mass: Ca = 1 is assumed");
-        reading.note_at(node.span.start, Note::assumption(message));
-        return Ok(1.0);
+fn across(node: &Node, what: &str) -> Result<f64, Diagnostic> {
+    let Some(given) = given_across(node) else {
+        return Ok(ASSUMED_ACROSS);
     };
     let name = format!("Ca of {what}");
     let first = given.list(&name).ok().and_then(|list| list.first());
@@ -217,6 +224,56 @@ fn across(node: &Node, what: &str, reading: &mut Reading<'_>) -> Result<f64, Dia
     }
 }
 
+fn given_across(node: &Node) -> Option<&Node> {
+    node.get("Ca").or_else(|| node.get("ca"))
+}
+
+/// One note on all members without a coefficient of added mass, at the first of them.
+fn note_assumed(list: &[Node], reading: &mut Reading<'_>) {
+    let without: Vec<&Node> = list.iter().filter(|node| given_across(node).is_none()).collect();
+    let Some(first) = without.first() else {
+        return;
+    };
+    let text = &reading.source.text;
+    let names = without.iter().filter_map(|node| node.get("name"));
+    let names: Vec<String> = names.map(|name| format!("`{}`", name.name(text))).collect();
+    let (which, have) = match names.as_slice() {
+        [name] => (format!("member {name}"), "has"),
+        [first, .., last] if names.len() > MOST_NAMES => (
+            format!("{} members ({first} to {last})", names.len()),
+            "have",
+        ),
+        _ => (format!("members {}", names.join(", ")), "have"),
+    };
+    let message =
+        format!("{which} {have} no coefficient of added mass: Ca = {ASSUMED_ACROSS} is assumed");
+    reading.note_at(first.span.start, Note::assumption(message));
+}
+
+/// More names do not fit into a sentence.
+const MOST_NAMES: usize = 4;
+
+/// The mass of a member that the user gives in place of that of its parts, which are scaled to it
+/// as in WISDEM; 0 is none.
+fn given_kg(node: &Node, what: &str, reading: &mut Reading<'_>) -> Result<Option<f64>, Diagnostic> {
+    let Some(given) = node.get(MEMBER_MASS) else {
+        return Ok(None);
+    };
+    let mass_kg = given.mass_kg(&format!("{MEMBER_MASS} of {what}"))?;
+    if mass_kg == 0.0 {
+        return Ok(None);
+    }
+    let message = format!(
+        "{what} has {MEMBER_MASS} = {} kg: walls, bulkheads, stiffeners and fixed ballast are scaled to this mass",
+        Rounded(mass_kg)
+    );
+    reading.note_at(given.span.start, Note::assumption(message));
+    Ok(Some(mass_kg))
+}
+
+/// The key of this mass, of WISDEM.
+const MEMBER_MASS: &str = "member_mass_user";
+
 impl Member<'_> {
     /// The positions between which it is not inside the members along which its joints are.
     pub(super) fn outside(&self, joints: &Joints, members: &[Member<'_>]) -> [f64; 2] {
@@ -227,6 +284,12 @@ impl Member<'_> {
             None => 0.0,
         });
         [inside[0], 1.0 - inside[1]]
+    }
+
+    /// Its largest outer radius, m.
+    pub(super) fn widest_m(&self) -> f64 {
+        let diameters = self.diameter.values().iter();
+        0.5 * diameters.fold(0.0_f64, |most, diameter| most.max(*diameter))
     }
 
     /// The wall at a position, m; just above it, or just below.

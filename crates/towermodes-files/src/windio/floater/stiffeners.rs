@@ -12,6 +12,8 @@ use super::members::{Member, Piece};
 use super::steel::disc;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::hydrodyn::{StripMember, ring};
+use crate::note::Note;
+use crate::number::Rounded;
 
 /// No member has more rings.
 const MOST_RINGS: f64 = 10_000.0;
@@ -54,6 +56,53 @@ impl Profile {
         };
         Ok((profile.spacing > 0.0).then_some(profile))
     }
+
+    /// The angle between longitudinal stiffeners inside a radius (m), rad, and whether it is in the
+    /// unit of the other version: in that of its own it is more than a turn, or they overlap.
+    fn angle_rad(&self, radius_m: f64, version: Version) -> (f64, bool) {
+        let own = version.radians(self.spacing);
+        let other = version.other().radians(self.spacing);
+        let width_m = self.web_m[1].max(self.flange_m[0]);
+        let is_possible =
+            |angle: f64| angle <= TAU * (1.0 + 1e-9) && angle * radius_m >= width_m;
+        match !is_possible(own) && is_possible(other) {
+            true => (other, true),
+            false => (own, false),
+        }
+    }
+}
+
+const LONGITUDINAL: &str = "longitudinal_stiffeners";
+
+/// Notes angles between longitudinal stiffeners that are in the unit of the other version.
+pub(super) fn note_angles(
+    members: &[Member<'_>],
+    version: Version,
+    materials: &Materials<'_>,
+    reading: &mut Reading<'_>,
+) -> Result<(), Diagnostic> {
+    for member in members {
+        let Some(profile) = Profile::read(member.structure, LONGITUDINAL, materials, reading)?
+        else {
+            continue;
+        };
+        let (angle, is_other) = profile.angle_rad(member.widest_m(), version);
+        let node = member.structure.find(&[LONGITUDINAL, "spacing"]);
+        if let Some(node) = node.filter(|_| is_other) {
+            let message = format!(
+                "longitudinal stiffeners with spacing = {} {} are impossible: {} {}, {} degrees, is assumed; in windIO {} it is in {}",
+                profile.spacing,
+                version.angle_unit(),
+                profile.spacing,
+                version.other().angle_unit(),
+                Rounded(angle.to_degrees()),
+                version.number(),
+                version.angle_unit(),
+            );
+            reading.note_at(node.span.start, Note::assumption(message));
+        }
+    }
+    Ok(())
 }
 
 /// The rings, at multiples of their spacing (a fraction of the member) between its ends.
@@ -107,11 +156,11 @@ pub(super) fn longitudinal(
     version: Version,
     (materials, reading): (&Materials<'_>, &Reading<'_>),
 ) -> Result<Vec<RigidBody>, Diagnostic> {
-    let key = "longitudinal_stiffeners";
-    let Some(profile) = Profile::read(member.structure, key, materials, reading)? else {
+    let Some(profile) = Profile::read(member.structure, LONGITUDINAL, materials, reading)? else {
         return Ok(Vec::new());
     };
-    let count = (TAU / version.radians(profile.spacing)).round();
+    let (angle, _) = profile.angle_rad(member.widest_m(), version);
+    let count = (TAU / angle).round();
     let [height_m, web_m] = profile.web_m;
     let [width_m, flange_m] = profile.flange_m;
     let area = count * (height_m * web_m + width_m * flange_m);

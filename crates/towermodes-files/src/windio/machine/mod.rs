@@ -2,6 +2,7 @@
 
 pub(super) mod body;
 pub(super) mod chords;
+pub(super) mod given_masses;
 pub(super) mod plausible;
 pub(super) mod rna;
 pub(super) mod rotor;

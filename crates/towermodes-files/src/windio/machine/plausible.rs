@@ -27,10 +27,7 @@ pub(crate) fn angle(
     reading: &mut Reading<'_>,
 ) -> Result<f64, Diagnostic> {
     let written = node.number(key)?;
-    let (unit, degrees) = match version {
-        Version::One => ("rad", written.to_degrees()),
-        Version::Two => ("degrees", written),
-    };
+    let (unit, degrees) = (version.angle_unit(), version.radians(written).to_degrees());
     // In degrees whatever the version says.
     if degrees.abs() > IMPOSSIBLE_DEG && written.abs() > IMPOSSIBLE_DEG {
         let rule = "at most 90 degrees";

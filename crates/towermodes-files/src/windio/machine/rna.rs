@@ -8,6 +8,7 @@ use super::super::text::outline::{Outline, Version};
 use super::super::text::reading::Reading;
 use super::super::text::yaml::Node;
 use super::body::{NEW_KEYS, OLD_KEYS, body};
+use super::given_masses::note_components;
 use super::plausible::angle;
 use super::rotor::{Hub, rotor};
 use super::shaft::{is_upwind, shaft};
@@ -63,6 +64,8 @@ pub(crate) fn rna(
         assembly.missing.clear();
     }
     assembly.note(reading);
+    let lacks = |part| assembly.missing.iter().any(|(missing, _)| *missing == part);
+    note_components(outline, lacks, reading);
     let is_there = !assembly.bodies.is_empty() || has_machine(outline);
     let missing = assembly.missing.iter().filter(|_| is_there);
     let missing = missing.map(|(part, _)| *part).collect();

@@ -48,6 +48,6 @@ fn apart(top_m: f64, base_m: f64, span: Range<usize>) -> Diagnostic {
         "the tower begins at z = {base_m} m, {} m {side} the top of the monopile at z = {top_m} m",
         Rounded(gap_m.abs())
     ));
-    let hint = "they must be adjacent; or read only one of them (--part tower or --part monopile)";
+    let hint = "they must be adjacent: add the distance to one reference axis (WISDEM moves the monopile to the tower by itself); or read only one of them (--part tower or --part monopile)";
     Diagnostic::new(span, kind).with_hint(hint)
 }

@@ -178,6 +178,30 @@ impl Version {
             Self::Two => angle.to_radians(),
         }
     }
+
+    /// The unit of its angles.
+    pub(crate) fn angle_unit(self) -> &'static str {
+        match self {
+            Self::One => "rad",
+            Self::Two => "degrees",
+        }
+    }
+
+    /// Its number, as in the key `windIO_version`.
+    pub(crate) fn number(self) -> u8 {
+        match self {
+            Self::One => 1,
+            Self::Two => 2,
+        }
+    }
+
+    /// The other one.
+    pub(crate) fn other(self) -> Self {
+        match self {
+            Self::One => Self::Two,
+            Self::Two => Self::One,
+        }
+    }
 }
 
 impl Outline {

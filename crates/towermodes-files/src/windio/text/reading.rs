@@ -35,8 +35,12 @@ impl<'a> Reading<'a> {
         self.notes.push(note);
     }
 
+    /// A note at a place; once, even if two parts use what is there.
     pub(crate) fn note_at(&mut self, byte: usize, note: Note) {
-        self.notes.push(note.at(self.source, byte));
+        let note = note.at(self.source, byte);
+        if !self.notes.contains(&note) {
+            self.notes.push(note);
+        }
     }
 
     /// Remembers the place of a value for the checks of the whole tower.

@@ -24,6 +24,9 @@ const DEPTH: f64 = 4.0;
 /// The centre of added mass, hydrostatic or mooring stiffness may be above the tower's base by this
 /// fraction of its height: entries are rounded.
 const ABOVE: f64 = 0.05;
+/// Half the difference of opposite entries of a matrix up to this fraction of their size changes no
+/// frequency that is printed: it is not worth a warning.
+const ROUNDING: f64 = 5e-5;
 /// The vertical force that is left at the reference position is at most this fraction of the
 /// weight: published models have up to 0.8 %.
 const OUT_OF_BALANCE: f64 = 0.01;
@@ -70,7 +73,7 @@ pub(super) fn check(
             warnings,
         );
         let difference = largest_asymmetry(matrix);
-        if difference > 0.0 {
+        if difference > ROUNDING {
             warnings.push(Warning::Symmetrized { what, difference });
         }
     }

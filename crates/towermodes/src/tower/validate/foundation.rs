@@ -309,13 +309,15 @@ fn asymmetry(
     })
 }
 
-/// The largest difference of entries that should be equal, as a fraction of the larger of the two;
-/// 0 if the matrix is symmetric.
+/// Half the largest difference of opposite entries, as a fraction of their size: of the larger of
+/// the two or, where both are noise, of their diagonal entries.
 pub(in crate::tower) fn largest_asymmetry(matrix: &SpatialMatrix) -> f64 {
     let pairs = (0..6).flat_map(|row| (row + 1..6).map(move |column| (row, column)));
     let shares = pairs.map(|(row, column)| {
         let (upper, lower) = (matrix[row][column], matrix[column][row]);
-        let share = (upper - lower).abs() / upper.abs().max(lower.abs());
+        let diagonal = matrix[row][row].abs().sqrt() * matrix[column][column].abs().sqrt();
+        let size = upper.abs().max(lower.abs()).max(diagonal);
+        let share = 0.5 * (upper - lower).abs() / size;
         if share.is_nan() { 0.0 } else { share }
     });
     shares.fold(0.0, f64::max)
