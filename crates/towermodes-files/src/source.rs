@@ -309,14 +309,23 @@ mod tests {
             encoded_as("\u{fc}", "\u{fc}".as_bytes()),
             "\u{fc}".as_bytes()
         );
-        for binary in [&b"\xff\xfe1\0x"[..], b"\xff\xfe\0\0", b"\0\xff", b"\x7f\x80"] {
+        for binary in [
+            &b"\xff\xfe1\0x"[..],
+            b"\xff\xfe\0\0",
+            b"\0\xff",
+            b"\x7f\x80",
+        ] {
             assert!(Source::from_reader("deck".into(), binary).is_err());
         }
     }
 
     #[test]
     fn other_encodings_and_line_ends_are_read() {
-        let text = |bytes: &[u8]| Source::from_reader("deck".into(), bytes).expect("text").text;
+        let text = |bytes: &[u8]| {
+            Source::from_reader("deck".into(), bytes)
+                .expect("text")
+                .text
+        };
         assert_eq!(text(b"\xff\xfe1\0\r\0\n\0\xb0\0"), "1\r\n\u{b0}");
         assert_eq!(text(b"\xfe\xff\0\x31\0\n"), "1\n");
         for bytes in [&b"\xff\xfe1\0\xb0\0"[..], b"\xfe\xff\0\x31\0\n"] {

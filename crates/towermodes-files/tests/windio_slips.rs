@@ -360,7 +360,11 @@ fn public_files_have_no_lookalikes() {
 #[test]
 fn masses_of_the_user_that_are_not_read_are_noted_at_their_line() {
     let at = "    tower:\n";
-    let (text, line) = with(VERSION_2, at, "    tower:\n        tower_mass_user: 250000.0\n");
+    let (text, line) = with(
+        VERSION_2,
+        at,
+        "    tower:\n        tower_mass_user: 250000.0\n",
+    );
     let found = notes(&text, "tower_mass_user");
     assert_eq!(found.len(), 1);
     assert_eq!(found[0].0, line + 1);
@@ -374,10 +378,16 @@ fn masses_of_components_are_noted_where_the_whole_has_none() {
     let words = "masses of single components";
     let hub = "    hub: {diameter: 3, hub_shell_mass_user: 2700.0, spinner_mass_user: 500.0}\n";
     let at = "    drivetrain:\n";
-    let (text, line) = with(VERSION_2, at, &format!("{hub}{at}        bedplate: {{mass_user: 9.0}}\n"));
+    let (text, line) = with(
+        VERSION_2,
+        at,
+        &format!("{hub}{at}        bedplate: {{mass_user: 9.0}}\n"),
+    );
     let found = notes(&text, words);
     assert_eq!(found.len(), 1);
     assert_eq!(found[0].0, line);
-    found[0].1.says("hub.hub_shell_mass_user, hub.spinner_mass_user (together 3200 kg)");
+    found[0]
+        .1
+        .says("hub.hub_shell_mass_user, hub.spinner_mass_user (together 3200 kg)");
     assert!(notes(VERSION_2, words).is_empty());
 }

@@ -14,9 +14,7 @@ use super::main_input::main_file::MainFile;
 use super::names::line_of;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
-use crate::hydrodyn::{
-    HydrodynInput, HydrodynPlatform, read_hydrodyn, read_water, water_of_fst,
-};
+use crate::hydrodyn::{HydrodynInput, HydrodynPlatform, read_hydrodyn, read_water, water_of_fst};
 use crate::input::ReadOptions;
 use crate::mooring::{MooringInput, MooringSite, read_map, read_moordyn};
 use crate::note::Note;

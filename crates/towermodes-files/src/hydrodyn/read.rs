@@ -123,7 +123,9 @@ fn is_hydrodyn(values: &Values<'_>) -> bool {
 }
 
 fn has_potential_flow(values: &Values<'_>) -> bool {
-    ["PotMod", "HasWAMIT"].iter().any(|name| values.line(name).is_some())
+    ["PotMod", "HasWAMIT"]
+        .iter()
+        .any(|name| values.line(name).is_some())
 }
 
 /// The mistake of a file that is none of HydroDyn, or only its beginning.

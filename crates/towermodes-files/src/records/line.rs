@@ -193,11 +193,24 @@ mod tests {
     #[test]
     fn file_names_are_whole() {
         let line = |text| super::Line { text, start: 0 };
-        for text in ["\"a/b c.dat\" EDFile", "'a/b.dat' EDFile", "a.dat EDFile", "a\\b.dat x"] {
+        for text in [
+            "\"a/b c.dat\" EDFile",
+            "'a/b.dat' EDFile",
+            "a.dat EDFile",
+            "a\\b.dat x",
+        ] {
             let found = line(text).file_name("EDFile").expect(text).expect(text);
-            assert!(text.contains(found.text) && found.text.ends_with(".dat"), "{text}");
+            assert!(
+                text.contains(found.text) && found.text.ends_with(".dat"),
+                "{text}"
+            );
         }
-        for text in ["a/b.dat EDFile", "\"a/b.dat EDFile - x", "'a.dat EDFile", "../b.dat EDFile"] {
+        for text in [
+            "a/b.dat EDFile",
+            "\"a/b.dat EDFile - x",
+            "'a.dat EDFile",
+            "../b.dat EDFile",
+        ] {
             let mistake = line(text).file_name("EDFile").expect_err(text);
             assert_eq!(mistake.span, 0..text.find(' ').expect(text), "{text}");
             assert!(mistake.message().contains("between two quotes"), "{text}");

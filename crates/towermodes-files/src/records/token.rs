@@ -75,7 +75,10 @@ impl Token<'_> {
 
 /// A number such as `1.5-101`: Fortran omits the letter before an exponent of three digits.
 fn without_letter(text: &str) -> Option<f64> {
-    let sign = text.len().checked_sub(4).filter(|&at| text.is_char_boundary(at))?;
+    let sign = text
+        .len()
+        .checked_sub(4)
+        .filter(|&at| text.is_char_boundary(at))?;
     let (mantissa, exponent) = text.split_at(sign);
     let has_sign = exponent.starts_with(['+', '-']);
     let is_exponent = has_sign && exponent[1..].bytes().all(|byte| byte.is_ascii_digit());
@@ -182,7 +185,9 @@ mod tests {
         assert_eq!(number(".5E-1"), Ok(0.05));
         assert_eq!(number("1.5+003"), Ok(1500.0));
         assert_eq!(number("-2.5-101"), Ok(-2.5e-101));
-        for wrong in ["nan", "inf", "1e999", "350000kg", "'1'", "x", "d", "1-003", "1.5+03", "1e5-003"] {
+        for wrong in [
+            "nan", "inf", "1e999", "350000kg", "'1'", "x", "d", "1-003", "1.5+03", "1e5-003",
+        ] {
             assert!(number(wrong).is_err(), "{wrong}");
         }
     }

@@ -223,7 +223,11 @@ fn a_file_that_is_not_there_is_refused() {
 fn names_of_files_must_be_whole() {
     let options = ReadOptions::default();
     let wrong = |result: Result<ElastoDynDeck, ReadError>, name: &str, hint: &str| {
-        let Err(ReadError::Mistakes { source_file, mistakes }) = result else {
+        let Err(ReadError::Mistakes {
+            source_file,
+            mistakes,
+        }) = result
+        else {
             panic!("a mistake: {name}");
         };
         assert_eq!(&source_file.text[mistakes[0].span.clone()], name);
@@ -232,7 +236,11 @@ fn names_of_files_must_be_whole() {
     };
     let slash = "without quotes a name ends at its first `/`";
     let quote = "close the quote";
-    for (name, hint) in [("ed/main.dat", slash), ("../main.dat", slash), ("\"main.dat", quote)] {
+    for (name, hint) in [
+        ("ed/main.dat", slash),
+        ("../main.dat", slash),
+        ("\"main.dat", quote),
+    ] {
         let fst = source("a.fst", format!("x\nx\n{name} EDFile - (quoted string)\n"));
         wrong(read_elastodyn(fst, &files(TOWER), &options), name, hint);
         let lines = format!("1 CompSub\n{name} SubFile - file\n");
@@ -250,16 +258,32 @@ fn comments_on_lines_of_their_own_are_refused() {
         result.expect_err("a comment").to_string()
     };
     let good = main_text(5, &[]);
-    for (name, comment) in [("TipRad", "! longer"), ("NacMass", "# NacMass was 1"), ("Echo", "%")] {
+    for (name, comment) in [
+        ("TipRad", "! longer"),
+        ("NacMass", "# NacMass was 1"),
+        ("Echo", "%"),
+    ] {
         let line = good.lines().find(|line| line.contains(name)).expect(name);
-        let said = refusal(good.replace(line, &format!("{comment}\n{line}")), TOWER.to_owned());
+        let said = refusal(
+            good.replace(line, &format!("{comment}\n{line}")),
+            TOWER.to_owned(),
+        );
         said.says(&format!("expected {name} here, found a comment"));
     }
-    let rows: Vec<&str> = TOWER.lines().skip_while(|line| !line.contains("HtFract")).collect();
-    let said = refusal(good.clone(), TOWER.replace(rows[3], &format!("! base\n{}", rows[3])));
+    let rows: Vec<&str> = TOWER
+        .lines()
+        .skip_while(|line| !line.contains("HtFract"))
+        .collect();
+    let said = refusal(
+        good.clone(),
+        TOWER.replace(rows[3], &format!("! base\n{}", rows[3])),
+    );
     said.says("found a comment");
     // The heading of a table may be any text, and is two lines.
-    let said = refusal(good, TOWER.replace(rows[0], &format!("# my tower\n{}", rows[0])));
+    let said = refusal(
+        good,
+        TOWER.replace(rows[0], &format!("# my tower\n{}", rows[0])),
+    );
     said.says("row 1 of the distributed properties");
 }
 
@@ -297,7 +321,9 @@ fn structural_controls_are_left_out_with_a_note() {
         let fst =
             format!("OpenFAST\nx\n\"main.dat\" EDFile\n{switch} CompServo\n\"s.dat\" ServoFile\n");
         let mut companions = files(TOWER);
-        companions.files.insert("main.dat".into(), main_text(5, &[]));
+        companions
+            .files
+            .insert("main.dat".into(), main_text(5, &[]));
         companions.files.insert("s.dat".into(), servo.to_owned());
         let deck = read_elastodyn(source("a.fst", fst), &companions, &ReadOptions::default());
         let said = messages(&deck.expect("a deck"));

@@ -167,7 +167,10 @@ fn members_without_a_coefficient_of_added_mass_have_one_note() {
     };
     note.says("7 members (`main_column` to `upper3`) have no");
     // Tower and platform are of the same steel.
-    let steel = text.replace("E: 200.e+009, nu: 0.3, G: 79.3e+009", "E: 200.e+9, nu: 0.3, G: 70.e+9");
+    let steel = text.replace(
+        "E: 200.e+009, nu: 0.3, G: 79.3e+009",
+        "E: 200.e+9, nu: 0.3, G: 70.e+9",
+    );
     assert_eq!(notes(&read(steel), "G of material").len(), 1);
 }
 
@@ -182,10 +185,19 @@ fn stiffened(spacing: f64, version: u8) -> TowerInput {
     let before = "                bulkhead: {material: steel, thickness: {grid: [0.0, 1.0]";
     let mut text = volturnus(top_kg()).replacen(before, &(stiffeners + before), 1);
     if version == 2 {
-        text = text.replace("name: VolturnUS-S\n", "windIO_version: '2.0'\nname: VolturnUS-S\n");
+        text = text.replace(
+            "name: VolturnUS-S\n",
+            "windIO_version: '2.0'\nname: VolturnUS-S\n",
+        );
         for (old, new) in [
-            ("outer_shape_bem:\n            reference_axis", "reference_axis"),
-            ("            outer_diameter: {grid: [0, 1], values: [10.0, 10.0]}\n        internal_structure_2d_fem", "        outer_shape: {outer_diameter: {grid: [0, 1], values: [10.0, 10.0]}}\n        structure"),
+            (
+                "outer_shape_bem:\n            reference_axis",
+                "reference_axis",
+            ),
+            (
+                "            outer_diameter: {grid: [0, 1], values: [10.0, 10.0]}\n        internal_structure_2d_fem",
+                "        outer_shape: {outer_diameter: {grid: [0, 1], values: [10.0, 10.0]}}\n        structure",
+            ),
             ("3.14159265", "180.0"),
             ("1.0471976", "60.0"),
             ("1.0471975", "60.0"),
@@ -219,7 +231,10 @@ fn stiffeners_that_overlap_have_their_angle_in_the_other_unit() {
         let said = notes(&input, words);
         assert_eq!(said.len(), 1, "{said:?}");
         said[0].says(&format!("in windIO {version} it is in"));
-        assert!((ballast(&input) - ballast(&in_rad)).abs() < 0.2, "{version}");
+        assert!(
+            (ballast(&input) - ballast(&in_rad)).abs() < 0.2,
+            "{version}"
+        );
     }
     assert!(notes(&stiffened(SPACING.to_degrees(), 2), words).is_empty());
 }
@@ -230,7 +245,10 @@ fn a_member_may_have_its_mass_from_the_user() {
     let of = |given: &str| {
         let text = volturnus(2e8);
         let member = "            - name: column2\n";
-        read(text.replace(member, &format!("{member}              member_mass_user: {given}\n")))
+        read(text.replace(
+            member,
+            &format!("{member}              member_mass_user: {given}\n"),
+        ))
     };
     let words = "member_mass_user";
     let [light, heavy] = [of("900000.0"), of("1.9e6")];
@@ -241,7 +259,10 @@ fn a_member_may_have_its_mass_from_the_user() {
     let y_m = |p: &FloatingPlatform| p.center_m[1] * p.mass_kg;
     let expected = -51.75 * 1.0471976_f64.sin() * 1e6;
     let moved = y_m(b) - y_m(a);
-    assert!((moved.abs() / expected.abs() - 1.0).abs() < 1e-6, "{moved} {expected}");
+    assert!(
+        (moved.abs() / expected.abs() - 1.0).abs() < 1e-6,
+        "{moved} {expected}"
+    );
     notes(&light, words)[0].says("member `column2` has member_mass_user = 900000 kg");
     assert!(notes(&of("0.0"), words).is_empty());
 }

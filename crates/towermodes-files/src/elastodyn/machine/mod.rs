@@ -5,6 +5,6 @@ pub(super) mod controller;
 pub(super) mod lump;
 pub(super) mod rotor;
 pub(super) mod servodyn;
-pub(super) mod structural_control;
 pub(super) mod shaft;
+pub(super) mod structural_control;
 pub(super) mod turbine;

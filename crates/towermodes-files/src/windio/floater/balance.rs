@@ -8,7 +8,7 @@ use super::super::support::materials::Materials;
 use super::super::text::outline::{Outline, Version};
 use super::super::text::reading::Reading;
 use super::super::text::yaml::Node;
-use super::ballast::{Ballast, Filled, ballasts};
+use super::ballast::{Filled, ballasts};
 use super::joints::{Joints, capped, vector};
 use super::lines::{Sea, lines};
 use super::members::{Member, Piece, members};

@@ -230,7 +230,10 @@ fn given_across(node: &Node) -> Option<&Node> {
 
 /// One note on all members without a coefficient of added mass, at the first of them.
 fn note_assumed(list: &[Node], reading: &mut Reading<'_>) {
-    let without: Vec<&Node> = list.iter().filter(|node| given_across(node).is_none()).collect();
+    let without: Vec<&Node> = list
+        .iter()
+        .filter(|node| given_across(node).is_none())
+        .collect();
     let Some(first) = without.first() else {
         return;
     };

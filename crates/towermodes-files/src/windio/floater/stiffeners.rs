@@ -63,8 +63,7 @@ impl Profile {
         let own = version.radians(self.spacing);
         let other = version.other().radians(self.spacing);
         let width_m = self.web_m[1].max(self.flange_m[0]);
-        let is_possible =
-            |angle: f64| angle <= TAU * (1.0 + 1e-9) && angle * radius_m >= width_m;
+        let is_possible = |angle: f64| angle <= TAU * (1.0 + 1e-9) && angle * radius_m >= width_m;
         match !is_possible(own) && is_possible(other) {
             true => (other, true),
             false => (own, false),

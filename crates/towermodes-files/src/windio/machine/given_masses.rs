@@ -22,7 +22,11 @@ pub(crate) fn note_structures(outline: &Outline, part: TowerPart, reading: &mut 
     ];
     for (node, what, is_read) in structures {
         let key = format!("{what}_mass_user");
-        let Some(given) = node.as_ref().filter(|_| is_read).and_then(|node| node.get(&key)) else {
+        let Some(given) = node
+            .as_ref()
+            .filter(|_| is_read)
+            .and_then(|node| node.get(&key))
+        else {
             continue;
         };
         if let Some(mass_kg) = positive(given) {
