@@ -363,15 +363,18 @@ fn the_command_line_is_that_of_the_program() {
     assert!(holds, "run: towermodes reference > {REFERENCE}");
 }
 
+/// The chapter with the table of methods.
+const METHODS: &str = "book/src/theory/method.md";
+
 /// Help, report and book describe a method in the same words.
 #[test]
 fn the_methods_are_those_of_the_library() {
-    let readme = fs::read_to_string(root().join("README.md")).expect("the page");
+    let chapter = fs::read_to_string(root().join(METHODS)).expect("the page");
     let command_line = fs::read_to_string(root().join(REFERENCE)).expect("the page");
     for method in towermodes::Method::ALL {
         let (name, description) = (method.name(), method.description());
         let row = format!("| `{name}` | {description} |");
-        assert!(readme.contains(&row), "README.md: {row}");
+        assert!(chapter.contains(&row), "{METHODS}: {row}");
         let value = format!("`{name}` ({description})");
         assert!(command_line.contains(&value), "{REFERENCE}: {value}");
     }

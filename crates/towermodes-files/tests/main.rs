@@ -7,6 +7,7 @@ mod bmodes_out;
 mod bmodes_unread;
 mod bmodes_write;
 mod bmodes_write_support;
+mod compatibility;
 mod damaged_files;
 mod damping;
 mod decks;
