@@ -26,6 +26,7 @@ mod whirl;
 
 pub use animation::{AnimatedFrame, AnimatedMember, AnimatedMode, AnimationData, animation_data};
 pub use campbell::{campbell, coupled_campbell};
+pub(crate) use campbell::{campbell_beside_conclusion, coupled_campbell_beside_conclusion};
 pub use convergence::convergence;
 pub use design::{DesignedMode, design};
 pub use error::error;
@@ -34,7 +35,7 @@ pub(crate) use lines::{LinesAtRest, lines_at_rest};
 pub use mooring::mooring;
 pub use scene::{Body, Form, Substance};
 pub use shapes::shapes;
-pub use soil::{scour, soil};
+pub use soil::{Excitations, scour, soil};
 pub use structure::structure;
 pub use sweep::{
     ModeColumn, SweepBand, SweepBands, SweepColumns, VariedColumn, ViolatedShare, sweep,
