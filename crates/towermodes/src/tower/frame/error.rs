@@ -95,7 +95,7 @@ pub enum FrameProblem {
         members: usize,
     },
     /// Two joints, or two members, with the same name.
-    #[error("the name stands twice; each joint and each member needs its own")]
+    #[error("the name occurs twice; each joint and each member needs a unique name")]
     NameTwice,
     /// A member from a joint to itself, or between two joints at one point.
     #[error(

@@ -18,13 +18,13 @@ pub struct Inertia {
     #[input(entry("inertia.zz", Limit::Inertia, "the inertia about the tower axis"))]
     pub zz: f64,
     /// Entry xy, kg m².
-    #[input(entry("inertia.xy", Limit::Elsewhere, "the entry xy of the inertia"))]
+    #[input(entry("inertia.xy", Limit::Elsewhere, "the entry xy of the inertia tensor"))]
     pub xy: f64,
     /// Entry xz, kg m².
-    #[input(entry("inertia.xz", Limit::Elsewhere, "the entry xz of the inertia"))]
+    #[input(entry("inertia.xz", Limit::Elsewhere, "the entry xz of the inertia tensor"))]
     pub xz: f64,
     /// Entry yz, kg m².
-    #[input(entry("inertia.yz", Limit::Elsewhere, "the entry yz of the inertia"))]
+    #[input(entry("inertia.yz", Limit::Elsewhere, "the entry yz of the inertia tensor"))]
     pub yz: f64,
 }
 
