@@ -41,7 +41,9 @@ pub(crate) fn several(files: &[SolvedFile<'_>], width: usize) -> String {
     };
     let cuts = |file: &SolvedFile<'_>| file.solution.certificate.count > file.solution.modes.len();
     let note_on_pairs = match files.iter().any(cuts) {
-        true => "\n*: except for the other mode of the last pair, which is not listed; a larger --modes lists it\n",
+        true => {
+            "\n*: except for the other mode of the last pair, which is not listed; a larger --modes lists it\n"
+        }
         false => "",
     };
     let missing: String = files
