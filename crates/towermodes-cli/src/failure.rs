@@ -350,7 +350,7 @@ impl Failure {
     fn with_remedy(self, remedy: Option<Remedy>) -> Self {
         match remedy {
             Some(Remedy::IgnoreColumn { name }) => self.hint_of(format!(
-                "--ignore \"{name}\" skips the column; so does a # before its name"
+                "skip the column by --ignore \"{name}\", or write # before its name"
             )),
             Some(Remedy::Csv) => self.hint("--format csv"),
             None => self,

@@ -110,7 +110,7 @@ fn prescription_note(input: &TowerInput, format: OutputFormat) -> Option<Note> {
     }
     let elements = input.prescribed.borders_m.as_ref().map(|borders| {
         let count = borders.len().saturating_sub(1);
-        format!(" with {count} elements of its own")
+        format!(" with {count} prescribed elements")
     });
     let modes = input
         .prescribed

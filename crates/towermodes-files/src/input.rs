@@ -201,7 +201,7 @@ impl TowerInput {
     pub fn note_on_shapes(&self) -> Option<Note> {
         let has_gravity = self.description.gravity_m_per_s2 != 0.0;
         (self.format == FileFormat::ElastoDyn && has_gravity).then(|| {
-            Note::new("the shapes are those of modes without gravity, as in BModes: ElastoDyn adds the geometric stiffness of the self-weight itself")
+            Note::new("the shapes are computed without gravity, as in BModes, because ElastoDyn itself adds the geometric stiffness of the self-weight")
         })
     }
 

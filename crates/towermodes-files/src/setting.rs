@@ -139,7 +139,7 @@ fn remedy(value: &str) -> String {
             format!("write {whole}, or {decimal} if the comma is a decimal comma")
         }
         (Ok(_), Some(_)) => format!("write a decimal point: {decimal}"),
-        _ => "write only the number, in SI units".to_owned(),
+        _ => "write only the number, in the unit of the tower file".to_owned(),
     }
 }
 

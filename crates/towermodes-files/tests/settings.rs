@@ -74,7 +74,10 @@ fn texts_that_are_no_settings() {
     refused(&["rna.mass"], "is not NAME=VALUE");
     refused(&["=3"], "is not NAME=VALUE");
     refused(&["rna.mass=heavy"], "is `heavy`, but must be a number");
-    refused(&["rna.mass=360 t"], "write only the number, in SI units");
+    refused(
+        &["rna.mass=360 t"],
+        "write only the number, in the unit of the tower file",
+    );
     refused(&["rna.mass=0,5"], "write a decimal point: 0.5");
     let words = "write 350000, or 350.000 if the comma is a decimal comma";
     refused(&["rna.mass=350,000"], words);

@@ -165,7 +165,7 @@ pub fn of_slice(error: SliceError) -> PyErr {
 fn argument_for(remedy: Remedy) -> String {
     match remedy {
         Remedy::IgnoreColumn { name } => {
-            format!("ignore=[{name:?}] skips the column; so does a # before its name")
+            format!("skip the column by ignore=[{name:?}], or write # before its name")
         }
         Remedy::Csv => "write it as CSV".to_owned(),
     }

@@ -79,7 +79,7 @@ pub enum SweepError {
     },
     /// A mode that the base does not have among its lowest.
     #[error(
-        "`{name}` is not among the lowest {modes} modes of the base; they are {}",
+        "`{name}` is not among the lowest {modes} modes of the base tower; these are {}",
         first(found)
     )]
     MissingMode {

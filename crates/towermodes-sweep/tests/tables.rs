@@ -105,7 +105,7 @@ fn mistakes_are_shown_with_line_and_column_and_what_is_right() {
         rna.mass,rna.mass\n1,2\n | columns 1 and 2 have the same name `rna.mass`
         stations[*].wall,stations[1].wall\n1,2\n | `stations[1].wall` sets stations[1].wall
         #a,#b\n1,2\n | all columns are skipped
-        rna.mass,stations[1].wall\nkg,m\n3e5,0.02\n | line 2 has no numbers but `kg`; if these are units
+        rna.mass,stations[1].wall\nkg,m\n3e5,0.02\n | line 2 contains no number, only text such as `kg`; if these are units
         rna.mass,stations[1].wall\n3e5,0.02\n3e5,\n | line 3, column `stations[1].wall`: the cell is empty
         rna.mass\n3e5\nabc\n | line 3, column `rna.mass`: `abc` is not a number
         rna.mass\n3e5\nNaN\n | line 3, column `rna.mass`: the value is NaN; it must be a finite number

@@ -30,8 +30,9 @@
 //!
 //! # Which numbers matter
 //!
-//! A [`Solver`] keeps options and memory from tower to tower. It also gives frequencies alone, as
-//! many modes as a condition needs, blades that turn, and derivatives:
+//! A [`Solver`] keeps options and memory from tower to tower. It also computes frequencies without
+//! shapes, as many modes as a condition requires, modes of rotating blades, and derivatives of
+//! frequencies:
 //!
 //! ```
 //! use towermodes::{Change, Material, Rna, Solver, Station, TowerDescription};

@@ -234,7 +234,9 @@ pub enum CoupledError {
         error: TurbineError,
     },
     /// Two numbers of blades.
-    #[error("the rotor has {rotor} blades, but the turbine has {turbine}; give the same number")]
+    #[error(
+        "the number of blades is given as {rotor}, but the turbine has {turbine} blades; give {turbine}, or omit the number"
+    )]
     Blades {
         /// That of the rotor.
         rotor: usize,

@@ -42,7 +42,7 @@ pub(crate) fn tolerance_parser(text: &str) -> Result<(Option<String>, Tolerance)
         (true, _) => Ok((name, Tolerance::Percent(amount))),
         (false, Some(_)) => Ok((name, Tolerance::Amount(amount))),
         (false, None) => Err(format!(
-            "an amount needs the name of its input, because units differ; write NAME={number}, or {number}% for every input"
+            "an absolute tolerance needs the name of its input value, because units differ; write NAME={number}, or {number}% for every input"
         )),
     }
 }

@@ -69,7 +69,7 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
         .all(|file| *file == Path::new("-"))
     {
         return Err(Failure::usage(
-            "standard input (-) can be only one of the two files",
+            "standard input (-) can be given for only one of the two files",
         ));
     }
     let mut first = input_of(&arguments.input.file, reading)?;

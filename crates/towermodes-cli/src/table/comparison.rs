@@ -95,6 +95,6 @@ fn note(comparison: &Comparison) -> Option<&'static str> {
     let bending = modes.position(|mode| mode.family == Family::ForeAft)?;
     let differs = bmodes.relative_differences[bending]?.abs() > 1e-4;
     differs.then_some(
-        "bmodes has no rotary inertia in bending and no shear; if the tower has them, its differences include this effect.",
+        "The method bmodes neglects rotary inertia in bending and shear deformation; if the tower has them, the differences of bmodes include their effect.",
     )
 }

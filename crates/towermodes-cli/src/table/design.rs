@@ -55,7 +55,7 @@ fn results(found: &Design) -> String {
         format!("{}, t", structure_mass(found.tower.foundation.frame())),
         mass(before),
         mass(after),
-        "least".to_owned(),
+        "minimum".to_owned(),
     ];
     let rows = found.reached.iter().flat_map(of_goal);
     let rows = std::iter::once(first).chain(rows);
@@ -67,7 +67,7 @@ fn results(found: &Design) -> String {
 }
 
 /// What the rows of other modes are.
-const ALSO_BOUND: &str = "also bound: a mode that shares the motion of the mode above; the limit holds for both. In parentheses: percent of the energy in this motion.";
+const ALSO_BOUND: &str = "also limited: a mode that shares the motion of the mode above; the limit holds for both modes. In parentheses: percent of the energy of the mode in the motion of the mode above.";
 
 /// The rows of the mode with the name of a goal, and of those that share its motion.
 fn of_goal(of: &Reached) -> Vec<[String; 4]> {
@@ -85,7 +85,7 @@ fn of_goal(of: &Reached) -> Vec<[String; 4]> {
     ];
     let other = |of_other: &OtherHolder| {
         let (label, share) = (of_other.mode.label(), percent(of_other.share));
-        let name = format!("  also bound: {label} ({share} % {motion}), Hz");
+        let name = format!("  also limited: {label} ({share} % {motion}), Hz");
         [name, "-".to_owned(), digits(of_other.hz, 6), band(&of.goal)]
     };
     let others = of.others.iter().map(other);

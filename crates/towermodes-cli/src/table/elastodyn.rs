@@ -90,7 +90,7 @@ pub(crate) fn judgements(
         "verdict",
     ];
     format!(
-        "{file}\n\n{}\n\nmodes: {}, {}\nrms error: rms difference from the mode, relative to its maximum deflection; error/best: this error divided by that of the polynomial that this program fits to the mode; rms error both: rms error if both shapes of the plane are combined, as in ElastoDyn\nimplied Hz: frequency of the tower without RNA that ElastoDyn computes with these coefficients; best Hz: the same with the polynomial that this program fits to the mode\n",
+        "{file}\n\n{}\n\nmodes {}, {}\nrms error: rms difference from the mode, relative to its maximum deflection; error/best: this error divided by the rms error of the polynomial that this program fits to the mode; rms error both: rms error if both shapes of the plane are combined, as in ElastoDyn\nimplied Hz: frequency of the tower without RNA that ElastoDyn computes with these coefficients; best Hz: this frequency with the polynomial that this program fits to the mode\n",
         text_table(header, judgements.iter().map(judgement), 1..=8),
         heights(tower, from_m),
         rna(tower),

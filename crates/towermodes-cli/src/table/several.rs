@@ -36,12 +36,14 @@ pub(crate) fn several(files: &[SolvedFile<'_>], width: usize) -> String {
         .flatten()
         .any(|cell| cell.trim_end() == NOT_LISTED);
     let note = match is_missing {
-        true => "\n-: not among the listed modes of this file; --modes lists more\n",
+        true => "\n-: not among the listed modes of this file; a larger --modes lists more\n",
         false => "",
     };
     let cuts = |file: &SolvedFile<'_>| file.solution.certificate.count > file.solution.modes.len();
     let note_on_pairs = match files.iter().any(cuts) {
-        true => "\n*: except for the other mode of the last pair; --modes lists it\n",
+        true => {
+            "\n*: except for the other mode of the last pair, which is not listed; a larger --modes lists it\n"
+        }
         false => "",
     };
     let missing: String = files

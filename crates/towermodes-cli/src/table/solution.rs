@@ -41,7 +41,7 @@ pub fn below_modes(tower: &Tower, solution: &Solution) -> String {
     }
     if solution.modes.iter().any(names_other_motions) {
         text.push_str(
-            "in parentheses: percent of the energy in the motion of the name; then in other motions\n",
+            "in parentheses: percent of the energy in the type of motion that the name states; then in other motions\n",
         );
     }
     text

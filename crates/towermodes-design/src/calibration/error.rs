@@ -62,7 +62,7 @@ pub enum CalibrationError {
     },
     /// Two measurements are of one mode.
     #[error(
-        "measurements {} and {} are both of {mode}; give one frequency for each mode: of several measurements their weighted mean and its standard deviation",
+        "measurements {} and {} are both of {mode}; give one frequency for each mode; combine several measurements of a mode into their weighted mean, with the standard deviation of this mean",
         .first + 1, .index + 1
     )]
     Repeated {
@@ -198,7 +198,7 @@ pub enum CalibrationError {
     Solve(#[from] SolveError),
     /// The tower has no such mode among the lowest.
     #[error(
-        "measurement {} is of {mode}, but it is not among the {computed} lowest modes of the tower; these are {there}",
+        "measurement {} is of the mode {mode}, which is not among the {computed} lowest modes of the tower; the lowest are {there}",
         .index + 1
     )]
     NoMode {

@@ -178,7 +178,7 @@ fn pairing(
     match ambiguity {
         Ambiguity::Frequency { other, distance_hz } => write!(
             f,
-            "measurement {number} is taken for {mode}, but may be {other}, whose frequency is {distance_hz:.4} Hz away; name the mode"
+            "measurement {number} is taken for {mode}, but may be {other}, whose frequency differs from the measured one by {distance_hz:.4} Hz; name the mode"
         ),
         Ambiguity::Shape {
             other,

@@ -103,7 +103,7 @@ pub enum DesignError {
         high: f64,
     },
     /// The tower has no mode of this name among its lowest ones.
-    #[error("the tower has no mode {mode} among its {modes} lowest")]
+    #[error("the tower has no mode {mode} among its {modes} lowest modes")]
     NoMode {
         /// The mode.
         mode: ModeName,

@@ -94,7 +94,7 @@ fn modes_and_sensors_that_do_not_exist_are_refused() {
     let base = tower();
     let rocking = || vec![unknown(&base, "foundation.rocking")];
     let of = |mode| vec![measured(mode, 0.3, 0.01)];
-    let words = "measurement 1 is of surge, but it is not among the";
+    let words = "measurement 1 is of the mode surge, which is not among the";
     refused(base.clone(), rocking(), of("surge"), words);
     let words = "these are side-side 1, fore-aft 1, ";
     refused(base.clone(), rocking(), of("fore-aft 99"), words);

@@ -99,7 +99,7 @@ pub(super) fn options(table: &Table<'_>, source: &Source) -> Result<Options, Dia
     }
     if !of_time.is_empty() {
         let message = format!(
-            "options that are not used: {} (they serve the simulation in time; the seabed is rigid)",
+            "options that are not used: {} (they apply only to simulations in time; the seabed is rigid)",
             of_time.join(", ")
         );
         found

@@ -106,7 +106,7 @@ fn contradiction([a, b]: &[String; 2], coefficient: Option<f64>, limits: [f64; 2
             given(coefficient)
         ),
         None => format!(
-            "`{a}` and `{b}` have no coefficient and are taken as independent, but the other coefficients allow {limits}; add one, or reduce the others"
+            "`{a}` and `{b}` have no coefficient, which means 0, but the other coefficients allow only values {limits}; add a coefficient of these two inputs, or reduce the others"
         ),
     }
 }

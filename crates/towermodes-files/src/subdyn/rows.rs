@@ -151,7 +151,7 @@ impl Ids {
             mistake.with_hint(match (least, most) {
                 (Some(least), Some(most)) if least != most => {
                     format!(
-                        "the table has {} numbers, from {least} to {most}",
+                        "the table has {} rows, with numbers from {least} to {most}",
                         self.indices.len()
                     )
                 }

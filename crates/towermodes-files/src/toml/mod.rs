@@ -163,7 +163,7 @@ fn describe(text: &str, files: Option<&dyn FileResolver>) -> Result<Described, R
         return Err(mistake.with_hint(hint).into());
     }
     if root.contains_key("sweep") && !root.contains_key("tower") {
-        let found = "the study of a sweep, not a tower".to_owned();
+        let found = "a sweep study, not a tower".to_owned();
         let mistake = Diagnostic::new(0..0, DiagnosticKind::WrongFile { found });
         return Err(mistake
             .with_hint("run it with `towermodes sweep FILE`")

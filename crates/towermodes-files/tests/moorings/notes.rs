@@ -19,7 +19,7 @@ fn a_plain_file_has_notes_on_columns_and_options() {
 3: columns of LINE TYPES that are not used: BA/-zeta, EI, Cd, Ca, CdAx, CaAx (damping, drag and added mass have no effect at rest)
 7: columns of POINTS that are not used: CdA, CA (damping, drag and added mass have no effect at rest)
 16: columns of LINES that are not used: NumSegs, Outputs (a line is an elastic catenary at rest, of any number of segments)
-22: options that are not used: dtM, kbot (they serve the simulation in time; the seabed is rigid)
+22: options that are not used: dtM, kbot (they apply only to simulations in time; the seabed is rigid)
 ";
     assert_eq!(lines(&input.notes), expected);
     let input = map(MAP, &SITE).expect("a mooring");

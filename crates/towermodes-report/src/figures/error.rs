@@ -99,7 +99,7 @@ fn description(comparison: &Comparison, methods: &[&Column]) -> String {
         .max_by(|a, b| largest(a).total_cmp(&largest(b)));
     text.extend(worst.map(|column| {
         format!(
-            " The largest is {:.1e}, of {}.",
+            " The largest difference is {:.1e} (method {}).",
             largest(column),
             column.method.name()
         )

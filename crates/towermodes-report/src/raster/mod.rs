@@ -27,7 +27,7 @@ pub enum RasterError {
     },
     /// The picture has too many pixels.
     #[error(
-        "{width} by {height} at scale {scale} gives {} by {} pixels; each must be at most {MAX_PIXELS}, so the scale at most {:.2}",
+        "{width} by {height} at scale {scale} gives {} by {} pixels; each must be at most {MAX_PIXELS}, so the scale must be at most {:.2}",
         (.width * .scale).ceil(), (.height * .scale).ceil(), largest_scale(*.width, *.height)
     )]
     Size {
@@ -188,7 +188,7 @@ mod tests {
         assert!(matches!(scale_error(f64::NAN), RasterError::Scale { .. }));
         assert_eq!(
             scale_error(11.2).to_string(),
-            "900 by 500 at scale 11.2 gives 10080 by 5600 pixels; each must be at most 10000, so the scale at most 11.11"
+            "900 by 500 at scale 11.2 gives 10080 by 5600 pixels; each must be at most 10000, so the scale must be at most 11.11"
         );
         assert!(matches!(scale_error(1e300), RasterError::Size { .. }));
         assert_eq!(

@@ -41,7 +41,7 @@ pub fn proof_of_completeness(certificate: &Certificate, listed: usize) -> String
     };
     let all = match (certificate.count > listed, listed) {
         (false, _) => "all of them are listed".to_owned(),
-        (true, 1) => "1 of them is listed; the others have the same frequency".to_owned(),
+        (true, 1) => "1 of them is listed; the other has the same frequency".to_owned(),
         (true, _) => {
             format!("{listed} of them are listed; the others have the frequency of the last one")
         }

@@ -20,7 +20,7 @@ pub fn remedy(error: &SolveError) -> Option<&'static str> {
         SolveError::Unstable {
             motion: Family::Roll | Family::Pitch,
         } => Some(
-            "check the height of the centre of mass (center; PtfmCMzt in OpenFAST) and the stiffness of water plane and buoyancy (hydrostatic; the .hst file, PtfmVol0 and AddCLin), which must not contain the gravity terms of the masses: they are added where there is gravity ([gravity]; Gravity); without gravity the masses do not keep the platform upright; check also that no mooring line pulls it over",
+            "check the height of the centre of mass (center; in OpenFAST PtfmCMzt) and the stiffness of water plane and buoyancy (hydrostatic; in OpenFAST the .hst file, PtfmVol0 and AddCLin); this stiffness must not contain the gravity terms of the masses, which are added if the input has gravity ([gravity]; in OpenFAST Gravity); check also that no mooring line tilts the platform",
         ),
         SolveError::Unstable { .. } => Some(
             "check the signs of the hydrostatic and mooring stiffness for this motion, and the masses",

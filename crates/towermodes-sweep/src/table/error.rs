@@ -139,7 +139,7 @@ pub enum TableProblem {
     },
     /// A second header line.
     #[error(
-        "line {line} has no numbers but `{text}`; if these are units, remove the line: the units are those of `towermodes parameters`"
+        "line {line} contains no number, only text such as `{text}`; if these are units, remove the line: the units are those of `towermodes parameters`"
     )]
     UnitRow {
         /// The line.

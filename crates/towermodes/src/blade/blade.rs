@@ -9,8 +9,7 @@ use crate::tower::{Inertia, inertia_plausibility};
 /// The radius of gyration of the body at the tip is at most this fraction of the blade length.
 const TIP_REACH: f64 = 0.6;
 
-/// A blade that can exist: every property is finite, and positive where it must be; constant
-/// afterwards.
+/// A checked blade: every property is finite, and positive where it must be. It cannot be changed.
 ///
 /// # Example
 /// See [`Solver::blade`](crate::Solver::blade).
@@ -23,7 +22,7 @@ impl Blade {
     /// Checks a description and makes the blade of it.
     ///
     /// # Errors
-    /// [`BladeError`] with the numbers of the first thing that no blade can have.
+    /// [`BladeError`] for the first invalid value, with its numbers.
     pub fn new(description: BladeDescription) -> Result<Self, BladeError> {
         let (hub_m, tip_m) = (description.hub_radius_m, description.tip_radius_m);
         let numbers = [
@@ -55,7 +54,7 @@ impl Blade {
         &self.description
     }
 
-    /// Possible input mistakes in the body at the tip.
+    /// Probable mistakes in the values of the body at the tip.
     pub fn warnings(&self) -> Vec<Warning> {
         let (tip, site) = (&self.description.tip, Site::default());
         let mut warnings = Vec::new();

@@ -16,17 +16,17 @@ pub struct BladeDescription {
     pub hub_radius_m: f64,
     /// Radius of the tip, m.
     pub tip_radius_m: f64,
-    /// Sections by increasing span; linear between them.
+    /// Sections by increasing span; their values are linear in the span between them.
     pub sections: Vec<BladeSection>,
-    /// Borders of the elements from the root to the tip, as shares of the span, 0 to 1.
+    /// Boundaries of the elements from the root to the tip, as fractions of the span, 0 to 1.
     pub borders: Vec<f64>,
     /// Speed of the rotor Ω, rad/s.
     pub rotor_speed_rad_per_s: f64,
     /// Pitch, rad; adds to the twist.
     pub pitch_rad: f64,
-    /// The body at the tip, its centre from the tip and all in (X, Y, Z).
+    /// Rigid body at the tip; its centre of mass from the tip, and its inertia, are in (X, Y, Z).
     pub tip: RigidBody,
-    /// Whether the rotation pulls the body at the tip too; BModes 3.00 leaves that out.
+    /// Whether the centrifugal force of the body at the tip is included; BModes 3.00 omits it.
     pub tip_is_pulled: bool,
 }
 
@@ -46,8 +46,8 @@ pub struct BladeSection {
     /// [turbine](crate::turbine::TurbineDescription::blade) they act in all rotations.
     pub flap_inertia_kg_m: f64,
     /// Inertia per length ∫ x² dm for turning in lag, kg m, with x along the section's own X from
-    /// the blade's axis. It includes that of the mass m at its centre, so that it is at least m
-    /// times the square of [`center_of_mass_m`](Self::center_of_mass_m).
+    /// the blade's axis. It includes the inertia m x̄² of the mass per length m at its centre x̄,
+    /// which is [`center_of_mass_m`](Self::center_of_mass_m), so it is at least m x̄².
     pub edge_inertia_kg_m: f64,
     /// Bending stiffness in flap, N m².
     pub flap_n_m2: f64,
@@ -68,13 +68,14 @@ pub struct BladeSection {
 const ROUNDED: f64 = 1e-9;
 
 impl BladeSection {
-    /// The least edgewise inertia that a section with this mass and this centre of mass can have,
-    /// m x̄², kg m: that of a line of mass at x̄.
+    /// The least edgewise inertia that a section with this mass and this centre of mass can have, m
+    /// x̄², kg m: the inertia of a section whose whole mass is at x̄.
     pub fn least_edge_inertia_kg_m(&self) -> f64 {
         self.mass_kg_per_m * self.center_of_mass_m * self.center_of_mass_m
     }
 
-    /// Whether its edgewise inertia is at least that, but for rounded digits.
+    /// Whether the edgewise inertia is at least
+    /// [`least_edge_inertia_kg_m`](Self::least_edge_inertia_kg_m), apart from rounding.
     pub fn inertia_suits_center_of_mass(&self) -> bool {
         self.edge_inertia_kg_m >= (1.0 - ROUNDED) * self.least_edge_inertia_kg_m()
     }

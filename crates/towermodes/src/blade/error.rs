@@ -1,4 +1,4 @@
-//! Why a description is no blade.
+//! Errors in the description of a blade.
 
 use thiserror::Error;
 
@@ -8,7 +8,7 @@ use crate::number::Plain;
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum BladeError {
-    /// A number that is none.
+    /// A value that is NaN or infinite.
     #[error("{quantity} is {value}, which is not a finite number")]
     NotFinite {
         /// The quantity.
@@ -21,7 +21,7 @@ pub enum BladeError {
     NotPositive {
         /// The quantity.
         quantity: &'static str,
-        /// Of which section.
+        /// Index of the section.
         section: usize,
         /// The value given.
         value: f64,
@@ -31,19 +31,19 @@ pub enum BladeError {
     Negative {
         /// The quantity.
         quantity: &'static str,
-        /// Of which section.
+        /// Index of the section.
         section: usize,
         /// The value given.
         value: f64,
     },
-    /// Less inertia about the axis of the blade than the mass at its centre has.
+    /// An edgewise inertia below m x̄², the inertia of the mass m at its centre x̄.
     #[error(
         "the edgewise inertia of section {} is {} kg m; it is about the axis of the blade, so that with a mass of {} kg/m whose centre is {} m from the axis it must be \
          at least mass times offset squared, {:.6} kg m; if the value given is about the centre of mass, add that product",
         .section + 1, Plain(*.edge_inertia_kg_m), Plain(*.mass_kg_per_m), Plain(*.offset_m), mass_kg_per_m * offset_m * offset_m
     )]
     CenterOfMass {
-        /// Of which section.
+        /// Index of the section.
         section: usize,
         /// The offset of the centre of mass, m.
         offset_m: f64,
@@ -52,13 +52,14 @@ pub enum BladeError {
         /// The inertia given, kg m.
         edge_inertia_kg_m: f64,
     },
-    /// A tension centre so far out that stretching the blade would bend it without resistance.
+    /// A tension centre so far from the axis that EA times the square of its offset is not less
+    /// than the edgewise stiffness.
     #[error(
         "the tension centre of section {} is too far from the axis: EA times its offset of {} m squared, {:.4e} N m2, must be less than the edgewise stiffness, {:.4e} N m2",
         .section + 1, Plain(*.offset_m), axial_n * offset_m * offset_m, edge_n_m2
     )]
     TensionCenter {
-        /// Of which section.
+        /// Index of the section.
         section: usize,
         /// The offset, m.
         offset_m: f64,
@@ -67,7 +68,7 @@ pub enum BladeError {
         /// EI in lag, N m².
         edge_n_m2: f64,
     },
-    /// Infinite in some sections only.
+    /// A stiffness that is infinite in some sections only.
     #[error(
         "{quantity} is {first:e} in section 1 and {value:e} in section {}; it must be infinite in all sections (no such deformation) or in \
          none",
@@ -76,9 +77,9 @@ pub enum BladeError {
     RigidInSomeSections {
         /// The quantity.
         quantity: &'static str,
-        /// Of which section.
+        /// Index of the section.
         section: usize,
-        /// The value there.
+        /// The value in this section.
         value: f64,
         /// The value of the first section.
         first: f64,
@@ -94,7 +95,7 @@ pub enum BladeError {
     /// Sections or borders of elements that do not go from 0 to 1.
     #[error("the {what} are given from {} to {} of the span; they must be given from 0 to 1", Plain(*.first), Plain(*.last))]
     NotWhole {
-        /// Which.
+        /// The list: "sections" or "borders of the elements".
         what: &'static str,
         /// The first, as a fraction of the span.
         first: f64,
@@ -104,9 +105,9 @@ pub enum BladeError {
     /// Sections or borders of elements that do not rise.
     #[error("the {what} must increase along the span, but do not at {}", Plain(*.span))]
     NotRising {
-        /// Which.
+        /// The list: "sections" or "borders of the elements".
         what: &'static str,
-        /// Position, as a fraction of the span.
+        /// Where the first of them is not larger than the one before, as a fraction of the span.
         span: f64,
     },
     /// A mass at the tip that is negative.
@@ -115,10 +116,10 @@ pub enum BladeError {
         /// The mass, kg.
         mass_kg: f64,
     },
-    /// A body at the tip that no body is.
+    /// A body at the tip whose inertia has a negative principal moment.
     #[error("the tip inertia has a negative principal moment, {} kg m2", Plain(*.moment_kg_m2))]
     NegativeTipInertia {
-        /// The moment, kg m².
+        /// The negative principal moment, kg m².
         moment_kg_m2: f64,
     },
 }

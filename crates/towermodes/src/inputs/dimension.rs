@@ -1,9 +1,9 @@
-//! What a number measures.
+//! The physical dimensions of input values.
 
-/// What a number measures, by its unit.
+/// The physical dimension of an input value, by its unit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Dimension {
-    /// Without unit.
+    /// A number without unit.
     Pure,
     /// m.
     Length,
@@ -43,12 +43,12 @@ pub enum Dimension {
     PerAngle,
     /// m³.
     Volume,
-    /// That of each entry of a matrix of stiffness or inertia.
+    /// An entry of a matrix of stiffness or inertia, whose dimension depends on its row and column.
     OfEntries,
 }
 
 impl Dimension {
-    /// That of a number with this unit; none for an unknown unit.
+    /// The dimension of a number with this unit; none for an unknown unit.
     pub fn of_unit(unit: &str) -> Option<Self> {
         Some(match unit {
             "" => Self::Pure,

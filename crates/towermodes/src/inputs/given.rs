@@ -11,7 +11,7 @@ pub enum Given {
     Pair(Option<[f64; 2]>),
     /// Coordinates x downwind, y side-side, z up.
     Triple([f64; 3]),
-    /// How many there are of something.
+    /// A number of objects.
     Count(usize),
     /// Yes or no.
     Flag(bool),
@@ -20,7 +20,7 @@ pub enum Given {
 }
 
 impl Given {
-    /// The number, also that of a count, if it is one and given.
+    /// The number or the count, if it is one of these and given.
     pub fn number(self) -> Option<f64> {
         match self {
             Self::Number(value) => Some(value),
@@ -43,8 +43,8 @@ impl Given {
         }
     }
 
-    /// The number, or that at one end of a pair, 0 for the top and 1 for the bottom, or one of the
-    /// coordinates.
+    /// The number; or the number at one end of a pair, `place` 0 for the top and 1 for the bottom;
+    /// or one of the coordinates.
     pub fn at(self, place: Option<usize>) -> Option<f64> {
         match (self, place) {
             (Self::Triple(triple), Some(place)) => triple.get(place).copied(),

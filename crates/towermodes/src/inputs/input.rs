@@ -1,47 +1,47 @@
-//! The facts about one value.
+//! The description of one value of the tower file.
 
 use super::{Given, Limit, Nature, Quantity};
 
-/// The facts about one value of the tower file, made by constant functions beside the field that
-/// holds it.
+/// The description of one value of the tower file. Constant functions make it, beside the field
+/// that contains the value.
 #[derive(Debug)]
 pub struct Input {
     /// Its key in the tower file.
     pub key: &'static str,
-    /// What it is, in a few words for messages: "the diameter of the caisson".
+    /// Its name in messages: "the diameter of the caisson".
     pub name: &'static str,
     /// Its unit after a space; empty for none.
     pub spaced_unit: &'static str,
     /// More about it in the comment of a written file and in the schema; may be empty.
     pub note: &'static str,
-    /// What a file without it is told; empty for its name and unit.
+    /// The hint for a file without the key; if empty, name and unit are shown.
     pub hint: &'static str,
     /// Other names of the key, in other programs and on drawings, separated by blanks.
     pub synonyms: &'static str,
-    /// What stands for it where it is absent: "the lowest station"; may be empty.
+    /// What is used if the key is absent: "the lowest station"; may be empty.
     pub otherwise: &'static str,
-    /// Which values it can have at all.
+    /// The limits of its values.
     pub limit: Limit,
-    /// What a user is told whose value is outside its limits; may be empty.
+    /// The hint for a value outside the limits; may be empty.
     pub remedy: &'static str,
-    /// The number that a file without it has; NaN if it must be given.
+    /// The value if the key is absent; NaN if the key must be given.
     pub default: f64,
     /// Whether the key must be given.
     pub is_required: bool,
-    /// Whether it is left out of written files where it has its default.
+    /// Whether written files omit it if it has its default value.
     pub is_quiet: bool,
     /// Whether infinity may be given, for what is rigid or endless.
     pub may_be_infinite: bool,
-    /// Whether softer soil has a smaller one, in proportion.
+    /// Whether it is proportional to the stiffness of the soil.
     pub is_of_soil: bool,
     /// The usual range of towers.
     pub usual: Option<(Quantity, [f64; 2])>,
-    /// Its symbol, the factor to the unit in which a short list has it, and that unit; without one
-    /// the list has its name.
+    /// The symbol, the factor to the unit and the unit for a short list of values; if none, the
+    /// list shows its name.
     pub symbol: Option<(&'static str, f64, &'static str)>,
-    /// A key beside which it has no effect.
+    /// Another key; if this is given, the value has no effect.
     pub yields_to: Option<&'static str>,
-    /// A key without which it has no effect, and what to do then.
+    /// Another key, without which the value has no effect, and the remedy.
     pub needs: Option<(&'static str, &'static str)>,
 }
 
@@ -103,14 +103,14 @@ impl Input {
         self.optional()
     }
 
-    /// It may be left out.
+    /// The key may be omitted.
     #[must_use]
     pub const fn optional(mut self) -> Self {
         self.is_required = false;
         self
     }
 
-    /// It is left out of written files where it has its default.
+    /// Written files omit it if it has its default value.
     #[must_use]
     pub const fn quiet(mut self) -> Self {
         self.is_quiet = true;
@@ -124,7 +124,7 @@ impl Input {
         self
     }
 
-    /// Softer soil has a smaller one, in proportion.
+    /// The value is proportional to the stiffness of the soil.
     #[must_use]
     pub const fn of_soil(mut self) -> Self {
         self.is_of_soil = true;
@@ -138,14 +138,14 @@ impl Input {
         self
     }
 
-    /// What a file without it is told.
+    /// The hint for a file without the key.
     #[must_use]
     pub const fn hint(mut self, hint: &'static str) -> Self {
         self.hint = hint;
         self
     }
 
-    /// What a user is told whose value is outside its limits.
+    /// The hint for a value outside the limits.
     #[must_use]
     pub const fn remedy(mut self, remedy: &'static str) -> Self {
         self.remedy = remedy;
@@ -159,7 +159,7 @@ impl Input {
         self
     }
 
-    /// What stands for it where it is absent.
+    /// What is used if the key is absent.
     #[must_use]
     pub const fn otherwise(mut self, otherwise: &'static str) -> Self {
         self.otherwise = otherwise;
@@ -178,7 +178,7 @@ impl Input {
         self.usual_of(quantity, range)
     }
 
-    /// The usual range of a quantity that several values are.
+    /// The usual range of a quantity that is common to several values.
     #[must_use]
     pub const fn usual_of(mut self, quantity: Quantity, range: [f64; 2]) -> Self {
         self.usual = Some((quantity, range));
@@ -200,15 +200,15 @@ impl Input {
         self
     }
 
-    /// It has no effect beside another key.
+    /// It has no effect if another key is given.
     #[must_use]
     pub const fn yields_to(mut self, key: &'static str) -> Self {
         self.yields_to = Some(key);
         self
     }
 
-    /// Whether a value is what stands for the key where it is left out. The first of several names
-    /// is the default of a choice that is always there.
+    /// Whether a value is equal to the default of an omitted key. The first of several names is the
+    /// default of a choice that is always there.
     pub fn is_default(&self, given: Given) -> bool {
         match given {
             Given::Number(value) => value == self.default,
@@ -228,12 +228,12 @@ impl Input {
             .map_or(self.key, |(outer, _)| outer)
     }
 
-    /// Its unit.
+    /// Its unit, without the leading space.
     pub fn unit(&self) -> &'static str {
         self.spaced_unit.trim_start()
     }
 
-    /// What it is, without an article.
+    /// Its name without the article.
     pub fn meaning(&self) -> &'static str {
         self.name.strip_prefix("the ").unwrap_or(self.name)
     }

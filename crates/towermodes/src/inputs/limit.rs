@@ -1,6 +1,6 @@
-//! Which values a quantity can have at all.
+//! The limits of the values of a quantity.
 
-/// Which values a quantity can have at all, beside the infinity that may stand for "rigid".
+/// The limits of the values of a quantity; infinity may be allowed in addition, for "rigid".
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Limit {
     /// Any finite number.
@@ -17,11 +17,11 @@ pub enum Limit {
     Positive,
     /// Positive or zero.
     NotNegative,
-    /// Positive, and of any size: springs are scaled to themselves.
+    /// Positive and of any magnitude: coordinates are scaled by the springs.
     Spring,
-    /// Positive or zero, and of any size: springs are scaled to themselves.
+    /// Positive or zero and of any magnitude: coordinates are scaled by the springs.
     Stiffness,
-    /// Positive, up to a number.
+    /// Positive and at most this number.
     UpTo(f64),
     /// From the first number to the second.
     Within([f64; 2]),
@@ -35,16 +35,16 @@ pub enum Limit {
     PoissonsRatioOfSoil,
     /// A moment of inertia; the check of the whole tensor limits it.
     Inertia,
-    /// None; the check of its struct limits it.
+    /// No limit here; the check of its struct limits it.
     Elsewhere,
 }
 
-/// What kind of number a quantity is by its nature.
+/// Whether the values of a quantity can be negative or zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Nature {
     /// A height in the datum of the tower file.
     Height,
-    /// A coordinate, an angle, a product of inertia, Poisson's ratio: zero is a value like others.
+    /// A coordinate, an angle, a product of inertia, Poisson's ratio: positive, negative or zero.
     Signed,
     /// A mass, a spring: positive, or zero where there is none.
     Amount,
@@ -63,7 +63,7 @@ impl Nature {
 }
 
 impl Limit {
-    /// What kind of number has this limit.
+    /// The nature of values with this limit.
     pub fn nature(self) -> Nature {
         match self {
             Self::Height => Nature::Height,

@@ -1,4 +1,4 @@
-//! The values of a tower file: what each one is, beside the field that holds it.
+//! The values of a tower file: each is described beside the field that contains it.
 //!
 //! A struct that is a table of the tower file derives [`Inputs`]; the attribute of a field is an
 //! [`Input`], the facts about its value. The checks of the tower, the names of its numbers, the
@@ -67,7 +67,8 @@ impl<T: Inputs> Inputs for Option<T> {
     }
 }
 
-/// Its values and those that it has not, each with a description: all keys of the table.
+/// All keys of the table with their descriptions: values that this struct has, and values that it
+/// has not.
 pub fn every_input(inputs: &dyn Inputs) -> Vec<(&'static Input, Given)> {
     let mut all = given_inputs(inputs);
     inputs.idle(&mut |input, given| all.push((input, given)));
@@ -101,7 +102,7 @@ pub(crate) fn without_needed(
     needing.filter(|(_, needed, _)| !is_there(needed)).collect()
 }
 
-/// Multiplies the values that softer soil has smaller.
+/// Multiplies the values that are proportional to the stiffness of the soil.
 pub fn multiply_soil(inputs: &mut dyn Inputs, factor: f64) {
     inputs.update(&mut |input, given| match given.number() {
         Some(value) if input.is_of_soil => given.with_number(factor * value),

@@ -186,7 +186,7 @@ impl Quantity {
                 "floating platforms have 0.02 to 1; the unit is N/m, not kN/m"),
             Self::SurgeFrequency => ("the surge or sway frequency from the mooring stiffness", " Hz",
                 "typical: 0.004 to 0.05 Hz; the unit is N/m, not kN/m"),
-            Self::WinklerLengths => ("the embedded length, divided by the characteristic length (4EI/k)^(1/4) of the pile,", "",
+            Self::WinklerLengths => ("the embedded length, divided by the characteristic length (4EI/k)^(1/4) of the pile with the soil springs k per length,", "",
                 "a pile supported by soil has more than 1; the unit of the springs is N/m2, not kN/m2"),
             Self::SoilPlaneRatio => ("the soil spring in y, divided by the soil spring in x,", "",
                 "soil is about equally stiff in both directions; check the exponents"),

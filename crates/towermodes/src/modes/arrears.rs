@@ -48,8 +48,8 @@ pub struct Arrears<const K: usize> {
 }
 
 impl<const K: usize> Arrears<K> {
-    /// No mode is named yet. A family that is there `once` names one mode and then no other. Of
-    /// families whose sums differ by no more than `tie` the first gets the mode.
+    /// No mode is named yet. A family with `once` = true names at most one mode. If the sums s of
+    /// several families differ by no more than `tie`, the first of them names the mode.
     pub fn new(once: [bool; K], tie: f64) -> Self {
         Self {
             once,
@@ -68,14 +68,16 @@ impl<const K: usize> Arrears<K> {
         }
     }
 
-    /// The same rule that considers families with at least `least` of a mode's largest share: 0
-    /// keeps the bounds above for all shares.
+    /// The same rule with another limit than a quarter: only families with at least the fraction
+    /// `least` of the largest share of a mode are considered. With 0 the bounds above hold for all
+    /// shares.
     pub fn with_least(self, least: f64) -> Self {
         Self { least, ..self }
     }
 
-    /// The family of the next mode and its order in it, from 1. Only families that `may` name it
-    /// are considered, as those of the motions that its structure couples.
+    /// The family of the next mode and its order in it, from 1. Only families for which `may` is
+    /// true are considered, for example those of the motions that the structure couples in this
+    /// mode.
     pub fn name(&mut self, shares: &[f64; K], may: impl Fn(usize) -> bool) -> (usize, usize) {
         let is_left =
             |family: usize| (!self.once[family] || self.named[family] == 0) && may(family);
@@ -98,15 +100,15 @@ impl<const K: usize> Arrears<K> {
         (family, self.named[family])
     }
 
-    /// The order of the next mode of a family that no other mode has a share of, and that has all
-    /// of its modes' energy: its arrears stay zero.
+    /// The order of the next mode of a family, if its modes have no energy in other families and
+    /// other modes have no energy in it: its arrears stay zero.
     pub fn name_alone(&mut self, family: usize) -> usize {
         self.named[family] += 1;
         self.named[family]
     }
 
-    /// The energy of each family in the modes so far, less the number of its names, as far as it
-    /// has not faded.
+    /// The arrears r of each family: its energy in the modes so far less the number of its names,
+    /// reduced by [`fade`](Self::fade).
     pub fn left(&self) -> &[f64; K] {
         &self.arrears
     }

@@ -11,8 +11,8 @@ pub struct Estimate {
     pub error_hz: f64,
     /// Estimate of f*, Hz.
     pub extrapolated_hz: f64,
-    /// How far the value extrapolated without the finest mesh is from that with it, Hz; 0 without a
-    /// mesh to spare.
+    /// Difference between the values extrapolated with and without the finest mesh, Hz; 0 if there
+    /// is no mesh more than the extrapolation needs.
     pub spread_hz: f64,
     /// Whether the meshes converge with the given powers, so that the spread is small relative to
     /// the error.
@@ -31,15 +31,16 @@ const ROUNDING: f64 = 1e-10;
 const MARGIN: f64 = 1.05;
 
 /// Extrapolates the frequencies (Hz) of one mode on meshes from the finest to the coarsest, each
-/// with half the segments of the one before, for an error with these powers of 1/n: one mesh more
-/// than there are powers, or two.
+/// with half the segments of the one before, for an error with these powers of 1/n. The number of
+/// meshes is the number of powers plus one or two.
 ///
-/// For each power p in turn: fᵢ ← fᵢ + (fᵢ − fᵢ₊₁)/(2ᵖ − 1). The error is that of `frequency_hz`,
-/// which is one of the meshes', but at least the change by the last power, and at least the spread
-/// (the difference of the values extrapolated with and without the finest mesh) over 2ᵖ of the
-/// lowest power. Where the spread is large the meshes do not converge with these powers yet, and
-/// the error is at least the spread: terms may cancel, or two meshes agree by chance. The result is
-/// 1.05 times that, because the powers left out make the true error as often larger as smaller.
+/// For each power p in turn: fᵢ ← fᵢ + (fᵢ − fᵢ₊₁)/(2ᵖ − 1). The error is the difference between
+/// the extrapolated value and `frequency_hz`, the frequency on one of the meshes, but at least the
+/// change by the last power, and at least the spread (the difference of the values extrapolated
+/// with and without the finest mesh) over 2ᵖ of the lowest power. Where the spread is large the
+/// meshes do not converge with these powers yet, and the error is at least the spread: terms may
+/// cancel, or two meshes agree by chance. The result is 1.05 times this error, because the
+/// neglected powers make the true error larger as often as smaller.
 ///
 /// Source: Richardson (1911); Romberg (1955) for several powers.
 ///

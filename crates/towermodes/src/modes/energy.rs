@@ -27,7 +27,7 @@ impl ByMotion {
         }
     }
 
-    /// In the order of [`Motion::ALL`](crate::tower::Motion::ALL).
+    /// The four values in the order of [`Motion::ALL`](crate::tower::Motion::ALL).
     pub fn values(&self) -> [f64; 4] {
         [self.fore_aft, self.side_side, self.torsion, self.axial]
     }
@@ -67,7 +67,8 @@ pub struct Energy {
 }
 
 impl Energy {
-    /// The mean of both; the kinetic energy alone where there is no strain energy.
+    /// The mean of the kinetic and the strain fractions; the kinetic fractions alone if there is no
+    /// strain energy.
     pub fn mean(&self) -> ByMotion {
         let (k, s) = (&self.kinetic, &self.strain);
         if *s == ByMotion::default() {

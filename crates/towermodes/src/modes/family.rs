@@ -62,7 +62,7 @@ impl Family {
         Self::Yaw,
     ];
 
-    /// The family of one motion of a bare tower.
+    /// The family of the modes with this motion: bending, torsion or axial.
     pub fn of(motion: Motion) -> Self {
         match motion {
             Motion::Bending(Plane::ForeAft) => Self::ForeAft,
@@ -129,7 +129,8 @@ impl Family {
         }
     }
 
-    /// The motion of a bare tower that it is made of; none of one that moves the tower little.
+    /// The motion of the tower in modes of this family: surge and pitch belong to bending fore-aft,
+    /// yaw to torsion. None for [`Family::Substructure`], whose modes hardly move the tower.
     pub fn motion(self) -> Option<Motion> {
         match self {
             Self::ForeAft | Self::Surge | Self::Pitch => Some(Motion::Bending(Plane::ForeAft)),

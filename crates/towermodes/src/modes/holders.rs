@@ -9,13 +9,15 @@ use crate::number::Rounded;
 /// A mode with at least this part of a unit of a family's energy holds its name.
 const LEAST_PART: f64 = 0.25;
 
-/// The modes that hold a name: the one that has it, and those that share its motion with that one.
+/// The modes that hold a name: the mode that has the name, and the modes that share the motion of
+/// this name with it.
 ///
 /// With p(n, f) the share of family f in the energy of mode n and C(n, f) = Σ p(m, f) over the
-/// modes m ≤ n, the j-th unit of the family's energy is that between C = j − 1 and C = j. The part
-/// of mode n in it is the length of \[C(n − 1, f), C(n, f)\] that lies between. Where two modes
-/// exchange the names (f, j) and (g, k), each of them has about half of the unit. So a limit on all
-/// holders of a name does not jump where the name does.
+/// modes m ≤ n, the j-th unit of the energy of the family is the energy between C = j − 1 and C =
+/// j. The part of mode n in it is the length of \[C(n − 1, f), C(n, f)\] that lies between. Where
+/// two modes exchange the names (f, j) and (g, k), each of them has about half of the unit.
+/// Therefore a limit that applies to all holders of a name changes continuously when modes exchange
+/// their names.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Holders {
     /// The place in the list of the mode that has the name.
@@ -23,7 +25,7 @@ pub struct Holders {
     /// The places of all holders by rising frequency: the mode that has the name, and every mode
     /// with at least a quarter of the unit.
     pub places: Vec<usize>,
-    /// Whether no mode above the list can be one.
+    /// Whether the list is long enough: no mode above its end can hold the name.
     pub is_complete: bool,
 }
 
@@ -76,7 +78,7 @@ impl Holders {
         })
     }
 
-    /// The modes that a limit on a name binds: all holders, if the mode that has the name is
+    /// The modes to which a limit on a name applies: all holders, if the mode that has the name is
     /// coupled (less than 60 % of its energy is in the family); otherwise that mode alone, because
     /// no small change of the tower gives the name to another one.
     pub fn bound<'m>(
@@ -95,7 +97,7 @@ impl Holders {
         }
     }
 
-    /// The holders beside the mode that has the name.
+    /// Places of the holders other than the mode that has the name.
     pub fn others(&self) -> impl Iterator<Item = usize> {
         self.places
             .iter()
@@ -104,9 +106,9 @@ impl Holders {
     }
 }
 
-/// That modes share the motion of a name, of which the mode that has it has less than 60 %: after a
-/// small change of the tower another of these modes may have the name. Its text is "side-side 2 and
-/// torsion 1 share modes 3 and 4 here: 1.964 and 1.968 Hz".
+/// Several modes share the motion of a name: the mode that has the name has less than 60 % of its
+/// energy in this motion, and after a small change of the tower another of these modes may have the
+/// name. Its text is "side-side 2 and torsion 1 share modes 3 and 4 here: 1.964 and 1.968 Hz".
 #[derive(Debug, Clone, PartialEq)]
 pub struct SharedMotion {
     /// The name.
@@ -116,8 +118,9 @@ pub struct SharedMotion {
 }
 
 impl SharedMotion {
-    /// Of a name in a list of modes, with their frequencies (Hz), by rising frequency; none if its
-    /// mode has the motion clearly, or is not in the list.
+    /// Finds the modes that share the motion of a name in a list of modes with frequencies (Hz), by
+    /// rising frequency; none if the mode with this name has at least 60 % of its energy in the
+    /// motion, or is not in the list.
     pub fn of<'m>(
         name: ModeName,
         modes: impl Iterator<Item = (ModeName, &'m Shares, f64)> + Clone,

@@ -9,8 +9,8 @@ use super::family::Family;
 
 /// The name of a mode: its family and its order in it, from 1.
 ///
-/// A mode keeps its name where its place in the list changes, as where two frequencies cross.
-/// Its text is that of the family and the order, `fore-aft 1`; a rigid-body mode of a floating
+/// A mode keeps its name when its place in the list changes, for example when two frequencies
+/// cross. Its text consists of family and order, `fore-aft 1`; a rigid-body mode of a floating
 /// tower has the name of its motion alone, `surge`.
 ///
 /// # Example
@@ -56,7 +56,7 @@ impl fmt::Display for ModeName {
 /// Why a text is not the name of a mode.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum ModeNameError {
-    /// It begins with no family.
+    /// The text does not begin with the name of a family.
     #[error(
         "`{text}` is not the name of a mode; a mode name is a type and a number, such as `fore-aft 1`, or one of surge, sway, \
          heave, roll, pitch, yaw; the types are fore-aft, side-side, torsion and axial"
@@ -65,7 +65,7 @@ pub enum ModeNameError {
         /// The text.
         text: String,
     },
-    /// It is `coupled`, which names no mode.
+    /// The text is `coupled`, which is not the name of a mode.
     #[error(
         "`{text}` is not the name of a mode: a coupled mode has the name of one of its motions, such as `fore-aft 1`; the types are \
          fore-aft, side-side, torsion and axial, and for floating towers surge, sway, heave, roll, pitch, yaw"

@@ -36,7 +36,8 @@ impl<'a> ModeCurve<'a> {
         }
     }
 
-    /// The number by which the eigenvector is divided.
+    /// The component of the eigenvector by which the shape is divided, so that its largest
+    /// component is 1.
     pub fn largest(&self) -> f64 {
         self.largest
     }

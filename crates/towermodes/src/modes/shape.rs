@@ -1,9 +1,9 @@
 //! The shape of a mode along the tower.
 
-/// The motion of the tower's axis at a height, relative to the largest of the mode.
+/// The motion of the tower's axis at a height in a normalized mode.
 ///
 /// The largest translation of the tower is 1 (for torsion the largest rotation), positive at the
-/// top; rotations are per metre of it.
+/// top; rotations are in rad for a largest translation of 1 m (1/m).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ShapePoint {
     /// Height z in the datum of the stations, m.

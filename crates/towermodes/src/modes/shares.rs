@@ -11,13 +11,13 @@ const LEAST_SCALE: f64 = 0.1;
 /// A smaller share is rounding.
 const ROUNDING: f64 = 1e-6;
 
-/// The share of each family in the energy of a mode; together they are 1. A share can be slightly
+/// The share of each family in the energy of a mode; the shares sum to 1. A share can be slightly
 /// negative where masses couple motions.
 ///
-/// On a foundation they are the means of the shares of the kinetic and the strain energy
-/// ([`Energy::mean`](super::Energy::mean)). Afloat they are shares of the kinetic energy: first of
-/// the motions as one rigid body, surge to yaw, and of bending, torsion and axial motion what is
-/// left.
+/// For a tower on a foundation they are the means of the fractions of the kinetic and of the strain
+/// energy ([`Energy::mean`](super::Energy::mean)). For a floating tower they are fractions of the
+/// kinetic energy: first the energy of the six rigid-body motions, surge to yaw; the rest is the
+/// energy of bending, torsion and axial motion.
 ///
 /// # Example
 /// ```
@@ -75,12 +75,12 @@ impl Shares {
         shares
     }
 
-    /// The share of a family.
+    /// The share of a family in the energy of the mode.
     pub fn of(&self, family: Family) -> f64 {
         self.0[family as usize]
     }
 
-    /// In the order of [`Family::ALL`].
+    /// The shares in the order of [`Family::ALL`].
     pub fn values(&self) -> &[f64; Family::ALL.len()] {
         &self.0
     }
@@ -103,7 +103,8 @@ impl Shares {
         others
     }
 
-    /// The family with the largest share beside another one, and this share; none if it has none.
+    /// Among the families other than the given one, the family with the largest share, and its
+    /// share; none if no other family has a share.
     pub fn second_to(&self, family: Family) -> Option<SecondFamily> {
         let others = Family::ALL.into_iter().filter(|other| *other != family);
         let others = others.map(|family| SecondFamily {

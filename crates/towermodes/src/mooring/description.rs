@@ -12,13 +12,14 @@ pub struct MooringDescription {
     pub water_density_kg_per_m3: f64,
     /// Acceleration of gravity g, m/s².
     pub gravity_m_per_s2: f64,
-    /// The point of the platform whose motion the pose, force and stiffness refer to, m.
+    /// Reference point of the platform at the reference pose, m: the pose is the motion of this
+    /// point, and the force, the moment and the stiffness are about it.
     pub reference_m: [f64; 3],
-    /// Chains and ropes.
+    /// Types of lines: the properties per length of chains and ropes.
     pub line_types: Vec<LineType>,
-    /// Where lines end.
+    /// Points at which lines end: anchors, fairleads and free connection points.
     pub points: Vec<MooringPoint>,
-    /// The lines.
+    /// The lines, each between two of the points.
     pub lines: Vec<MooringLine>,
     /// Bodies that lines hold, such as buoys, or that are fixed to the platform.
     pub bodies: Vec<MooringBody>,
@@ -53,16 +54,17 @@ impl Default for MooringDescription {
 /// A chain or a rope.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LineType {
-    /// Diameter d of the cylinder that displaces as much water, m. That of a studless chain is
-    /// about 1.8 times the nominal diameter of its links.
+    /// Diameter d of the cylinder that displaces as much water, m. For a studless chain, d is about
+    /// 1.8 times the nominal diameter of the links.
     pub diameter_m: f64,
     /// Mass per length in air, kg/m. The weight in water is w = (m − ρπd²/4) g.
     pub mass_kg_per_m: f64,
     /// Axial stiffness EA, N.
     pub axial_stiffness_n: f64,
     /// Coefficient of friction between the line and the seabed C_B. It reduces the tension along
-    /// the part on the seabed, where the lower end is an anchor on the seabed. The stiffness is
-    /// that without friction at the same tension, because friction has no potential.
+    /// the part of the line on the seabed if the lower end is an anchor on the seabed. The
+    /// stiffness is computed with this tension but without the change of the friction force,
+    /// because friction has no potential.
     pub seabed_friction: f64,
 }
 
@@ -83,13 +85,13 @@ impl LineType {
 pub struct MooringPoint {
     /// What holds it.
     pub attachment: Attachment,
-    /// Position, m: of a point on a body in the axes of the body from its origin, of a free point
-    /// where the search for its equilibrium begins. The position of a point at the end of a rod is
-    /// that end, and these numbers are not used.
+    /// Position, m. For a point on a body: from the origin of the body, in the axes of the body.
+    /// For a free point: the start of the search for its equilibrium. For a point at the end of a
+    /// rod this value is not used, because the point is at that end.
     pub position_m: [f64; 3],
-    /// Mass, kg, of a clump weight for example.
+    /// Mass at the point, kg, for example of a clump weight.
     pub mass_kg: f64,
-    /// Volume that displaces water, m³.
+    /// Displaced volume of water V, m³: the buoyancy is ρ g V.
     pub volume_m3: f64,
 }
 
@@ -115,14 +117,14 @@ impl MooringPoint {
     }
 }
 
-/// What holds a point.
+/// What a point is attached to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Attachment {
-    /// The ground.
+    /// The ground: the object does not move.
     Fixed,
     /// The platform.
     Platform,
-    /// Its lines alone.
+    /// Nothing but its lines: the point moves until it is in equilibrium.
     Free,
     /// The body of this index.
     Body(usize),
@@ -133,31 +135,31 @@ pub enum Attachment {
 /// An end of a rod.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RodEnd {
-    /// The first.
+    /// End A, the first of [`MooringRod::ends_m`].
     A,
-    /// The second.
+    /// End B, the second of [`MooringRod::ends_m`].
     B,
 }
 
 /// A line between two points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MooringLine {
-    /// The index of its type.
+    /// Index of its type in [`MooringDescription::line_types`].
     pub line_type: usize,
     /// Length without tension L, m.
     pub length_m: f64,
-    /// The indices of the points at its ends, in either order.
+    /// Indices of the points at its ends in [`MooringDescription::points`], in either order.
     pub points: [usize; 2],
 }
 
 /// What holds a body or a rod.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Carrier {
-    /// The ground.
+    /// The ground: the object does not move.
     Fixed,
     /// The platform: its weight, buoyancy and mass belong to the platform.
     Platform,
-    /// Its lines alone: its mass is part of no motion.
+    /// Nothing but its lines: its mass is not included in the modes.
     Free,
 }
 
@@ -166,7 +168,7 @@ pub enum Carrier {
 pub struct MooringBody {
     /// What holds it.
     pub carrier: Carrier,
-    /// Position of its origin, m; of a free body where the search for its equilibrium begins.
+    /// Position of its origin, m; for a free body, the start of the search for its equilibrium.
     pub position_m: [f64; 3],
     /// Roll φ, pitch θ and yaw ψ, rad: the body is turned about its own x, then its own y, then its
     /// own z axis, R = R_x(φ) R_y(θ) R_z(ψ).
@@ -178,7 +180,7 @@ pub struct MooringBody {
     pub center_m: [f64; 3],
     /// Inertia about the axes of the body through the centre of mass, kg m².
     pub inertia_kg_m2: [f64; 3],
-    /// Volume that displaces water, m³.
+    /// Displaced volume of water V, m³: the buoyancy is ρ g V.
     pub volume_m3: f64,
 }
 
@@ -187,7 +189,8 @@ pub struct MooringBody {
 pub struct MooringRod {
     /// What holds it.
     pub carrier: Carrier,
-    /// Positions of the ends A and B, m; of a free rod where the search for its equilibrium begins.
+    /// Positions of the ends A and B, m; for a free rod, the start of the search for its
+    /// equilibrium.
     pub ends_m: [[f64; 3]; 2],
     /// Diameter, m.
     pub diameter_m: f64,

@@ -1,4 +1,4 @@
-//! Why a description is no mooring system, or why it has no equilibrium.
+//! Errors in the description of a mooring system, and a search for its equilibrium that fails.
 
 use std::fmt;
 
@@ -6,7 +6,7 @@ use thiserror::Error;
 
 use crate::number::Plain;
 
-/// A part of a mooring system, by its index; texts count from 1.
+/// A part of a mooring system. Indices count from 0, in messages from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum MooringItem {
     /// The surroundings: depth, density, gravity.
@@ -41,7 +41,7 @@ impl fmt::Display for MooringItem {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum MooringError {
-    /// A number that is none.
+    /// A value that is NaN or infinite.
     #[error("{quantity} of {item} is {value}, not a finite number")]
     NotFinite {
         /// The part.
@@ -51,7 +51,7 @@ pub enum MooringError {
         /// The value given.
         value: f64,
     },
-    /// Larger than any quantity of a mooring system.
+    /// A value whose magnitude is larger than that of any real mooring system.
     #[error("{quantity} of {item} is {}{unit}; its magnitude must be at most {}{unit}", Plain(*.value), Plain(*.most))]
     TooLarge {
         /// The part.
@@ -60,9 +60,9 @@ pub enum MooringError {
         quantity: &'static str,
         /// The value given.
         value: f64,
-        /// Its unit, after a space.
+        /// Unit of the value with a leading space, as the message shows it.
         unit: &'static str,
-        /// The largest size.
+        /// Largest allowed magnitude.
         most: f64,
     },
     /// Zero or negative where only a positive number makes sense.
@@ -74,7 +74,7 @@ pub enum MooringError {
         quantity: &'static str,
         /// The value given.
         value: f64,
-        /// Its unit, after a space.
+        /// Unit of the value with a leading space, as the message shows it.
         unit: &'static str,
     },
     /// Negative where zero is the least.
@@ -86,17 +86,17 @@ pub enum MooringError {
         quantity: &'static str,
         /// The value given.
         value: f64,
-        /// Its unit, after a space.
+        /// Unit of the value with a leading space, as the message shows it.
         unit: &'static str,
     },
-    /// A part refers to another that is not there.
+    /// A part refers to another part that does not exist.
     #[error("{item} refers to {missing}, but the mooring has {count} of that kind")]
     Unknown {
         /// The part.
         item: MooringItem,
         /// What it refers to.
         missing: MooringItem,
-        /// How many of these there are.
+        /// Number of existing parts of this kind.
         count: usize,
     },
     /// No lines.
@@ -137,10 +137,10 @@ pub enum MooringError {
         item: MooringItem,
         /// Its height, m.
         z_m: f64,
-        /// The depth, m.
+        /// Depth of the seabed below still water, m.
         depth_m: f64,
     },
-    /// A line that must stretch by more than any rope can.
+    /// A line that would have a larger strain than any rope can have.
     #[error(
         "line {} is too short: its ends are {} m apart and its length is {} m, so that it stretches by more than {} %, where every rope breaks; give it a length of at \
          least {} m, or correct the positions of its ends",
@@ -153,10 +153,10 @@ pub enum MooringError {
         length_m: f64,
         /// The distance of its ends, m.
         distance_m: f64,
-        /// The largest stretch.
+        /// Largest allowed strain: elongation over length without tension.
         most: f64,
     },
-    /// A line whose tension no number is.
+    /// A line whose tension is too large or too small for double precision.
     #[error(
         "the tension of line {} is too large or too small to be computed, with its ends {} m apart and a length of {} m; correct its length, weight or stiffness",
         .line + 1, Plain(*.distance_m), Plain(*.length_m)
@@ -178,9 +178,9 @@ pub enum MooringError {
     Sinks {
         /// The free part.
         item: MooringItem,
-        /// How far it went, m.
+        /// Height z that the part reached in the search, m.
         z_m: f64,
-        /// The depth, m.
+        /// Depth of the seabed below still water, m.
         depth_m: f64,
     },
     /// The search for the equilibrium of the free parts has not ended.
@@ -192,12 +192,12 @@ pub enum MooringError {
     NoEquilibrium {
         /// The part with the largest force.
         item: MooringItem,
-        /// The force that is left, N.
+        /// Remaining force on this part, N.
         force_n: f64,
-        /// How many steps were made.
+        /// Number of steps of the search.
         steps: usize,
     },
-    /// An equilibrium that the smallest disturbance ends.
+    /// An unstable equilibrium: the stiffness is not positive.
     #[error(
         "the equilibrium of {item} is unstable: it would turn over or drift away; correct its centre of mass, its volume or its lines, or give a position nearer to its \
          stable equilibrium"
@@ -209,7 +209,7 @@ pub enum MooringError {
 }
 
 impl MooringError {
-    /// The part that it is about; the site where it is about the whole.
+    /// The part that the error concerns; [`MooringItem::Site`] if it concerns the whole system.
     pub fn item(&self) -> MooringItem {
         match *self {
             Self::NotFinite { item, .. }

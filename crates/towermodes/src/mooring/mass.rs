@@ -1,4 +1,5 @@
-//! The masses of a mooring system: what rides on the platform, and what the modes leave out.
+//! The masses of a mooring system: those that are fixed to the platform, and those that the modes
+//! do not include.
 
 use std::array::from_fn;
 

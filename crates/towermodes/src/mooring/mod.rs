@@ -1,9 +1,9 @@
 //! Mooring systems at rest: elastic lines with weight, on the seabed or above it, between anchors,
 //! a platform, free points, bodies and rods; their force on the platform and their stiffness.
 //!
-//! The lines are quasi-static: each has the shape that it takes in still water, and its mass is
-//! part of no motion. A description is checked once ([`Mooring::new`]) and evaluated at any pose of
-//! the platform ([`Mooring::at`]).
+//! The lines are quasi-static: each has its static shape in still water, and its mass is not
+//! included in the modes. A description is checked once ([`Mooring::new`]) and evaluated at any
+//! pose of the platform ([`Mooring::at`]).
 
 mod assembly;
 mod cable;

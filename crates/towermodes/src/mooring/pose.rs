@@ -1,4 +1,4 @@
-//! Where a rigid body is and how it is turned.
+//! Position and orientation of a rigid body.
 
 use super::vector::{IDENTITY, Matrix3, Vector, product, rotation, rotation_vector, sum, times};
 
@@ -40,7 +40,7 @@ impl Pose {
         }
     }
 
-    /// The rotation vector of its rotation, rad.
+    /// The rotation vector (axis times angle) of the pose, rad.
     pub fn rotation_rad(&self) -> [f64; 3] {
         rotation_vector(&self.rotation)
     }

@@ -80,14 +80,14 @@ pub struct BodyState {
     pub rotation_rad: [f64; 3],
 }
 
-/// The memory of evaluations: all after the first one allocate nothing.
+/// Memory for [`Mooring::load`]; evaluations after the first one allocate nothing.
 #[derive(Debug, Clone, Default)]
 pub struct MooringWorkspace {
     search: Search,
 }
 
 impl Mooring {
-    /// Force and stiffness at a pose, in memory that is used again.
+    /// Force and stiffness at a pose, computed in reused memory.
     ///
     /// # Errors
     /// As [`Self::at`].
@@ -111,8 +111,8 @@ impl Mooring {
         })
     }
 
-    /// Places along each line of a state of it, at least `count` (one or more), from its first
-    /// to its second.
+    /// Positions along each line in a state of this system, m: at least `count` (1 or more) for
+    /// each line, from its first end to its second end.
     pub fn places_m(&self, state: &MooringState, count: usize) -> Vec<Vec<[f64; 3]>> {
         let lines = self.ropes.iter().zip(&self.description.lines);
         let places = lines.map(|(rope, line)| {

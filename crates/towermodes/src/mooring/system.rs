@@ -8,7 +8,8 @@ use super::line::Rope;
 use super::pose::{Placement, Pose};
 use super::vector::{Vector, difference, length, rotation_of_angles, sum};
 
-/// A mooring system that can be evaluated at any pose of the platform; constant.
+/// A checked mooring system, which [`at`](Self::at) evaluates at any pose of the platform. It
+/// cannot be changed.
 ///
 /// # Example
 /// The spar OC3-Hywind on its three lines: the stiffness in surge is 41.18 kN/m (Jonkman 2010).

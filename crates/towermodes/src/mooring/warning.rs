@@ -1,4 +1,4 @@
-//! What is possible in a mooring system but probably a mistake.
+//! Warnings: possible values of a mooring system that are probably mistakes.
 
 use thiserror::Error;
 
@@ -14,7 +14,7 @@ const ROUNDED: f64 = 1e-6;
 /// stretched by 0.1 %, ropes of polyester by 1 %.
 const STRETCH: f64 = 0.02;
 
-/// A fact that a user should check, with its numbers; indices count from 0.
+/// A probable mistake that the user should check, with its numbers. Indices count from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum MooringWarning {
@@ -28,7 +28,7 @@ pub enum MooringWarning {
         point: usize,
         /// Its height, m.
         z_m: f64,
-        /// The depth, m.
+        /// Depth of the seabed below still water, m.
         depth_m: f64,
     },
     /// An anchor above still water.
@@ -41,7 +41,7 @@ pub enum MooringWarning {
         point: usize,
         /// Its height, m.
         z_m: f64,
-        /// The depth, m.
+        /// Depth of the seabed below still water, m.
         depth_m: f64,
     },
     /// A point without lines.
@@ -78,7 +78,7 @@ pub enum MooringWarning {
         /// Axial stiffness EA, N.
         axial_stiffness_n: f64,
     },
-    /// A line that holds the platform to itself.
+    /// A line with both ends on the platform.
     #[error(
         "both ends of line {} are on the platform, so the line has no effect; attach one end to an anchor",
         .line + 1
@@ -113,7 +113,7 @@ pub enum MooringWarning {
 }
 
 impl MooringWarning {
-    /// The part that it is about.
+    /// The part that the warning concerns.
     pub fn item(&self) -> MooringItem {
         match *self {
             Self::AnchorAboveSeabed { point, .. }
@@ -129,7 +129,7 @@ impl MooringWarning {
 }
 
 impl Mooring {
-    /// What is possible but probably a mistake, at a state of this mooring system.
+    /// Probable mistakes in this mooring system at a given state.
     pub fn warnings(&self, state: &MooringState) -> Vec<MooringWarning> {
         let mooring = &self.description;
         let mut warnings = floating(mooring);

@@ -1,4 +1,4 @@
-//! Changes of numbers by name.
+//! Changes of input values by name.
 
 use std::collections::HashMap;
 
@@ -6,19 +6,19 @@ use super::Parameter;
 use super::error::ParameterError;
 use crate::tower::TowerDescription;
 
-/// What a change does with a value.
+/// How a change uses its value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Operation {
-    /// The numbers become the value.
+    /// The input values become this value.
     Set,
-    /// The numbers are multiplied by the value.
+    /// The input values are multiplied by this value.
     Scale,
-    /// The value is added to the numbers.
+    /// This value is added to the input values.
     Add,
 }
 
-/// A change of one or several numbers of a tower by one value, written as the heading of a column,
-/// an option of the command line or a variable of a study.
+/// A change of one or several input values of a tower by one value, written as the heading of a
+/// column, an option of the command line or a variable of a study.
 ///
 /// | written | change |
 /// |---|---|
@@ -50,7 +50,8 @@ pub struct Change {
 }
 
 impl Change {
-    /// The change with a name, found in the tower that it is to change.
+    /// Reads the name of a change and finds its input values in the tower to which it will be
+    /// applied.
     ///
     /// # Errors
     /// [`ParameterError`].
@@ -70,10 +71,10 @@ impl Change {
         Ok(change)
     }
 
-    /// Changes that are applied one after the other.
+    /// Reads the names of changes that are applied one after the other.
     ///
     /// # Errors
-    /// [`ParameterError`], also if a change sets a number that an earlier one has changed.
+    /// [`ParameterError`], also if a change sets an input value that an earlier change has changed.
     pub fn parse_all<'n>(
         names: impl IntoIterator<Item = &'n str>,
         description: &TowerDescription,
@@ -103,17 +104,17 @@ impl Change {
         &self.name
     }
 
-    /// What it does.
+    /// Its operation: set, multiply or add.
     pub fn operation(&self) -> Operation {
         self.operation
     }
 
-    /// The numbers that it changes, at least one.
+    /// The input values that it changes, at least one.
     pub fn parameters(&self) -> &[Parameter] {
         &self.parameters
     }
 
-    /// The unit of its value: none for a factor, or if its numbers have different units.
+    /// The unit of its value; empty for a factor, and if its input values have different units.
     pub fn unit(&self) -> &'static str {
         let unit = self.parameters.first().map_or("", |first| first.unit());
         let is_shared = self.parameters.iter().all(|one| one.unit() == unit);

@@ -1,4 +1,4 @@
-//! Why a name is no number of a tower.
+//! Errors in the names of input values of a tower.
 
 use thiserror::Error;
 
@@ -7,22 +7,22 @@ use super::holder::Holder;
 use super::number::Number;
 use crate::tower::TowerDescription;
 
-/// Why a name is no number of a tower, or a list of changes contradicts itself.
+/// A name that denotes no input value of the tower, or changes that contradict each other.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ParameterError {
     /// The name is empty.
     #[error("the name of the input value is missing")]
     Empty,
-    /// No tower has such a number.
+    /// No tower has an input value with this name.
     #[error("unknown input name `{name}`; {hint}")]
     Unknown {
         /// The name.
         name: String,
-        /// The name that was probably meant, or those that there are.
+        /// A similar name that exists, or the beginnings of the names that exist.
         hint: String,
     },
-    /// A number of a table of the tower file whose numbers have no names.
+    /// An input value in a table of the tower file whose values have no names.
     #[error(
         "`{name}` cannot be varied: input values of [{table}] have no names for --set, sweeps, designs and derivatives; change it in the tower file{remedy}"
     )]
@@ -34,7 +34,7 @@ pub enum ParameterError {
         /// What else can be done.
         remedy: &'static str,
     },
-    /// Other towers have such a number.
+    /// The name is valid, but this tower has no such input value.
     #[error("unknown input name `{name}`: this tower has no {noun}")]
     Absent {
         /// The name.
@@ -42,38 +42,38 @@ pub enum ParameterError {
         /// The part that this tower does not have.
         noun: &'static str,
     },
-    /// Some entries of a list have such a number, and others do not.
+    /// Some entries of a list have this input value, and others do not.
     #[error("`{name}` is not an input of every entry: {lacking} has no {meaning}; use the names that exist: {}", having.join(", "))]
     Partial {
         /// The name.
         name: String,
-        /// The first entry without the number.
+        /// The first entry without this input value.
         lacking: String,
-        /// What the number is.
+        /// The meaning of the input value.
         meaning: &'static str,
-        /// The names of the numbers that there are.
+        /// The names of the input values that exist.
         having: Box<[String]>,
     },
-    /// The only material is meant, but there are several.
+    /// The name stands for the only material, but the tower has several materials.
     #[error("`{name}` is ambiguous: this tower has {count} materials; write `{instead}`")]
     SeveralMaterials {
         /// The name.
         name: String,
-        /// How many there are.
+        /// Number of entries.
         count: usize,
-        /// The same number of the first material.
+        /// The name of this input value of the first material.
         instead: String,
     },
-    /// A list is shorter.
+    /// The index is larger than the last index of the list.
     #[error("unknown input name `{name}`: index {index} is too large, the {noun} of this tower have {}", range(*count))]
     OutOfRange {
         /// The name.
         name: String,
         /// The index, from 0.
         index: usize,
-        /// How many there are.
+        /// Number of entries.
         count: usize,
-        /// What they are.
+        /// The entries of the list in a word, such as "stations".
         noun: &'static str,
     },
     /// The brackets contain neither a number nor `*`.
@@ -86,15 +86,15 @@ pub enum ParameterError {
         /// The names of the entries, if they have names.
         names: Box<[String]>,
     },
-    /// One number is needed.
+    /// The name denotes several input values, but one is needed.
     #[error("`{name}` is the name of {count} input values, but one input value is needed")]
     Several {
         /// The name.
         name: String,
-        /// How many numbers have it.
+        /// Number of input values with this name.
         count: usize,
     },
-    /// A change is not written as such.
+    /// The text of a change is invalid.
     #[error(
         "`{name}` is not a change: write a name, scale(NAME), add(NAME) or set(NAME, NAME), with a closing parenthesis at the end"
     )]
@@ -105,7 +105,7 @@ pub enum ParameterError {
     /// A later change overwrites an earlier one.
     #[error("`{second}` sets {parameter}, which `{first}` already changes; remove one of them")]
     Repeated {
-        /// The number.
+        /// The name of the input value.
         parameter: String,
         /// The earlier change.
         first: String,

@@ -5,9 +5,9 @@ use super::change::{Change, Operation};
 use crate::tower::TowerDescription;
 
 impl Change {
-    /// The change of each number of a tower that its frequencies can depend on, in the order of the
-    /// tower file. Rows at the same height are a step and move together: one change adds to both
-    /// heights. The speeds of the rotor are left out.
+    /// One change for each input value of a tower on which its frequencies can depend, in the order
+    /// of the tower file. Rows at the same height are a step and move together: one change adds to
+    /// both heights. The speeds of the rotor are left out.
     ///
     /// # Example
     /// ```

@@ -100,9 +100,9 @@ pub(super) static FLOATING: Part = Part {
         "inertia.xx" Amount "kg m2" "inertia about the fore-aft axis", "inertia" inertia_kg_m2.xx;
         "inertia.yy" Amount "kg m2" "inertia about the side-side axis", "inertia" inertia_kg_m2.yy;
         "inertia.zz" Amount "kg m2" "inertia about the tower axis", "inertia" inertia_kg_m2.zz;
-        "inertia.xy" Signed "kg m2" "entry xy of the inertia", "inertia" inertia_kg_m2.xy;
-        "inertia.xz" Signed "kg m2" "entry xz of the inertia", "inertia" inertia_kg_m2.xz;
-        "inertia.yz" Signed "kg m2" "entry yz of the inertia", "inertia" inertia_kg_m2.yz;
+        "inertia.xy" Signed "kg m2" "entry xy of the inertia tensor", "inertia" inertia_kg_m2.xy;
+        "inertia.xz" Signed "kg m2" "entry xz of the inertia tensor", "inertia" inertia_kg_m2.xz;
+        "inertia.yz" Signed "kg m2" "entry yz of the inertia tensor", "inertia" inertia_kg_m2.yz;
         "added_mass_height" Signed "m" "height of the reference point of added_mass", "added_mass" added_mass.height_m;
         "hydrostatic_height" Signed "m" "height of the reference point of hydrostatic", "hydrostatic" hydrostatic.height_m;
         "mooring_height" Signed "m" "height of the reference point of mooring", "mooring" mooring.height_m;

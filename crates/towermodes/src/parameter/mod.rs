@@ -1,8 +1,8 @@
-//! The numbers of a tower by the names that they have in the tower file.
+//! The input values of a tower by their names in the tower file.
 //!
-//! A [`Parameter`] is the address of one number of a [`TowerDescription`]: `rna.mass`,
+//! A [`Parameter`] is the address of one input value of a [`TowerDescription`]: `rna.mass`,
 //! `stations[2].wall`, `foundation.rocking`. Indices count from 0. A [`Change`] sets, multiplies or
-//! adds to one or several of these numbers: `scale(stations[*].wall)`. Both are found by name once;
+//! adds to one or several of these values: `scale(stations[*].wall)`. Both are found by name once;
 //! to read or change a value afterwards costs nanoseconds.
 //!
 //! Tables whose fields describe themselves ([`crate::inputs`]) are a `table`; other parts list
@@ -85,7 +85,7 @@ static PARTS: LazyLock<Vec<Holder>> = LazyLock::new(|| {
     first.into_iter().chain(forms).chain(last).collect()
 });
 
-/// The address of one number of a tower. It is displayed as its name.
+/// The address of one input value of a tower. It is displayed as the name of this value.
 ///
 /// # Example
 /// ```
@@ -114,8 +114,8 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// The numbers of a tower in the order of the tower file. A matrix is symmetric: its upper
-    /// triangle is listed, without zeros beside the diagonal.
+    /// All input values of a tower in the order of the tower file. Of a symmetric matrix the upper
+    /// triangle is listed, without zeros off the diagonal.
     pub fn all(description: &TowerDescription) -> Vec<Self> {
         let mut all = Vec::new();
         for (part, of) in PARTS.iter().enumerate() {
@@ -132,10 +132,10 @@ impl Parameter {
         all
     }
 
-    /// The number with a name, such as `rna.mass` or `materials.S355.density`.
+    /// The input value with a name, such as `rna.mass` or `materials.S355.density`.
     ///
     /// # Errors
-    /// [`ParameterError`]: the tower has no such number, or the name is one of several numbers.
+    /// [`ParameterError`]: the tower has no input value with this name, or it has several.
     pub fn parse(name: &str, description: &TowerDescription) -> Result<Self, ParameterError> {
         match Self::parse_every(name, description)?[..] {
             [one] => Ok(one),
@@ -146,11 +146,11 @@ impl Parameter {
         }
     }
 
-    /// The numbers with a name in which `*` is every index, such as `stations[*].wall`; at least
-    /// one.
+    /// The input values, at least one, with a name in which `*` stands for every index, such as
+    /// `stations[*].wall`.
     ///
     /// # Errors
-    /// [`ParameterError`]: the tower has no such numbers.
+    /// [`ParameterError`]: the tower has no input value with such a name.
     pub fn parse_every(
         name: &str,
         description: &TowerDescription,
@@ -158,12 +158,12 @@ impl Parameter {
         Name::parse(name)?.find(description)
     }
 
-    /// Its unit, as in the tower file; empty for a number without a unit.
+    /// Its unit, as in the tower file; empty for a value without a unit.
     pub fn unit(self) -> &'static str {
         self.number.unit()
     }
 
-    /// What it is, in a few words.
+    /// Its meaning in a few words: "wall thickness".
     pub fn meaning(self) -> &'static str {
         self.number.meaning()
     }
@@ -173,8 +173,8 @@ impl Parameter {
         self.part().noun()
     }
 
-    /// The name of that part and its own name there, with `[]` for each index: `stations[]` and
-    /// `wall`; the second is empty where the part is one number.
+    /// The name of the part, with `[]` for each index, and the name of the value in the part:
+    /// `stations[]` and `wall`. The second is empty if the part is a single value.
     pub fn pattern(self) -> [&'static str; 2] {
         [self.part().name(), self.number.name()]
     }
@@ -200,12 +200,14 @@ impl Parameter {
         debug_assert!(done.is_some(), "the description has no {self}");
     }
 
-    /// Whether it is a height in the datum of the tower file: of a row, a mass, the water.
+    /// Whether it is a height in the datum of the tower file: height of a row, of a mass, of the
+    /// water level.
     pub fn is_height(self) -> bool {
         self.nature() == Nature::Height
     }
 
-    /// What kind of number it is. Beside the diagonal a matrix has entries of either sign.
+    /// Its nature, which decides whether zero and negative values are possible. Off-diagonal
+    /// entries of a matrix have either sign.
     pub fn nature(self) -> Nature {
         let [row, column] = self.indices;
         match self.part().is_symmetric() && row != column {
@@ -214,14 +216,15 @@ impl Parameter {
         }
     }
 
-    /// What it measures.
+    /// Its physical dimension.
     pub fn dimension(self) -> Dimension {
         let dimension = Dimension::of_unit(self.unit());
         debug_assert!(dimension.is_some(), "the unit of {self}");
         dimension.unwrap_or(Dimension::Pure)
     }
 
-    /// The same number of the first row of its list, which all its rows have in common.
+    /// The same quantity in the first row of the list, so that all rows of a list give the same
+    /// result.
     #[must_use]
     pub fn in_first_row(self) -> Self {
         let [first, _] = self.indices;
@@ -237,7 +240,8 @@ impl Parameter {
         self.place() == Place::Gravity
     }
 
-    /// Whether it is a number of the rotor, on which no frequency of a tower at rest depends.
+    /// Whether it is a value of the rotor, on which no frequency of a tower with a parked rotor
+    /// depends.
     pub fn is_of_rotor(self) -> bool {
         matches!(self.place(), Place::Rotor { .. })
     }

@@ -9,13 +9,14 @@ use crate::tower::TowerError;
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SensitivityError {
-    /// The description is no tower.
+    /// The description of the tower is invalid.
     #[error(transparent)]
     Tower(#[from] TowerError),
-    /// The tower is not solved.
+    /// The modes of the tower cannot be computed.
     #[error(transparent)]
     Solve(#[from] SolveError),
-    /// A change sets several numbers that are not equal, so it has no value on the tower.
+    /// A change sets several input values that are not equal, so it has no single value at which to
+    /// differentiate.
     #[error(
         "the input values of `{change}` are {first} and {second}, so a derivative at one value does not exist; use scale(…) or add(…)"
     )]

@@ -29,8 +29,8 @@ use crate::tower::{Neighbours, TowerDescription};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sensitivities {
     /// The modes by frequency, without shapes. Every row of the tower is a segment border, so
-    /// frequencies may differ from those of a [`Solution`](crate::Solution) within their errors;
-    /// of two equal bending planes each has modes of its own.
+    /// frequencies may differ from those of a [`Solution`](crate::Solution) within their errors; if
+    /// both bending planes are equal, the list contains the modes of both planes.
     pub modes: Vec<ModeFrequency>,
     /// The derivatives with respect to each change, in the order of the changes.
     pub changes: Vec<ChangeSensitivity>,
@@ -41,8 +41,8 @@ pub struct Sensitivities {
 pub struct ChangeSensitivity {
     /// The change.
     pub change: Change,
-    /// The value of the change on the tower as it is: that of the number, 1 for a factor, 0 for an
-    /// addition.
+    /// The value of the change that leaves the tower unchanged: the present input value, 1 for a
+    /// factor (`scale`), 0 for an addition (`add`).
     pub value: f64,
     /// d([`Tower::structure_mass_kg`](crate::Tower::structure_mass_kg))/d(value), kg per unit.
     pub mass_kg_per_unit: f64,
@@ -70,12 +70,12 @@ pub enum NoDerivative {
     /// The frequency is zero.
     #[error("the frequency is zero")]
     AtRest,
-    /// The change couples the mode with another one of the same frequency, which splits the two:
-    /// the frequency changes by the amount of the change, whatever its sign.
+    /// The change couples the mode with another mode of the same frequency, so the two frequencies
+    /// separate in proportion to the magnitude of the change, whatever its sign: each has a kink.
     #[error("the input value couples the mode with another mode of the same frequency")]
     Repeated,
-    /// The tower can be changed in one direction only, or the frequency has a kink: it changes by
-    /// another amount in the other direction.
+    /// The input value can be changed in one direction only, or the frequency has a kink: its
+    /// slopes in the two directions differ.
     #[error(
         "the frequency changes differently, or cannot change, in the two directions of the input value"
     )]
@@ -98,15 +98,15 @@ impl Solver {
     /// The derivative of each frequency is exact up to the error that is given with it. It exists
     /// for every method, every number of the description and every kind of tower; heights move the
     /// mesh with them. Where fewer than 60 segments leave a derivative an error above 0.1 %, as in
-    /// soil, all derivatives are those of a finer mesh; the frequencies are those of the mesh that
-    /// was asked for.
+    /// soil, all derivatives are computed on a finer mesh; the frequencies are computed on the
+    /// requested mesh.
     ///
     /// [`points`](crate::Options::points) and [`heights_m`](crate::Options::heights_m) have no
     /// effect.
     ///
     /// # Errors
-    /// [`SensitivityError`]: the tower is impossible, is not solved, or a change has no value on
-    /// it.
+    /// [`SensitivityError`]: the description is invalid, its modes cannot be computed, or a change
+    /// sets input values that are not equal.
     ///
     /// # Example
     /// How the first frequency changes with the wall thickness and with the mass on top:

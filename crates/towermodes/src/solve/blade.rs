@@ -17,8 +17,8 @@ use crate::eigen::EigenError;
 use crate::modes::{ByMotion, ModeCurve, Ordinal, ShapePoint};
 use crate::subsystem::Coefficients;
 
-/// More elements of a blade than this are refused: each has a full matrix, and the error estimate
-/// takes eight times as many.
+/// Largest number of elements of a blade: each element has a full matrix, and the error estimate
+/// takes eight times as many elements.
 pub const MAX_BLADE_ELEMENTS: usize = 10_000;
 
 /// The kind of motion of a blade's mode: the one with most of the kinetic energy.
@@ -176,7 +176,7 @@ impl Solver {
 }
 
 impl Blade {
-    /// The number of degrees of freedom of the blade, and so of its modes.
+    /// The number of degrees of freedom of the blade, which is the number of its modes.
     pub fn degrees_of_freedom(&self) -> usize {
         unknowns(self, &self.description().borders)
     }

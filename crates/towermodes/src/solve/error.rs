@@ -99,7 +99,7 @@ pub enum SolveError {
         /// The number requested.
         points: usize,
     },
-    /// Added mass at no frequency.
+    /// A frequency of the added mass that is negative or not finite.
     #[error("the frequency of the added mass is {hz} Hz; it must be 0 or positive")]
     AddedMassAt {
         /// The frequency requested, Hz.
@@ -168,16 +168,16 @@ pub enum SolveError {
     /// A floating tower that is unstable, as a rigid body or by buckling.
     #[error("the floating tower is unstable in {}: the stiffness of this motion is negative", .motion.noun())]
     Unstable {
-        /// The motion that grows.
+        /// The unstable motion, with negative stiffness.
         motion: Family,
     },
-    /// The eigenvalues were not computed.
+    /// The computation of the eigenvalues failed.
     #[error(transparent)]
     Eigen(#[from] EigenError),
 }
 
 impl SolveError {
-    /// Whether the options are at fault, not the tower or the computation.
+    /// Whether the cause is an invalid option, and not the tower or the computation.
     pub fn is_usage(&self) -> bool {
         !matches!(
             self,

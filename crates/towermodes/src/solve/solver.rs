@@ -4,8 +4,8 @@ use super::progress::{Monitor, Progress};
 use super::request::options::Options;
 use super::workspace::Workspace;
 
-/// Options, and memory that is reused from solve to solve: after a first tower most solves of
-/// others with the same options allocate little or nothing.
+/// Options, and memory that is reused from solve to solve: after the first tower, solves of most
+/// other towers with the same options allocate little or no memory.
 ///
 /// # Example
 /// ```
@@ -40,9 +40,9 @@ impl Solver {
         }
     }
 
-    /// The same, whose solves of towers report their progress to an observer: each stage, and each
-    /// product with the mass matrix, which can be many per second or none for seconds. The results
-    /// are the same as without an observer.
+    /// This solver with an observer, to which each solve of a tower reports its progress: each
+    /// stage, and each product with the mass matrix, which can be many per second or none for
+    /// seconds. The results are the same as without an observer.
     ///
     /// # Example
     /// ```
@@ -64,8 +64,8 @@ impl Solver {
         self
     }
 
-    /// Works with other options in the same memory; afterwards the solver has its own options
-    /// again.
+    /// Calls `work` with other options and the same memory, and restores the options of the solver
+    /// afterwards.
     ///
     /// # Example
     /// ```

@@ -1,4 +1,4 @@
-//! The front door for towers.
+//! The entry point for towers.
 
 use super::by_frequency;
 use super::error::SolveError;

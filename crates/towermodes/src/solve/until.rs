@@ -3,7 +3,7 @@
 use super::error::SolveError;
 use super::solver::Solver;
 
-/// An error that may be that there are not so many modes.
+/// An error that can mean that more modes were requested than exist.
 pub trait TooManyModes {
     /// How many modes there are, if more were asked for.
     fn available_modes(&self) -> Option<usize>;
@@ -19,12 +19,12 @@ impl TooManyModes for SolveError {
 }
 
 impl Solver {
-    /// Solves by the function given for the modes of the options, and then for twice as many, at
-    /// most `most`, until `has_all` holds or there are no more modes. The options keep the number
-    /// of modes that was solved for.
+    /// Calls the solve function for the number of modes in the options, then for twice as many, up
+    /// to `most`, until `has_all` is true or there are no more modes. Afterwards the options
+    /// contain the number of modes of the last solve.
     ///
     /// # Errors
-    /// Those of the function; asking for more modes than there are is no error here.
+    /// The errors of the function, except the error that fewer modes exist than were requested.
     ///
     /// # Example
     /// All modes below 5 Hz:

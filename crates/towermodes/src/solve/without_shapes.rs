@@ -15,8 +15,8 @@ use crate::tower::Tower;
 
 impl Solver {
     /// Computes the lowest frequencies of a tower with their names, errors and certificate, but no
-    /// shapes, for many towers one after the other: [`solve`](Self::solve) gives the same values
-    /// bit by bit, and takes two to three times as long.
+    /// shapes, for many towers one after the other: the values are equal, bit for bit, to those of
+    /// [`solve`](Self::solve), which takes two to three times as long.
     ///
     /// After a first tower nothing is allocated for others with the same heights and options,
     /// except with [`Bmodes`](crate::Method::Bmodes) and [`Spectral`](crate::Method::Spectral), and

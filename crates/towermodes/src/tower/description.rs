@@ -15,8 +15,8 @@ use super::parts::surroundings::{AddedMassRow, SoilRow, Water, Wires};
 use super::pieces::shear::Shear;
 use crate::inputs::{Input, Inputs, Limit};
 
-/// One row of the tower's geometry: the tube at a height. Between rows diameter and wall are
-/// linear.
+/// One row of the tower's geometry: the tube at a height. Diameter and wall thickness are linear in
+/// the height between rows.
 ///
 /// Two rows at the same height are a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,8 +27,8 @@ pub struct Station {
     pub outer_diameter_m: f64,
     /// Wall thickness, m.
     pub wall_thickness_m: f64,
-    /// Index into [`TowerDescription::materials`] of the tower between this station and the next
-    /// one up.
+    /// Material of the tower between this station and the next one above: index into
+    /// [`TowerDescription::materials`].
     pub material: usize,
 }
 
@@ -51,7 +51,7 @@ impl Station {
 pub struct PropertyStation {
     /// Height z, m, in the user's own datum; the lowest row is the base.
     pub height_m: f64,
-    /// The section there.
+    /// The section properties at this height.
     pub properties: Properties,
 }
 
@@ -170,7 +170,7 @@ pub struct TowerDescription {
     pub stations: Vec<Station>,
     /// Instead of `stations`: the properties of the sections from the base to the top.
     pub properties: Vec<PropertyStation>,
-    /// Multiplies the density of the tower (paint, bolts, platforms); default 1.
+    /// Factor on the density of the tower, for paint, bolts, platforms; 1 by default.
     pub outfitting_factor: f64,
     /// Shear deformation of `stations`; none by default. `properties` have their own shear
     /// stiffness.
@@ -184,33 +184,33 @@ pub struct TowerDescription {
     pub point_masses: Vec<PointMass>,
     /// The support of the base; clamped by default.
     pub foundation: Foundation,
-    /// Layers of soil around the tower, each rows by rising height; where layers overlap their
-    /// springs add up.
+    /// Layers of soil around the tower: each is a list of rows by rising height. Where layers
+    /// overlap, their springs add up.
     pub soil: Vec<Vec<SoilRow>>,
     /// Soil in layers around the pile, from which more springs follow; none by default.
     pub ground: Option<Ground>,
-    /// Tables of mass that moves with the tower transversely, as water does, each rows by rising
-    /// height; where they overlap they add up.
+    /// Tables of mass that moves with the tower transversely, such as water: each is a list of rows
+    /// by rising height. Where tables overlap, their masses add up.
     pub added_mass: Vec<Vec<AddedMassRow>>,
     /// Water around the tower; none by default.
     pub water: Option<Water>,
-    /// Wires that hold the tower.
+    /// Sets of guy wires.
     pub wires: Vec<Wires>,
     /// Acceleration of gravity g, m/s²; with 0, the default, the stiffness has no geometric part.
     pub gravity_m_per_s2: f64,
     /// The rotor, for the resonance check; none by default.
     pub rotor: Option<Rotor>,
-    /// What dissipates the energy of vibrations; nothing is known by default.
+    /// Loss factors and data of the rotor, from which damping ratios are computed; none by default.
     pub damping: Damping,
-    /// Rotor and generator, for a rotor that turns freely
-    /// ([`with_free_rotor`](Self::with_free_rotor)); none by default. Without that call it is
-    /// locked.
+    /// Inertias of rotor and generator, for a rotor that turns freely after
+    /// [`with_free_rotor`](Self::with_free_rotor); without this call the rotor is locked. None by
+    /// default.
     pub drivetrain: Option<Drivetrain>,
-    /// The names of its parts; none by default.
+    /// The names of the parts of the tower; none by default.
     pub part_names: PartNames,
     /// Parts of the structure that its source has and this description lacks; none by default.
     pub missing_parts: Vec<MissingPart>,
-    /// Whether its user asked to clamp it in place of these parts; no by default.
+    /// Whether the user requested a clamped base in place of the missing parts; false by default.
     pub is_clamped_by_request: bool,
 }
 
@@ -258,7 +258,8 @@ impl TowerDescription {
         self
     }
 
-    /// The same tower with a rotor that turns freely, without [`Drivetrain`]; none if it has none.
+    /// The same tower with a rotor that turns freely: the inertia xx of the rotor-nacelle assembly
+    /// is reduced, and `drivetrain` is none. None if the tower has no [`Drivetrain`].
     pub fn with_free_rotor(&self) -> Option<Self> {
         let drivetrain = self.drivetrain?;
         let mut tower = self.clone();

@@ -36,7 +36,7 @@ use crate::space::SpatialMatrix;
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum Foundation {
-    /// It does not move.
+    /// All six motions of the base are fixed.
     #[default]
     Clamped,
     /// A stiffness for all six motions, and possibly an inertia.
@@ -66,7 +66,7 @@ pub enum Foundation {
 macro_rules! closed_forms {
     ($($kind:ident),+) => {
         impl Foundation {
-            /// It, with all closed forms as one.
+            /// This foundation as a [`Support`], which has one variant for all closed forms.
             pub fn support(&self) -> Support<'_> {
                 match self {
                     Self::Clamped => Support::Clamped,
@@ -78,7 +78,7 @@ macro_rules! closed_forms {
                 }
             }
 
-            /// The foundation by closed form, if it is one, to change it.
+            /// The foundation by closed form, if it is one, mutable.
             pub fn form_mut(&mut self) -> Option<&mut dyn ClosedForm> {
                 match self {
                     $(Self::$kind(form) => Some(BorrowMut::<$kind>::borrow_mut(form)),)+
@@ -107,10 +107,10 @@ closed_forms!(
     WinklerPile
 );
 
-/// A [`Foundation`] in which all closed forms are one.
+/// A [`Foundation`] with one variant for all closed forms.
 #[derive(Debug, Clone, Copy)]
 pub enum Support<'f> {
-    /// It does not move.
+    /// All six motions of the base are fixed.
     Clamped,
     /// A stiffness for all six motions, and possibly an inertia.
     Stiffness(&'f StiffnessFoundation),
@@ -161,14 +161,14 @@ impl Foundation {
         }
     }
 
-    /// What carries the tower afloat as one rigid body: a floating platform, or a frame that
-    /// [floats](FrameFoundation::restoring).
+    /// The platform on which the tower floats as one rigid body: a floating platform, or a frame
+    /// that [floats](FrameFoundation::restoring).
     pub fn floating(&self) -> Option<&FloatingPlatform> {
         let of_frame = || Some(&self.frame()?.restoring.as_ref()?.platform);
         self.platform().or_else(of_frame)
     }
 
-    /// The same, to change it.
+    /// As [`floating`](Self::floating), mutable.
     pub fn floating_mut(&mut self) -> Option<&mut FloatingPlatform> {
         match self {
             Self::Floating(platform) => Some(platform),
@@ -177,8 +177,8 @@ impl Foundation {
         }
     }
 
-    /// The stiffness that follows from the dimensions and the soil of a foundation that is given by
-    /// these, as in [`StiffnessFoundation`]; none for the others.
+    /// The stiffness of a foundation that is given by its dimensions and the soil, as in
+    /// [`StiffnessFoundation`]; none for the other foundations.
     pub fn derived_stiffness(&self) -> Option<SpatialMatrix> {
         self.form().map(ClosedForm::stiffness)
     }

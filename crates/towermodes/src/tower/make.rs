@@ -30,7 +30,7 @@ impl Tower {
     /// Checks a description and makes the tower of it.
     ///
     /// # Errors
-    /// [`TowerError`] with the place and the numbers of the first thing that no tower can have.
+    /// [`TowerError`] for the first invalid value, with its place and its numbers.
     pub fn new(description: TowerDescription) -> Result<Self, TowerError> {
         validate::validate(&description)?;
         let description = description.with_complete_frame();
@@ -165,8 +165,8 @@ impl Tower {
         }
     }
 
-    /// Possible input mistakes in a rotor on this tower. They matter only for the resonance check,
-    /// so [`warnings`](Self::warnings) does not contain them.
+    /// Probable mistakes in the values of a rotor on this tower. They matter only for the resonance
+    /// check, so [`warnings`](Self::warnings) does not contain them.
     pub fn rotor_warnings(&self, rotor: &Rotor) -> Vec<Warning> {
         rotor_plausibility(self, rotor)
     }

@@ -21,8 +21,8 @@ use crate::tower::Warning;
 /// A valid tower: every property is finite and positive, every wall fits its tube, and the tower is
 /// supported or floats.
 ///
-/// Made by [`Tower::new`] from a [`TowerDescription`](super::TowerDescription); constant
-/// afterwards.
+/// [`Tower::new`] makes it from a [`TowerDescription`](super::TowerDescription); it cannot be
+/// changed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tower {
     pub(super) name: String,
@@ -134,9 +134,9 @@ impl Tower {
         self.rotor.as_ref()
     }
 
-    /// By which fraction straight lines in place of the curved springs of
-    /// [`ground`](super::TowerDescription::ground) may change a frequency, as an estimate that is
-    /// rather too large; 0 without such. The error of every mode contains it.
+    /// Estimate of the relative error of a frequency that arises because linear springs between
+    /// depths replace the curved springs of [`ground`](super::TowerDescription::ground); usually
+    /// larger than the error, and 0 without ground. The error of every mode contains it.
     pub fn soil_error(&self) -> f64 {
         self.ground.map_or(0.0, |ground| ground.soil_error)
     }
@@ -168,8 +168,7 @@ impl Tower {
         index.min(self.pieces.len() - 1)
     }
 
-    /// Whether the tower does not deform at all in a motion: its table has an infinite stiffness
-    /// there.
+    /// Whether the tower is rigid in a motion: its table of properties has an infinite stiffness.
     pub fn is_rigid_in(&self, motion: Motion) -> bool {
         self.pieces[0].is_rigid_in(motion)
     }
@@ -201,7 +200,7 @@ impl Tower {
         self.pieces[self.pieces.len() - 1].top_m
     }
 
-    /// Base to top, m.
+    /// Height of the tower from its base to its top, m.
     pub fn height_m(&self) -> f64 {
         self.top_m() - self.base_m()
     }
@@ -219,8 +218,8 @@ impl Tower {
         lowest.is_some_and(|piece| piece.environment != Environment::default())
     }
 
-    /// Mass of the tower and of the members of the substructure below it, kg: what steel is to be
-    /// bought for. Water, growth, and masses on joints are not part of it.
+    /// Mass of the tower and of the members of the substructure below it, kg: the mass of steel
+    /// that has to be bought. Water, growth, and masses on joints are not part of it.
     pub fn structure_mass_kg(&self) -> f64 {
         let members_kg = self.frame().map(|below| below.frame.masses().members_kg);
         self.mass_kg + members_kg.unwrap_or_default()
@@ -229,7 +228,7 @@ impl Tower {
     /// The axial compression N at a height (m) by the weight of everything above, N. An attachment
     /// at the height itself counts as above it.
     ///
-    /// Water is not a weight: it does not press on the wall, and buoyancy is left out.
+    /// Water has no weight here: its pressure on the wall and its buoyancy are neglected.
     pub fn compression_n(&self, height_m: f64) -> f64 {
         let index = self.piece_index_at(height_m);
         let attached = self.attachments.partition_point(|a| a.height_m < height_m);
@@ -253,7 +252,7 @@ impl Tower {
     }
 
     /// Whether both bending planes are equal and nothing couples them, so that each bending
-    /// frequency is there twice.
+    /// frequency occurs twice.
     pub fn planes_are_equal(&self) -> bool {
         self.planes_are_equal
     }
@@ -269,7 +268,7 @@ impl Tower {
         self.missing.as_ref()
     }
 
-    /// Possible input mistakes.
+    /// Probable mistakes in the input.
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
     }

@@ -1,4 +1,4 @@
-//! The description of what turns on a tower, and of what carries it.
+//! The description of the rotor, the drivetrain and the nacelle on a tower.
 
 use std::f64::consts::PI;
 
@@ -13,7 +13,8 @@ use crate::tower::RigidBody;
 /// `overhang_m` along the shaft.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TurbineDescription {
-    /// The nacelle: mass, centre from the tower top, inertia about its centre; without what turns.
+    /// The nacelle: mass, centre of mass from the tower top, inertia about the centre of mass;
+    /// without hub, blades and generator rotor.
     pub nacelle: RigidBody,
     /// Mass at the tower top that does not yaw, kg.
     pub yaw_bearing_mass_kg: f64,
@@ -27,15 +28,16 @@ pub struct TurbineDescription {
     pub tilt_rad: f64,
     /// The hub.
     pub hub: Hub,
-    /// Torsional stiffness of the shaft, N m/rad, at its slow end; infinite for a rigid one.
+    /// Torsional stiffness of the drivetrain referred to the low-speed shaft, N m/rad; infinite for
+    /// a rigid shaft.
     pub shaft_n_m_per_rad: f64,
     /// The generator.
     pub generator: Generator,
     /// Number of blades, at least 3; all are equal.
     pub blades: usize,
-    /// Cone, rad; positive downwind.
+    /// Cone angle, rad; positive if the tips are downwind of the apex.
     pub cone_rad: f64,
-    /// A blade, at rest. Its radius counts from the apex along its span. Its own axes are X in the
+    /// A blade, at rest. Radii are measured from the apex along the span. Its own axes are X in the
     /// direction of the rotation, Y downwind, Z outwards; its twist and pitch are positive towards
     /// feather, which turns the leading edge upwind. The elements end at its borders and sections.
     ///
@@ -56,15 +58,16 @@ pub struct Hub {
     pub transverse_inertia_kg_m2: f64,
 }
 
-/// The generator of a turbine and all that turns with it.
+/// The generator of a turbine and all parts that turn at its speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Generator {
-    /// Inertia about its own shaft, kg m².
+    /// Inertia about the generator shaft, kg m², not referred to the low-speed shaft.
     pub inertia_kg_m2: f64,
-    /// Speed of the generator over that of the rotor; it turns in the direction of the rotor.
+    /// Speed of the generator divided by the speed of the rotor; the generator turns in the
+    /// direction of the rotor.
     pub gear_ratio: f64,
     /// Whether the generator is held at the constant speed, rather than free to turn. The shaft
-    /// twists between it and the hub.
+    /// twists between the generator and the hub in both cases.
     pub is_locked: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Why a description is no turbine.
+//! Errors in the description of a turbine, and options that are impossible.
 
 use thiserror::Error;
 
@@ -16,16 +16,16 @@ pub(super) const MOST_GENERATOR: f64 = 1e9;
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum TurbineError {
-    /// The tower.
+    /// An error in the description of the tower.
     #[error(transparent)]
     Tower(#[from] TowerError),
-    /// The frame under the tower.
+    /// An error of the frame under the tower.
     #[error(transparent)]
     Frame(#[from] FrameSolveError),
-    /// The blade.
+    /// An error in the description of the blade.
     #[error("a blade of the rotor: {0}")]
     Blade(#[from] BladeError),
-    /// The number of blades.
+    /// A number of blades that is not supported.
     #[error(transparent)]
     Rotor(#[from] RotorError),
     /// A number that is infinite or NaN.
@@ -66,22 +66,23 @@ pub enum TurbineError {
         Plain(*.mass_kg)
     )]
     TwoMachines {
-        /// Mass of that on the tower, kg.
+        /// Mass of the rotor-nacelle assembly in the description of the tower, kg.
         mass_kg: f64,
     },
-    /// The blade has a speed of its own.
+    /// The description of the blade has a rotor speed other than 0.
     #[error("the blade turns at {} rad/s of its own; the rotor speed of a turbine is given when the turbine is solved, so the speed of the blade must be 0", Plain(*.speed_rad_per_s))]
     BladeTurns {
-        /// Its speed, rad/s.
+        /// The rotor speed in the description of the blade, rad/s.
         speed_rad_per_s: f64,
     },
-    /// The rotation does not act on the body at the tip.
+    /// The centrifugal force on the body at the tip is switched off.
     #[error("the body of {} kg at the tip of the blade is not pulled by the rotation; in a turbine it must be", Plain(*.mass_kg))]
     TipNotPulled {
         /// Its mass, kg.
         mass_kg: f64,
     },
-    /// An inertia at the blade tip that no body has: it breaks the triangle inequality.
+    /// An impossible inertia at the blade tip: the largest principal moment is larger than the sum
+    /// of the other two.
     #[error(
         "the largest principal inertia of the body at the tip of the blade, {} kg m2, is more than the sum of the other two, {} kg m2: this is physically impossible; the largest principal inertia must be at most that sum",
         Plain(*.largest_kg_m2), Plain(*.others_kg_m2)
@@ -120,9 +121,9 @@ pub enum TurbineError {
         Plain(*.generator_kg_m2), Plain(*.rotor_kg_m2)
     )]
     Generator {
-        /// That of the generator, kg m².
+        /// Inertia of the generator referred to the low-speed shaft, kg m².
         generator_kg_m2: f64,
-        /// That of hub and blades about the shaft, kg m².
+        /// Inertia of hub and blades about the shaft, kg m².
         rotor_kg_m2: f64,
     },
     /// Numbers so large that products of them are infinite.

@@ -55,7 +55,7 @@ pub(crate) fn diagram_of(
         )),
         (None, false) => Ok(Diagram::Tower(without_turbine(input))),
         (Some(_), true) if alone => Err(Failure::usage(
-            "--generator, --limit and --speeds apply to the turbine with flexible blades, --method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits and --soil-factor to the tower with a rigid rotor; omit one or the other",
+            "--generator, --limit and --speeds apply only to the turbine with flexible blades; --method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits and --soil-factor apply only to the tower with a rigid rotor; omit the options of one of these two groups",
         )),
         (Some(_), false) if alone => Ok(Diagram::Tower(vec![Note::new(
             "the rotor is rigid in this diagram, because options are given that apply only to the tower with a rigid rotor (--method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits, --soil-factor); without these options the diagram shows the turbine with flexible blades".to_owned(),

@@ -34,7 +34,7 @@ pub(super) fn judged(arguments: &DeckArguments) -> Result<Judged, Failure> {
         None => {
             if !arguments.reading.settings.is_empty() {
                 return Err(Failure::usage(
-                    "--set applies only to the file of --from; without it the modes are those of the deck",
+                    "--set applies only to the file of --from; without --from the modes are computed from the deck",
                 ));
             }
             arguments.reading.check(&[FileFormat::ElastoDyn])?;

@@ -168,7 +168,7 @@ impl PlotArguments {
             && !self.segments.is_empty()
         {
             return Err(
-                "--segments does not apply to --method spectral, whose degree is varied from 4 to 14; omit it",
+                "--segments does not apply to --method spectral, whose degree is varied from 4 to 14; omit --segments",
             );
         }
         Ok(())

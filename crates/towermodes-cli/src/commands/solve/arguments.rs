@@ -33,7 +33,7 @@ Exit codes: 0 done, 1 the computation or the output failed, 2 wrong usage or wro
 /// The tower file format in short, then the examples.
 const LONG_HELP: &str = concat!(include_str!("tower-file.txt"), "\n", examples!());
 
-const SEGMENTS: &str = "Number of segments (bmodes and spectral: elements) [default: 100, plus 2 for each part shorter than 1/50 of the tower height; a part is a length of tower without a step, a change of taper or material, or a point mass; spectral: one per part; BModes decks: the elements of the deck]";
+const SEGMENTS: &str = "Number of segments (bmodes and spectral: elements) [default: 100, plus 2 for each part shorter than 1/50 of the tower height; a part is a piece of the tower between steps, changes of taper or material, and point masses; spectral: one per part; BModes decks: the elements of the deck]";
 
 /// The arguments of `solve`.
 #[derive(Debug, Args)]
@@ -161,16 +161,16 @@ impl SolveArguments {
     /// The message for an option that applies to one file only.
     pub(crate) fn check_for_several(&self, format: SolveFormat) -> Result<(), &'static str> {
         if self.plot {
-            return Err("--plot applies only to one file; solve each file in its own command");
+            return Err("--plot applies only to one file; solve each file in a separate command");
         }
         if self.sensitivities {
             return Err(
-                "--sensitivities applies only to one file; solve each file in its own command",
+                "--sensitivities applies only to one file; solve each file in a separate command",
             );
         }
         if format == SolveFormat::Bmodes {
             return Err(
-                "--format bmodes applies only to one file, because its layout stores one tower; solve each file in its own command",
+                "--format bmodes applies only to one file, because the layout of BModes stores one tower; solve each file in a separate command",
             );
         }
         if self
@@ -180,7 +180,7 @@ impl SolveArguments {
             .count()
             > 1
         {
-            return Err("standard input (-) can be only one of the files");
+            return Err("standard input (-) can be given for only one of the files");
         }
         Ok(())
     }
@@ -300,7 +300,7 @@ impl SolveArguments {
             || self.model.is_given();
         match of_modes {
             true => Err(
-                "a file of mooring lines has no modes: of the options of solve only --format and --output apply",
+                "a file of mooring lines has no modes: only the options --format and --output of solve apply",
             ),
             false => Ok(()),
         }

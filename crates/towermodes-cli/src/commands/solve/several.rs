@@ -71,17 +71,17 @@ fn tower_of(file: &Path, arguments: &SolveArguments) -> Result<TowerInput, Failu
         Input::Tower(tower) => *tower,
         Input::Substructure(_) => {
             return Err(Failure::usage(
-                "this is a SubDyn file, whose modes are those of a substructure and not of a tower; solve it in its own command",
+                "this is a SubDyn file, which describes a substructure without a tower; solve this file in a separate command",
             ));
         }
         Input::Mooring(_) => {
             return Err(Failure::usage(
-                "this file describes mooring lines, which have no modes here; solve it in its own command",
+                "this file describes only mooring lines, which have no modes; solve this file in a separate command",
             ));
         }
         Input::Blade(_) => {
             return Err(Failure::usage(
-                "this is a deck of a rotating blade, whose modes are not those of a tower; solve it in its own command",
+                "this is a deck of a rotating blade, not of a tower; solve this file in a separate command",
             ));
         }
     };

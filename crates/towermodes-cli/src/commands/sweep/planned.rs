@@ -76,7 +76,7 @@ fn of_study(arguments: &SweepArguments) -> Result<Parts, Failure> {
     let reading = &arguments.reading;
     if reading.options() != ReadOptions::default() {
         return Err(Failure::usage(
-            "with a sweep study, the options for reading its tower are keys of [sweep.reading]",
+            "options for reading a tower, such as --part or --no-rna, do not apply to a sweep study; write them as keys of its table [sweep.reading]",
         ));
     }
     let beside = SiblingFiles::of(&arguments.file);

@@ -80,8 +80,8 @@ fn remark(solved: &Solved) {
         &format!("{} {unusual}", has(warnings)),
     );
     let coupled = "a mode that shares its motion with others: less than 60 % of its energy is in the \
-                   motion of its name (columns …_share). Between neighbouring rows such a name may pass \
-                   from one of these modes to another, and its frequency jumps by their difference";
+                   type of motion that its name states (columns …_share). From one row to the next, two \
+                   such modes may exchange their names, and then the frequencies in their columns jump";
     say(shared, solved.rows, &format!("{} {coupled}", has(shared)));
 }
 

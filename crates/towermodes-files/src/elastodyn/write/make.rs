@@ -99,7 +99,7 @@ fn notes(tower: &Tower, made: &MadeTower) -> Vec<Note> {
 
 fn coarseness_note(coarseness: &Coarseness, made: &MadeTower) -> Note {
     Note::new(format!(
-        "{} rows change the mass of the tower by {:+.2} % and its flexibility by {:+.2} %; without --stations there are {}",
+        "{} rows change the mass of the tower by {:+.2} % and its flexibility by {:+.2} %; without --stations there are {} rows",
         made.model.stations.len(),
         100.0 * coarseness.difference.mass,
         100.0 * coarseness.difference.flexibility.fore_aft,

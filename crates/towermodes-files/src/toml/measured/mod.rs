@@ -92,7 +92,7 @@ fn measured(root: &Table<'_>, reading: &mut Reading) -> Option<Vec<MeasuredMode>
             let what = format!("the measured mode `{mode}`");
             let kind = DiagnosticKind::Repeated { what, times: 2 };
             reading.mistake(Diagnostic::new(one.span.clone(), kind).with_hint(
-                "give one frequency for each mode: of several measurements their weighted mean and its standard deviation",
+                "give one frequency for each mode; combine several measurements of a mode into their weighted mean, with the standard deviation of this mean",
             ));
         }
     }

@@ -8,7 +8,7 @@ use super::schema::MEASURED;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::measured::MeasuredMode;
 
-const SHAPE: &str = "a row of a shape is [height in m, fore-aft displacement, side-side displacement], in any scale";
+const SHAPE: &str = "a row of a shape is [height in m, fore-aft displacement, side-side displacement], with any common factor";
 
 /// One measurement.
 pub(super) fn mode(_: usize, value: &Value<'_>, reading: &mut Reading) -> Option<MeasuredMode> {
@@ -17,9 +17,9 @@ pub(super) fn mode(_: usize, value: &Value<'_>, reading: &mut Reading) -> Option
         None => Some(None),
         Some(mode) => mode_name(mode, reading).map(Some),
     };
-    let hint = "the measured frequency in Hz, as frequency = 0.2585";
+    let hint = "give the measured frequency in Hz, for example frequency = 0.2585";
     let frequency = positive(&table, "frequency", hint, reading);
-    let hint = "the standard deviation of the frequency in Hz, as deviation = 0.002";
+    let hint = "give the standard deviation of the frequency in Hz, for example deviation = 0.002";
     let deviation = positive(&table, "deviation", hint, reading);
     let shape = match table.get("shape") {
         None => Some(Vec::new()),

@@ -46,7 +46,7 @@ fn unknown(
     }
     let what = format!("`{name}`");
     if !value.get_ref().is_table() {
-        let mistake = wrong_kind(value, &what, "a table in braces, which may be empty");
+        let mistake = wrong_kind(value, &what, "a table in braces, such as {}");
         return reading.refuse(mistake.with_hint(HINT));
     }
     let table = Table::of(value, what, &UNKNOWN, reading)?;

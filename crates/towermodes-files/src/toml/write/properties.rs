@@ -12,7 +12,7 @@ pub(super) fn properties(rows: &[PropertyStation], writing: &mut Writing) {
     let column = |key: &str, value: fn(&Properties) -> f64, writing: &mut Writing| {
         writing.list(key, sections().map(value));
     };
-    writing.line("# Heights of the rows, m; between them mass, stiffnesses and inertia over mass are linear.");
+    writing.line("# Heights of the rows, m; mass, stiffnesses and inertia divided by mass vary linearly between rows.");
     writing.list("z_m", rows.iter().map(|row| row.height_m));
     writing.line("# Mass per length, kg/m.");
     column("mass_kg_per_m", |p| p.mass_kg_per_m, writing);

@@ -57,8 +57,8 @@ fn mudline_notes(base_m: f64, mudline_m: f64, soil: Option<&Soil>, is_kept: bool
     let words = soil.map(Soil::words);
     if is_kept {
         notes.push(Note::assumption(format!(
-            "the {} m of the monopile below the mudline at z = {mudline} m stand in elastic soil ({}) with lateral springs of 1.2 E per metre; the tip is free to move \
-             sideways and to rotate, and rigid along and about the axis",
+            "the {} m of the monopile below the mudline at z = {mudline} m stand in elastic soil ({}) with lateral springs of 1.2 E per metre; the tip is free to \
+             translate in x and y and to rotate about x and y; translation in z and rotation about z are fixed",
             Rounded(mudline_m - base_m),
             words.unwrap_or_default()
         )));

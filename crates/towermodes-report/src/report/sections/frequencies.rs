@@ -61,7 +61,7 @@ fn parentheses(solution: &Solution) -> &'static str {
     let has_others = |mode: &Mode| mode_shape(mode) != mode.label();
     match solution.modes.iter().any(has_others) {
         true => {
-            " Percentages in parentheses are the fractions of the energy in the motion of the name, if below 90 %, and in other motions, if at \
+            " Percentages in parentheses are the fractions of the energy in the type of motion that the name states, if below 90 %, and in other motions, if at \
              least 5 %."
         }
         false => "",

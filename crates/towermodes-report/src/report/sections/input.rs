@@ -124,7 +124,7 @@ fn materials(description: &TowerDescription) -> Table {
 
 fn stations(description: &TowerDescription) -> Table {
     let mut table = Table::new(
-        "Stations from the base to the top; linear between them; two stations at the same height define a step",
+        "Stations from the base to the top; values are linear between stations; two stations at the same height define a step",
         [
             "#height z (m)",
             "#outer diameter (m)",

@@ -32,7 +32,7 @@ pub enum AddedMassAt {
 }
 
 impl AddedMassAt {
-    /// The choice of a word, or of a frequency in Hz; none if the text is neither.
+    /// Reads `own`, `infinite`, `zero` or a frequency in Hz; none for any other text.
     ///
     /// # Example
     /// ```

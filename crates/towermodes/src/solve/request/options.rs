@@ -25,14 +25,14 @@ use crate::modes::ShapePoint;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// The discretization.
+    /// The method of discretization.
     pub method: Method,
     /// Number of segments; `None` is [`DEFAULT_SEGMENTS`](crate::DEFAULT_SEGMENTS) and two more for
     /// each short span between steps, kinks and attachments.
     pub segments: Option<usize>,
     /// Heights at which the elements of [`Method::Bmodes`] begin and end, m, from the base to the
     /// top, instead of `segments`. Every attachment must be at one of these heights. Rows of the
-    /// tower need not be; the error estimate includes what the elements miss of them.
+    /// tower need not be; the error estimate includes the effect of rows inside an element.
     pub borders_m: Option<Vec<f64>>,
     /// Polynomial degree of the elements of [`Method::Spectral`], 2 to [`MAX_DEGREE`]; `None`
     /// increases it until the modes converge.
@@ -50,7 +50,7 @@ pub struct Options {
     pub hinge_position: f64,
     /// At which frequency a floating platform has the added mass that depends on frequency.
     pub added_mass: AddedMassAt,
-    /// Whether modes have their energy by the parts of the tower:
+    /// Whether the energy of each mode by parts of the tower is computed:
     /// [`Mode::energy_parts`](crate::Mode::energy_parts).
     pub energy_parts: bool,
     /// Whether a solve whose estimated cost is above [`MAX_BYTES`] or

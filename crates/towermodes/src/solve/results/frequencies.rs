@@ -4,12 +4,14 @@ use super::super::on_mesh::spectrum::ModeKey;
 use super::solution::Certificate;
 use crate::modes::{Family, ModeName, SecondFamily, Shares};
 
-/// The name and the frequency of a natural mode of a tower, one of [`Frequencies::modes`]: the same
-/// values as those of the [`Mode`](crate::Mode) of a [`Solution`](crate::Solution), bit by bit.
+/// The name and the frequency of a natural mode of a tower, one of [`Frequencies::modes`]: its
+/// values are equal, bit for bit, to those of the [`Mode`](crate::Mode) of a
+/// [`Solution`](crate::Solution).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ModeFrequency {
-    /// The kind of motion: the one whose energy in the modes so far exceeds its names by most
+    /// The kind of motion that names the mode: the family whose energy, added up over the modes so
+    /// far, exceeds the number of modes already named after it by the largest amount
     /// ([`Arrears`](crate::modes::Arrears)).
     pub family: Family,
     /// Order within the family, from 1.
@@ -21,14 +23,16 @@ pub struct ModeFrequency {
     pub frequency_hz: f64,
     /// Bound on the error of the eigenvalue computation, Hz.
     pub algebraic_error_hz: f64,
-    /// Estimate of the discretization error: the difference from the frequency of the beam, Hz.
+    /// Estimate of the discretization error, Hz: the difference from the exact frequency of the
+    /// continuous beam.
     pub discretization_error_hz: f64,
-    /// The frequency of the beam, extrapolated from meshes with half or twice the segments, Hz.
+    /// The frequency of the continuous beam, Hz, extrapolated from meshes with half or twice the
+    /// number of segments.
     pub extrapolated_hz: f64,
 }
 
 impl ModeFrequency {
-    /// The total error, discretization and eigenvalue computation together, Hz.
+    /// The total error, Hz: discretization error plus error of the eigenvalue computation.
     pub fn error_hz(&self) -> f64 {
         self.discretization_error_hz + self.algebraic_error_hz
     }
@@ -41,12 +45,13 @@ impl ModeFrequency {
         }
     }
 
-    /// The share of its own family in its energy.
+    /// The share of its family in the energy of the mode.
     pub fn share(&self) -> f64 {
         self.shares.of(self.family)
     }
 
-    /// The family with the largest share of its energy beside its own; none if there is none.
+    /// Among the other families, the one with the largest share of the energy of the mode; none if
+    /// no other family has a share.
     pub fn second(&self) -> Option<SecondFamily> {
         self.shares.second_to(self.family)
     }
@@ -59,7 +64,7 @@ impl ModeFrequency {
 
 /// The lowest frequencies of a tower, with their errors and the proof that none is missing.
 ///
-/// There are no warnings: what makes a frequency doubtful is part of its error.
+/// There are no warnings: effects that make a frequency uncertain are included in its error.
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Frequencies {
@@ -75,7 +80,7 @@ pub struct Frequencies {
 }
 
 impl Frequencies {
-    /// The mode of a family and an order in it, from 1, if it is in the list.
+    /// The mode with this family and this order (from 1) within the family, if it is in the list.
     pub fn mode(&self, family: Family, order: usize) -> Option<&ModeFrequency> {
         let mut modes = self.modes.iter();
         modes.find(|mode| mode.family == family && mode.order == order)

@@ -39,7 +39,8 @@ pub struct Mode {
     /// Natural frequency of the discretized tower, Hz; 0 for a rigid-body motion that nothing
     /// resists.
     pub frequency_hz: f64,
-    /// The kind of motion: the one whose energy in the modes so far exceeds its names by most
+    /// The kind of motion that names the mode: the family whose energy, added up over the modes so
+    /// far, exceeds the number of modes already named after it by the largest amount
     /// ([`Arrears`](crate::modes::Arrears)).
     pub family: Family,
     /// Order within the family, from 1.
@@ -48,13 +49,15 @@ pub struct Mode {
     pub shares: Shares,
     /// Bound on the error of the eigenvalue computation, Hz.
     pub algebraic_error_hz: f64,
-    /// Estimate of the discretization error: the difference from the frequency of the beam, Hz.
+    /// Estimate of the discretization error, Hz: the difference from the exact frequency of the
+    /// continuous beam.
     pub discretization_error_hz: f64,
-    /// The frequency of the beam, extrapolated from meshes with half or twice the segments, Hz.
+    /// The frequency of the continuous beam, Hz, extrapolated from meshes with half or twice the
+    /// number of segments.
     pub extrapolated_hz: f64,
-    /// Modal mass uᵀMu of the shape as normalized here: kg, or kg m² for torsion and yaw. A family
-    /// with less than a tenth of the energy scales no shape; then the one with the largest share
-    /// does.
+    /// Modal mass uᵀMu of the shape as normalized here: kg, or kg m² for torsion and yaw. The shape
+    /// is normalized by the motion of its family, or, if this family has less than a tenth of the
+    /// energy, by the motion of the family with the largest share.
     pub modal_mass: f64,
     /// Distribution of its energy over the motions.
     pub energy: Energy,
@@ -68,13 +71,14 @@ pub struct Mode {
     /// rᵀ M r with the M of this mode: the mass and the moments of inertia of the whole tower in
     /// the same directions, with the added mass that the mode has, kg and kg m².
     pub rigid_inertia: [f64; 6],
-    /// The shape at equal heights from the base to the top.
+    /// The shape at equally spaced heights from the base to the top.
     pub shape: Vec<ShapePoint>,
     /// The shape at the tower's stations.
     pub station_shape: Vec<ShapePoint>,
     /// The shape at the heights of [`Options::heights_m`](crate::Options::heights_m).
     pub shape_there: Vec<ShapePoint>,
-    /// The shape of the frame under the tower on the scale of the others; none without a frame.
+    /// The shape of the frame under the tower, normalized by the same factor as `shape`; none
+    /// without a frame.
     pub frame: Option<FrameShape>,
     /// Its identity on any mesh and by any method.
     pub(crate) key: ModeKey,
@@ -165,7 +169,7 @@ impl Mode {
         1.0 / self.frequency_hz
     }
 
-    /// The total error, discretization and eigenvalue computation together, Hz.
+    /// The total error, Hz: discretization error plus error of the eigenvalue computation.
     pub fn error_hz(&self) -> f64 {
         self.discretization_error_hz + self.algebraic_error_hz
     }
@@ -180,9 +184,9 @@ impl Mode {
         self.is_turning().then_some(self.modal_mass)
     }
 
-    /// The effective masses as fractions of the whole, in x, y, z and about x, y, z:
-    /// (uᵀ M r)²/(uᵀ M u · rᵀ M r), none above 1 (Cauchy's inequality). Not finite in a direction
-    /// in which nothing has inertia.
+    /// The effective masses as fractions of the total masses and moments of inertia, in x, y, z and
+    /// about x, y, z: (uᵀ M r)²/(uᵀ M u · rᵀ M r), none above 1 (Cauchy's inequality). Not finite
+    /// in a direction in which nothing has inertia.
     pub fn effective_mass_shares(&self) -> [f64; 6] {
         std::array::from_fn(|i| self.effective_mass[i] / self.rigid_inertia[i])
     }
@@ -200,12 +204,13 @@ impl Mode {
         }
     }
 
-    /// The share of its own family in its energy.
+    /// The share of its family in the energy of the mode.
     pub fn share(&self) -> f64 {
         self.shares.of(self.family)
     }
 
-    /// The family with the largest share of its energy beside its own; none if there is none.
+    /// Among the other families, the one with the largest share of the energy of the mode; none if
+    /// no other family has a share.
     pub fn second(&self) -> Option<SecondFamily> {
         self.shares.second_to(self.family)
     }
@@ -302,7 +307,7 @@ pub struct Solution {
     pub modes: Vec<Mode>,
     /// What the discretization errors of the modes are estimated from.
     pub error_basis: ErrorBasis,
-    /// The proof that none is missing.
+    /// The proof that no mode is missing.
     pub certificate: Certificate,
     /// The inertia of the whole tower, with everything that moves with it, against rigid-body
     /// motions (x, y, z, rotation about x, y, z) about its base: kg, kg m, kg m². Its diagonal is
@@ -310,33 +315,36 @@ pub struct Solution {
     /// frequency, it is here that of infinite frequency.
     pub rigid_inertia: SpatialMatrix,
     /// The factor by which self-weight must be multiplied for the tower to buckle; none without
-    /// gravity, or where it floats.
+    /// gravity, and for a floating tower.
     pub buckling_load_factor: Option<f64>,
     /// At which frequency the platform has its added mass; none where that does not depend on
     /// frequency.
     pub added_mass: Option<AddedMassAt>,
     /// Possible input mistakes, and limits of the results.
     pub warnings: Vec<Warning>,
-    /// Number of products and restarts.
+    /// Numbers of matrix products and restarts of the eigenvalue solver.
     pub statistics: Statistics,
 }
 
 /// What the discretization errors of a [`Solution`] are estimated from. Both lists are empty for
-/// [`Method::Spectral`], whose errors are estimated from its own degrees and elements.
+/// [`Method::Spectral`], whose errors are estimated from other degrees and numbers of elements of
+/// this method.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct ErrorBasis {
     /// The numbers of segments or elements of the other meshes that were solved.
     pub segments: Vec<usize>,
-    /// The numbers of the modes whose error is instead the difference from the reference solution
-    /// ([`Method::Spectral`]), and whose extrapolated frequency is that of this solution.
+    /// The numbers of the modes whose error is the difference from the reference solution
+    /// ([`Method::Spectral`]), and whose extrapolated frequency is the frequency of the reference
+    /// solution.
     pub compared: Vec<usize>,
 }
 
 impl Solution {
-    /// The sums of the effective masses of the modes in the list, as fractions of the whole: in x,
-    /// y, z and about x, y, z. None where each mode has the added mass of its own frequency: modes
-    /// of different mass matrices are not orthogonal, and their effective masses are no parts of
-    /// one mass. Then only [those of each mode](Mode::effective_mass_shares) have a meaning.
+    /// The sums of the effective masses of the modes in the list, as fractions of the total masses
+    /// and moments of inertia: in x, y, z and about x, y, z. None if each mode has the added mass
+    /// at its own frequency: modes of different mass matrices are not orthogonal, and their
+    /// effective masses do not add up to one total. Then only [those of each
+    /// mode](Mode::effective_mass_shares) have a meaning.
     pub fn effective_mass_shares(&self) -> Option<[f64; 6]> {
         match self.added_mass {
             Some(AddedMassAt::Own) => None,
@@ -349,7 +357,7 @@ impl Solution {
         }
     }
 
-    /// The mode of a family and an order in it, from 1, if it is in the list.
+    /// The mode with this family and this order (from 1) within the family, if it is in the list.
     pub fn mode(&self, family: Family, order: usize) -> Option<&Mode> {
         let mut modes = self.modes.iter();
         modes.find(|mode| mode.family == family && mode.order == order)

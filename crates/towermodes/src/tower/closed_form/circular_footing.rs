@@ -40,8 +40,8 @@ pub struct CircularFooting {
     /// Radius R, m.
     #[input(RADIUS)]
     pub radius_m: f64,
-    /// Depth of embedment e, m: of the underside below the surface of the soil. It must be 0 if
-    /// there is a lower stratum that is not rock.
+    /// Depth of embedment e, m: depth of the underside below the surface of the soil. It must be 0
+    /// if there is a lower stratum that is not rock.
     #[input(EMBEDMENT)]
     pub embedment_m: f64,
     /// Shear modulus G of the stratum, Pa.
@@ -93,8 +93,8 @@ impl CircularFooting {
     /// | torsion | 16GR³/3 | 0 | 1 + 8e/(3R) |
     ///
     /// The factor for the stratum is (1 + a R/H)/(1 + a (R/H) G/G₂); over rock 1 + a R/H. The
-    /// coupling, if it is wanted, is e/3 times the lateral spring: positive, because the sides of
-    /// the footing are held above its underside.
+    /// coupling, if [`is_coupled`](Self::is_coupled), is e/3 times the lateral spring: positive,
+    /// because the sides of the footing are held above its underside.
     ///
     /// Over rock it holds for H/R > 2 (vertical), H/R > 1 (lateral and rocking), e/R < 2 and
     /// e/H < 1/2; over another stratum for H/R ≥ 1 (vertical, lateral), 0.75 (rocking) and

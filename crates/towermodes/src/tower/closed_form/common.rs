@@ -5,14 +5,14 @@ use crate::inputs::{Input, Limit, Quantity, names};
 use crate::tower::error::{Place, Problem, TowerError};
 use crate::tower::warning::{Site, Warning};
 
-/// How the modulus of the soil grows with the depth z below the surface.
+/// How Young's modulus of the soil grows with the depth z below the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SoilProfile {
-    /// The same at every depth.
+    /// The modulus is constant.
     Homogeneous,
-    /// With √z.
+    /// The modulus is proportional to √z.
     Parabolic,
-    /// With z.
+    /// The modulus is proportional to z.
     Linear,
 }
 

@@ -46,7 +46,7 @@ pub trait ClosedForm: Inputs + fmt::Debug {
     fn buried(&self) -> Buried;
 }
 
-/// The facts about a kind of foundation.
+/// The names and properties of a kind of foundation.
 #[derive(Debug)]
 pub struct FormKind {
     /// Its name in the tower file.
@@ -55,11 +55,11 @@ pub struct FormKind {
     pub synonyms: &'static str,
     /// Where its stiffness comes from, for hints on keys of other kinds.
     pub nature: &'static str,
-    /// It and its soil in a few words.
+    /// The foundation and its soil in a few words.
     pub in_words: &'static str,
-    /// Whether it contains the soil around it, as a pile or a caisson does.
+    /// Whether its stiffness includes the soil around it, as for a pile or a caisson.
     pub contains_soil: bool,
-    /// The key that is to blame for a stiffness that no soil has.
+    /// The key at which a warning about an implausible stiffness is shown.
     pub decisive_key: &'static str,
 }
 
@@ -74,7 +74,7 @@ pub struct Buried {
     pub depth_m: f64,
     /// Whether its outline is a circle.
     pub is_round: bool,
-    /// Whether it is deep: a pile or a caisson, and no footing.
+    /// Whether it is deep: a pile or a caisson, and not a footing.
     pub is_deep: bool,
     /// The elastic soil below a footing.
     pub soil: Option<SoilBelow>,

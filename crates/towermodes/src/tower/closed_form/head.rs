@@ -17,7 +17,7 @@ pub struct HeadStiffness {
 }
 
 impl HeadStiffness {
-    /// Moment per rotation where the head is free to move sideways, K_R − K_LR²/K_L, N m.
+    /// Moment per rotation of a head that is free to translate, K_R − K_LR²/K_L, N m.
     pub fn free_rocking_n_m(&self) -> f64 {
         self.rocking_n_m - self.coupling_n * self.coupling_n / self.lateral_n_per_m
     }

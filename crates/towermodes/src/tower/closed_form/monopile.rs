@@ -61,7 +61,7 @@ pub struct Monopile {
     /// Poisson's ratio ν of the soil.
     #[input(SOIL_POISSONS_RATIO)]
     pub soil_poissons_ratio: f64,
-    /// Stiffness against z, N/m, which the formulas do not give; infinite: rigid.
+    /// Stiffness against translation in z, N/m, which the formulas do not give; infinite: rigid.
     #[input(VERTICAL)]
     pub vertical_n_per_m: f64,
     /// Stiffness against rotation about z, N m, which the formulas do not give; infinite: rigid.
@@ -89,11 +89,11 @@ pub enum PileFormula {
 /// (1981), for the stiffness ratio E_pe/G*, G* = G (1 + 3ν/4).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slenderness {
-    /// L/D.
+    /// Embedded length over diameter, L/D.
     pub ratio: f64,
-    /// Rigid up to 0.05 √(E_pe/G*).
+    /// Largest L/D of a rigid pile, 0.05 √(E_pe/G*).
     pub rigid_at_most: f64,
-    /// Flexible from (E_pe/G*)^(2/7).
+    /// Smallest L/D of a flexible pile, (E_pe/G*)^(2/7).
     pub flexible_at_least: f64,
 }
 
@@ -102,14 +102,14 @@ pub struct Slenderness {
 pub enum PileBehaviour {
     /// It bends near its head; the tip does not move.
     Flexible,
-    /// It turns as a whole.
+    /// It rotates as a rigid body.
     Rigid,
-    /// Neither: both forms overestimate the stiffness.
+    /// Neither flexible nor rigid: the formulas for both overestimate the stiffness.
     Between,
 }
 
 impl Slenderness {
-    /// The behaviour that follows.
+    /// The behaviour that follows from the ratio and its limits.
     pub fn behaviour(&self) -> PileBehaviour {
         if self.ratio >= self.flexible_at_least {
             PileBehaviour::Flexible
@@ -130,7 +130,7 @@ names!(
 );
 
 impl PileFormula {
-    /// Authors and year.
+    /// Authors and year, or number of the standard.
     pub fn name(self) -> &'static str {
         match self {
             Self::ShadlouBhattacharya => "Shadlou & Bhattacharya (2016)",
@@ -140,7 +140,7 @@ impl PileFormula {
         }
     }
 
-    /// Whether it has a form for a profile of the soil.
+    /// Whether the formula covers a profile of the soil.
     pub fn has(self, profile: SoilProfile) -> bool {
         match self {
             Self::ShadlouBhattacharya | Self::En1998 => true,

@@ -30,8 +30,8 @@ pub struct RectangularFooting {
         .note("side along y")
         .also("length_side_side width breadth ly side_y"))]
     pub length_y_m: f64,
-    /// Depth of embedment e, m: of the underside below the surface of the soil, which touches the
-    /// sides over this depth.
+    /// Depth of embedment e, m: depth of the underside below the surface of the soil, which touches
+    /// the sides over this depth.
     #[input(EMBEDMENT)]
     pub embedment_m: f64,
     /// Shear modulus G of the soil, Pa.
@@ -126,8 +126,8 @@ impl RectangularFooting {
     /// | about B | GB³/(1−ν) (3.73 r^2.4 + 0.27) | 1 + e/B + 1.6/(0.35 + r⁴) (e/B)² |
     /// | torsion | GB³ (4.25 r^2.45 + 4.06) | 1 + (1.3 + 1.32/r) (e/B)^0.9 |
     ///
-    /// The coupling, if it is wanted, is e/3 times the lateral stiffness, positive in row 1, column
-    /// 5: the sides are held above the underside.
+    /// The coupling, if [`is_coupled`](Self::is_coupled), is e/3 times the lateral stiffness,
+    /// positive in row 1, column 5: the sides are held above the underside.
     ///
     /// Sources: Gazetas in *Foundation Engineering Handbook* (1991), ch. 15; Pais & Kausel,
     /// *Soil Dyn. Earthq. Eng.* 7 (1988) 213–227. Torsion and coupling are not checked against the

@@ -1,4 +1,4 @@
-//! The springs along a pile: given, or from the modulus of the soil.
+//! The springs along a pile: given, or computed from the modulus of the soil.
 
 use super::common::{SOIL_POISSONS_RATIO, SOIL_YOUNGS_MODULUS};
 use super::pile_tube::PileTube;
@@ -7,17 +7,17 @@ use crate::inputs::{Given, Input, Inputs, Limit, Quantity, Value, names};
 /// The spring k_D of the soil at the depth of one diameter, per metre of pile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SoilSpring {
-    /// Given.
+    /// The value of k_D is given.
     Given {
         /// k_D, N/m².
         spring_n_per_m2: f64,
     },
-    /// 1.2 E. Source: Gazetas.
+    /// k_D = 1.2 E. Source: Gazetas.
     Gazetas {
         /// Young's modulus E of the soil at the depth of one diameter, Pa.
         youngs_modulus_pa: f64,
     },
-    /// 0.65 (E D⁴/EI)^(1/12) E/(1 − ν²). Source: Vesić (1961). Its constants are not checked
+    /// k_D = 0.65 (E D⁴/EI)^(1/12) E/(1 − ν²). Source: Vesić (1961). Its constants are not checked
     /// against the original.
     Vesic {
         /// Young's modulus E of the soil at the depth of one diameter, Pa.
@@ -44,8 +44,8 @@ impl SoilSpring {
         }
     }
 
-    /// The exponent of the depth in the spring, where the exponent of the tower file is `exponent`:
-    /// that of the springs if they are given, otherwise that of Young's modulus.
+    /// The exponent of the depth in the springs. `exponent` is the value of the tower file: the
+    /// exponent of the springs if they are given, otherwise the exponent of Young's modulus.
     pub fn exponent(&self, exponent: f64) -> f64 {
         match self {
             Self::Given { .. } | Self::Gazetas { .. } => exponent,
@@ -54,7 +54,7 @@ impl SoilSpring {
         }
     }
 
-    /// Authors of the formula, if the spring is not given.
+    /// Authors of the formula; none if the spring is given.
     pub fn formula_name(&self) -> Option<&'static str> {
         match self {
             Self::Given { .. } => None,

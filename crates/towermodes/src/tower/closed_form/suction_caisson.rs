@@ -51,7 +51,7 @@ pub struct SuctionCaisson {
     /// Poisson's ratio ν of the soil.
     #[input(SOIL_POISSONS_RATIO)]
     pub soil_poissons_ratio: f64,
-    /// Stiffness against z, N/m, which the formula does not give; infinite: rigid.
+    /// Stiffness against translation in z, N/m, which the formula does not give; infinite: rigid.
     #[input(VERTICAL)]
     pub vertical_n_per_m: f64,
     /// Stiffness against rotation about z, N m, which the formula does not give; infinite: rigid.
@@ -65,7 +65,7 @@ impl SuctionCaisson {
     /// The range of L/D for which the formula was derived.
     pub const SLENDERNESS: [f64; 2] = [0.5, 2.0];
 
-    /// L/D.
+    /// Length of the skirt over diameter, L/D.
     pub fn slenderness(&self) -> f64 {
         self.skirt_length_m / self.diameter_m
     }

@@ -46,7 +46,7 @@ pub struct WinklerPile {
     .note("of the depth in the spring or the modulus: 0 constant, 1 linear")
     .hint("of the depth: 0 for constant springs or modulus, 1 for linear growth"))]
     pub exponent: f64,
-    /// Stiffness against z, N/m; infinite: rigid.
+    /// Stiffness against translation in z, N/m; infinite: rigid.
     #[input(VERTICAL)]
     pub vertical_n_per_m: f64,
     /// Stiffness against rotation about z, N m; infinite: rigid.
@@ -57,7 +57,7 @@ pub struct WinklerPile {
 /// A formula for the head stiffness of a pile on springs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum BeamFormula {
-    /// The exact solution.
+    /// The exact solution of the differential equation of the beam.
     Exact,
     /// Poulos & Davis (1980): rigid or flexible piles on springs that are constant or grow
     /// linearly. Its constants are not checked against the original.
@@ -67,7 +67,7 @@ pub enum BeamFormula {
 names!(BeamFormula: Exact = "exact", PoulosDavis = "poulos-davis");
 
 impl BeamFormula {
-    /// Authors and year, or how it is computed.
+    /// Authors and year, or "the exact solution".
     pub fn name(self) -> &'static str {
         match self {
             Self::Exact => "the exact solution",
@@ -77,7 +77,7 @@ impl BeamFormula {
 }
 
 impl WinklerPile {
-    /// k_D, N/m².
+    /// Spring k_D at the depth of one diameter, per metre of pile, N/m².
     pub fn spring_n_per_m2(&self) -> f64 {
         self.soil_spring.of(&self.tube)
     }
@@ -87,9 +87,8 @@ impl WinklerPile {
         self.soil_spring.exponent(self.exponent)
     }
 
-    /// The reduced length up to which Poulos & Davis take a pile for rigid, and that from which
-    /// they take it for flexible: 1.5 and 2.5 for constant springs, 2 and 4 for springs that grow
-    /// linearly.
+    /// Limits of the reduced length by Poulos & Davis: a pile is rigid up to the first and flexible
+    /// from the second: 1.5 and 2.5 for constant springs, 2 and 4 for springs that grow linearly.
     pub fn limits_of_poulos_davis(&self) -> [f64; 2] {
         self.of_poulos_davis().limits()
     }
@@ -103,7 +102,8 @@ impl WinklerPile {
         }
     }
 
-    /// η L with η = (n/EI)^(1/(4+m)), where k = n z^m.
+    /// Reduced length η L with η = (n/EI)^(1/(4+m)), where k = n z^m is the spring per metre of
+    /// pile.
     pub fn reduced_length(&self) -> f64 {
         self.per_m() * self.tube.embedded_length_m
     }

@@ -36,20 +36,20 @@ pub enum Problem {
         /// The value given.
         value: f64,
     },
-    /// Mooring lines that cannot be.
+    /// Invalid mooring lines.
     #[error(transparent)]
     Mooring(#[from] MooringError),
-    /// A floating tower without the equilibrium at which its lines should be.
+    /// A floating tower without an equilibrium, at which the stiffness of its lines is requested.
     #[error(transparent)]
     Equilibrium(#[from] EquilibriumError),
-    /// A frame that cannot be.
+    /// An invalid frame.
     #[error("{message}")]
     Frame {
-        /// The part and what is wrong with it, of a [`FrameError`](crate::frame::FrameError).
+        /// The text of a [`FrameError`](crate::frame::FrameError): the part and the mistake in it.
         message: String,
     },
-    /// A size that no quantity of a tower has, and that would not leave the numbers computed from
-    /// it finite.
+    /// A magnitude that no quantity of a tower has, and for which computed numbers may not be
+    /// finite.
     #[error(
         "{quantity} is {}{unit}; its magnitude must be from {} to {}{unit}",
         Plain(*.value), Plain(*.least), Plain(*.most)
@@ -61,9 +61,9 @@ pub enum Problem {
         value: f64,
         /// Its unit, after a space, or nothing.
         unit: &'static str,
-        /// The smallest size that is not zero.
+        /// Smallest allowed magnitude other than zero.
         least: f64,
-        /// The largest size.
+        /// Largest allowed magnitude.
         most: f64,
     },
     /// Zero or negative where only a positive number makes sense.
@@ -86,7 +86,7 @@ pub enum Problem {
         /// Its unit, after a space, or nothing.
         unit: &'static str,
     },
-    /// E and G that no isotropic material has.
+    /// Values of E and G that no isotropic material has.
     #[error(
         "shear modulus {} Pa with Young's modulus {} Pa gives Poisson's ratio {}, outside the range -1 to 0.5",
         Plain(*.shear_modulus_pa), Plain(*.youngs_modulus_pa), Plain(rounded(*.poissons_ratio))
@@ -105,7 +105,7 @@ pub enum Problem {
         /// How many there are.
         count: usize,
     },
-    /// Heights that go down.
+    /// A station below the previous station.
     #[error(
         "height {} m is below the previous station at {} m",
         Apart(*.height_m, *.previous_m), Apart(*.previous_m, *.height_m)
@@ -128,7 +128,7 @@ pub enum Problem {
     /// All stations at one height.
     #[error("the tower has no height: all stations are at {} m", Plain(*.height_m))]
     NoHeight {
-        /// The height all have, m.
+        /// The height of all of them, m.
         height_m: f64,
     },
     /// A wall that does not fit into the tube.
@@ -162,7 +162,7 @@ pub enum Problem {
         Apart(*.top_m, *.height_m)
     )]
     OutsideTower {
-        /// Height of the mass, m.
+        /// Height of the mass or of the wires, m.
         height_m: f64,
         /// Height of the base, m.
         base_m: f64,
@@ -172,7 +172,7 @@ pub enum Problem {
     /// An RNA that has inertia but no mass.
     #[error("the rotor-nacelle assembly has an inertia but no mass")]
     InertiaWithoutMass,
-    /// A tensor that no body has.
+    /// An inertia tensor with a negative principal moment.
     #[error(
         "the principal moments of inertia are {}, {} and {} kg m2; they must not be negative",
         Rounded(.principal_kg_m2[0]), Rounded(.principal_kg_m2[1]), Rounded(.principal_kg_m2[2])
@@ -187,7 +187,7 @@ pub enum Problem {
         Plain(*.upper), Plain(*.lower)
     )]
     Asymmetric {
-        /// Which matrix.
+        /// Name of the matrix.
         what: &'static str,
         /// Row of the entry above the diagonal, from 1.
         row: usize,
@@ -198,24 +198,24 @@ pub enum Problem {
         /// The entry below the diagonal.
         lower: f64,
     },
-    /// A matrix that gives energy back.
+    /// A stiffness or inertia matrix with a negative eigenvalue.
     #[error("the {what} has a negative eigenvalue, {}", Rounded(*.eigenvalue))]
     Indefinite {
-        /// Which matrix.
+        /// Name of the matrix.
         what: &'static str,
         /// The smallest eigenvalue, in the units of the matrix.
         eigenvalue: f64,
     },
-    /// A tower that can move away.
+    /// A tower with motions that nothing resists.
     #[error("the tower is not supported: nothing prevents {motions}")]
     Free {
-        /// The motion without stiffness.
+        /// The motions without stiffness.
         motions: FreeMotions,
     },
-    /// A spring between motions of which one is impossible.
+    /// A coupling spring, although a spring against one of the coupled motions is infinite.
     #[error("a coupling spring cannot be combined with an infinite lateral or rocking spring")]
     CouplingOfRigid,
-    /// A soil that no soil is.
+    /// A Poisson's ratio of soil outside 0 to 0.5.
     #[error("Poisson's ratio of the soil is {}; it must be from 0 to 0.5", Plain(*.value))]
     SoilPoissonsRatio {
         /// The value given.
@@ -294,13 +294,13 @@ pub enum Problem {
     /// Fewer than are needed.
     #[error("{quantity} is {count}; it must be at least {least}")]
     TooFew {
-        /// What they are.
+        /// Name of the entries.
         quantity: &'static str,
         /// How many there are.
         count: u64,
-        /// How many are needed.
+        /// Least number of entries.
         least: u64,
-        /// What to do about it; may be empty.
+        /// What the user can do; may be empty.
         remedy: &'static str,
     },
     /// Rows of added mass by frequency that do not rise from above zero.
@@ -313,7 +313,7 @@ pub enum Problem {
         row: usize,
         /// Its angular frequency, rad/s.
         frequency: f64,
-        /// That of the row before it, rad/s.
+        /// Angular frequency of the row before it, rad/s.
         before: f64,
     },
     /// An infinite stiffness for a floating platform.
@@ -321,7 +321,7 @@ pub enum Problem {
         "the {what} has an infinite entry, but a floating platform cannot be rigidly supported"
     )]
     InfiniteAndFloating {
-        /// Which matrix.
+        /// Name of the matrix.
         what: &'static str,
     },
     /// Gravity on a floating platform without hydrostatic stiffness.
@@ -337,7 +337,7 @@ pub enum Problem {
         /// How many there are.
         count: usize,
     },
-    /// Rows around the tower that go down.
+    /// A row around the tower below the previous row.
     #[error(
         "height {} m is below the previous row at {} m",
         Apart(*.height_m, *.previous_m), Apart(*.previous_m, *.height_m)
@@ -348,7 +348,7 @@ pub enum Problem {
         /// The height of the row before, m.
         previous_m: f64,
     },
-    /// Rows where no tower is.
+    /// Rows that extend below or above the tower.
     #[error(
         "{what} extends from {} m to {} m, but the tower from {} m to {} m",
         Plain(*.bottom_m),
@@ -373,27 +373,27 @@ pub enum Problem {
     RowsWithoutDepth {
         /// The kind of rows.
         what: &'static str,
-        /// The height all have, m.
+        /// The height of all of them, m.
         height_m: f64,
     },
     /// Water around a tower without diameters.
     #[error("[water] needs stations with diameters; a table of properties has none")]
     WaterAroundTable,
-    /// Ground above the water.
+    /// A seabed that is not below the water level.
     #[error("the seabed at {} m is not below the water level at {} m", Plain(*.bed_m), Plain(*.level_m))]
     BedAboveWater {
-        /// Height of the bed, m.
+        /// Height of the seabed, m.
         bed_m: f64,
         /// Height of the surface, m.
         level_m: f64,
     },
-    /// Water where no tower is.
+    /// Water that does not touch the tower.
     #[error(
         "the water does not touch the tower: its level is {} m and its bed {} m, but the tower extends from {} m to {} m",
         Plain(*.level_m), Plain(*.bed_m), Plain(*.base_m), Plain(*.top_m)
     )]
     WaterOutsideTower {
-        /// Height of the bed, m.
+        /// Height of the seabed, m.
         bed_m: f64,
         /// Height of the surface, m.
         level_m: f64,
@@ -426,7 +426,7 @@ pub enum Problem {
         /// Height of the lowest station, m.
         tip_m: f64,
     },
-    /// A frame of which nothing is in the ground.
+    /// A frame without a member in the ground.
     #[error(
         "no member of the substructure that is steeper than 30 degrees reaches into the soil: its lowest joint is at {} m, the surface of the ground at {} m with scour of {} m",
         Plain(*.lowest_m), Plain(*.surface_m), Plain(*.scour_m)
@@ -444,7 +444,7 @@ pub enum Problem {
         "nothing holds the piles along their axes: [ground] has no axial springs, and no support holds them in z"
     )]
     PilesSink,
-    /// A single pile under a frame that nothing keeps from turning.
+    /// A single pile under a frame that nothing prevents from rotating about its axis.
     #[error(
         "nothing holds the only pile about its axis: the springs along it have no torsion, and no support has"
     )]
@@ -486,9 +486,9 @@ pub enum Problem {
         Apart(*.locked_kg_m2, *.xx_kg_m2), Apart(*.xx_kg_m2, *.locked_kg_m2)
     )]
     DrivetrainBeyondRna {
-        /// Of rotor and generator, kg m².
+        /// Inertia of rotor and generator about the shaft, kg m².
         locked_kg_m2: f64,
-        /// Of the assembly, kg m².
+        /// Inertia xx of the rotor-nacelle assembly, kg m².
         xx_kg_m2: f64,
     },
     /// Ground without layers.
@@ -542,7 +542,7 @@ pub enum Problem {
     /// A model of soil without a number that it needs.
     #[error("{user} needs {value}")]
     SoilValueMissing {
-        /// What is missing.
+        /// Name of the missing value.
         value: &'static str,
         /// What needs it.
         user: &'static str,
@@ -570,7 +570,7 @@ pub enum Problem {
     CorrelationOfOtherSoil {
         /// The correlation.
         correlation: &'static str,
-        /// Its soil.
+        /// The kind of soil for which it was made.
         own: &'static str,
         /// The kind of soil of the layer.
         soil: &'static str,
@@ -614,15 +614,15 @@ pub enum Problem {
         /// Height of the layer's bottom, m.
         bottom_m: f64,
     },
-    /// An angle from the horizontal that no taut wire has.
+    /// An angle from the horizontal outside 0 to 90 degrees.
     #[error("{quantity} is {} degrees; it must be from 0 to 90", Plain(*.value_deg))]
     Slope {
-        /// The angle.
+        /// Name of the angle.
         quantity: &'static str,
         /// Its value, degrees.
         value_deg: f64,
     },
-    /// A loss factor that no part has.
+    /// A loss factor outside 0 to 1.
     #[error("{quantity} is {}; it must be from 0 to 1", Plain(*.value))]
     LossFactor {
         /// Which loss factor.
@@ -642,18 +642,18 @@ pub enum Problem {
         /// The column.
         column: &'static str,
     },
-    /// A shear coefficient no section has.
+    /// A shear coefficient outside 0 to 1.
     #[error("the shear coefficient is {}; it must be greater than 0 and at most 1", Plain(*.value))]
     ShearCoefficient {
         /// The value given.
         value: f64,
     },
-    /// A rotor without blades, or with more than any has.
+    /// A rotor without blades, or with more than the largest allowed number.
     #[error("the rotor has {count} blades; the number must be from 1 to {most}")]
     Blades {
-        /// How many.
+        /// Number of blades.
         count: usize,
-        /// The most.
+        /// Largest allowed number.
         most: usize,
     },
     /// A lowest speed above the highest.
@@ -667,7 +667,7 @@ pub enum Problem {
         /// The highest speed, rpm.
         highest_rpm: f64,
     },
-    /// Faster than any rotor.
+    /// A highest rotor speed above the largest allowed speed.
     #[error(
         "the highest rotor speed is {} rpm; it must be at most {} rpm",
         Plain(*.highest_rpm), Plain(*.most_rpm)
@@ -675,12 +675,12 @@ pub enum Problem {
     RotorTooFast {
         /// The speed, rpm.
         highest_rpm: f64,
-        /// The most, rpm.
+        /// Largest allowed speed, rpm.
         most_rpm: f64,
     },
 }
 
-/// Motions of a tower as a whole that nothing resists, of x, y, z, rotation about x, y, z.
+/// Which of the motions x, y, z and rotation about x, y, z of the whole tower nothing resists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FreeMotions(pub [bool; 6]);
 

@@ -13,7 +13,7 @@ pub(super) const MOST_TILT_DEG: f64 = 15.0;
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum EquilibriumError {
-    /// Without gravity nothing has weight.
+    /// Gravity is omitted, so there is no weight to balance.
     #[error(
         "gravity is left out, so the floating tower has no weight that could be in balance; give gravity, or leave the lines at the reference position"
     )]
@@ -23,7 +23,8 @@ pub enum EquilibriumError {
         "the buoyancy of the platform is not known, so its equilibrium cannot be computed; give buoyancy and buoyancy_center in [foundation]"
     )]
     NoBuoyancy,
-    /// The lines do not reach on the way, or their free parts have no equilibrium.
+    /// During the search a line cannot reach between its ends, or the free parts have no
+    /// equilibrium.
     #[error(
         "the floating tower drifts to where its mooring lines cannot hold it: {0}; compare weight, buoyancy and the vertical force of the lines"
     )]
@@ -33,16 +34,16 @@ pub enum EquilibriumError {
         "the floating tower has no stable equilibrium: its stiffness against {motion} is negative; check the heights of masses, hydrostatic stiffness and fairleads"
     )]
     Unstable {
-        /// The motion that is turned over most.
+        /// The motion with the most negative stiffness.
         motion: &'static str,
     },
-    /// The tilt is beyond linear hydrostatics.
+    /// The tilt is too large for linear hydrostatics.
     #[error("the floating tower tilts by {} degrees until its forces are in balance, more than the {MOST_TILT_DEG} degrees for which the hydrostatic stiffness holds; check the horizontal positions of masses, buoyancy and fairleads", Rounded(*.tilt_deg))]
     Tilts {
         /// The angle, degrees.
         tilt_deg: f64,
     },
-    /// Forces are left.
+    /// A force or moment remains at the end of the search.
     #[error("no equilibrium of the floating tower was found: {} N or N m are left in {motion}; if nothing holds the platform against this motion, give mooring lines or their matrix", Rounded(*.left))]
     NotHeld {
         /// The motion.

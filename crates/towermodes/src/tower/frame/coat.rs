@@ -1,4 +1,4 @@
-//! What moves with a stretch of a member: water around it, water in it, marine growth.
+//! Mass that moves with a stretch of a member: water around it, water in it, marine growth.
 
 use std::f64::consts::PI;
 

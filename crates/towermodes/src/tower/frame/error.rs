@@ -1,4 +1,4 @@
-//! Why a description is no frame, with the place and the numbers.
+//! Errors in the description of a frame, with the place and the numbers.
 
 use std::fmt;
 
@@ -68,7 +68,7 @@ impl fmt::Display for FramePlace {
     }
 }
 
-/// What is wrong.
+/// A problem in the description of a frame.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum FrameProblem {
@@ -95,7 +95,7 @@ pub enum FrameProblem {
         members: usize,
     },
     /// Two joints, or two members, with the same name.
-    #[error("the name stands twice; each joint and each member needs its own")]
+    #[error("the name occurs twice; each joint and each member needs a unique name")]
     NameTwice,
     /// A member from a joint to itself, or between two joints at one point.
     #[error(
@@ -126,7 +126,7 @@ pub enum FrameProblem {
     /// A matrix that is not symmetric.
     #[error("entry ({row}, {column}) of its {matrix} is {}, but entry ({column}, {row}) is {}; the matrix must be symmetric", Plain(*.entry), Plain(*.other))]
     NotSymmetric {
-        /// Which matrix.
+        /// Name of the matrix.
         matrix: &'static str,
         /// Row, from 1.
         row: usize,
@@ -134,7 +134,7 @@ pub enum FrameProblem {
         column: usize,
         /// The entry.
         entry: f64,
-        /// The other one.
+        /// The entry with row and column exchanged.
         other: f64,
     },
     /// A pin whose axis has no direction.
@@ -156,7 +156,7 @@ pub enum FrameProblem {
         "a pin, universal or ball joint cannot carry {what}; put it on a welded joint, connected by a rigid link"
     )]
     MustBeWelded {
-        /// What it carries.
+        /// The objects that it carries: "a mass".
         what: &'static str,
     },
     /// Two supports on one joint.
@@ -178,13 +178,13 @@ pub enum FrameProblem {
         "a frame under a tower needs a transition piece that moves; give its reference point and joints"
     )]
     NoTransition,
-    /// A rider that is on no beam.
+    /// Added mass at a position that is not on a beam.
     #[error("added mass at {} of its length; the place must be from 0 to 1 on a beam", Plain(*.fraction))]
     RiderPlace {
         /// The fraction.
         fraction: f64,
     },
-    /// A coat outside its member.
+    /// Water or growth at positions outside the member.
     #[error("its water or growth is from {} to {} of its length; the range must rise within 0 to 1", Plain(.range[0]), Plain(.range[1]))]
     CoatRange {
         /// The range.

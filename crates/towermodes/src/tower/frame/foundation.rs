@@ -26,12 +26,12 @@ pub struct FrameFoundation {
     /// water has no buoyancy either, and a monopile then has one frequency as a member and as a
     /// tower.
     pub buoyancy_on_members: bool,
-    /// Of each member, which of the tower's materials it is made of; a member without one, or
-    /// beyond the end of the list, has a material of its own.
+    /// For each member, the index of its material among the materials of the tower; a member
+    /// without one, or beyond the end of the list, has a material of its own.
     pub materials: Vec<Option<usize>>,
-    /// What the water of the tower finds on members.
+    /// Marine growth and flooded members in the water of the tower.
     pub in_water: MembersInWater,
-    /// What holds the frame if it floats; none if its supports do.
+    /// Stiffness of water and moorings that holds a floating frame; none for a frame on supports.
     pub restoring: Option<Restoring>,
     /// The stiffness that holds the frame of a tower, if it floats.
     pub(crate) held: Option<Held>,
@@ -94,7 +94,7 @@ impl FrameFoundation {
         self.frame.multiply_soil(0.0);
     }
 
-    /// The numbers of the frame, to change them. [`Tower::new`](crate::Tower::new) checks them.
+    /// The description of the frame, mutable. [`Tower::new`](crate::Tower::new) checks its values.
     pub fn numbers_mut(&mut self) -> &mut FrameDescription {
         self.frame.numbers_mut()
     }

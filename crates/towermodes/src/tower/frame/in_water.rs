@@ -7,7 +7,7 @@ use super::description::FrameDescription;
 use super::member::{FrameMember, MemberKind, SectionEnds};
 use crate::inputs::{Input, Inputs, Limit};
 
-/// What the water of a tower finds on the members of its frame.
+/// Marine growth and flooded members of the frame in the water of a tower.
 ///
 /// All tubes in the water get the added mass of [`Water`], unless they have coats of their own.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -26,7 +26,7 @@ pub struct FrameMasses {
 }
 
 impl Frame {
-    /// Its mass by what it is.
+    /// The mass of the frame by kind: members, growth, filling, joints, soil, added mass.
     pub fn masses(&self) -> FrameMasses {
         let description = self.description();
         let of_joints = description.masses.iter().map(|(_, body)| body.mass_kg);
@@ -43,8 +43,8 @@ impl Frame {
         masses
     }
 
-    /// The mass of members and of masses on joints, and its centre (m), as a body without size. It
-    /// is that of members without growth and filling.
+    /// Members and masses on joints as one point mass at their centre of mass (m), without growth
+    /// and filling.
     pub fn body(&self) -> RigidBody {
         let FrameDescription {
             joints,

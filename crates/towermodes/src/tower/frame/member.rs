@@ -15,7 +15,7 @@ pub struct FrameMember {
     pub name: String,
     /// Its joints, from 0.
     pub joints: [usize; 2],
-    /// What it is.
+    /// Beam, cable, rigid link or spring, with its properties.
     pub kind: MemberKind,
     /// Whether shear deformation and rotary inertia are included where it is a beam (Timoshenko);
     /// false: Euler-Bernoulli with rotary inertia.
@@ -69,7 +69,7 @@ impl FrameMember {
     }
 }
 
-/// What a member is.
+/// The type of a member, with its properties.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MemberKind {
     /// A beam.
@@ -139,7 +139,7 @@ pub struct GivenSection {
     pub shear_areas_m2: [f64; 2],
     /// Second moments of area about x and y, m⁴.
     pub second_moments_m4: [f64; 2],
-    /// Polar moment for the inertia about the axis, m⁴.
+    /// Polar second moment of area, m⁴: times the density the inertia per length about the axis.
     pub polar_m4: f64,
     /// Torsion constant, m⁴.
     pub torsion_m4: f64,

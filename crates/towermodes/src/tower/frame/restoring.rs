@@ -1,22 +1,22 @@
-//! What holds a frame that floats.
+//! The restoring stiffness of a floating frame.
 
 use crate::space::SpatialMatrix;
 use crate::tower::parts::floating_platform::FloatingPlatform;
 
 type OnJoint = (usize, SpatialMatrix);
 
-/// What holds a frame that floats: water, weights and moorings.
+/// The restoring stiffness of a floating frame: water, weights and moorings.
 ///
-/// What acts at a place of the frame is on a joint near it: water planes, and lines between an
-/// anchor and the frame. The rest moves with the transition piece. For motions of the frame as a
-/// rigid body the sum is that of the rigid platform.
+/// Stiffness that acts at a place of the frame is attached to a joint near it: water planes, and
+/// lines between an anchor and the frame. The rest is attached to the transition piece. For motions
+/// of the frame as a rigid body the sum is that of the rigid platform.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Restoring {
     /// The floater as one rigid body, without the tower and without the body of the transition
     /// piece. Its mass and centre are those of the members with growth and filling; only its
     /// weight, its stiffness, its moorings and its buoyancy are used. Its added mass, beside that
-    /// of the members, moves with the transition piece. The weights of the tower and of the
-    /// transition piece turn over about the height of its hydrostatic stiffness.
+    /// of the members, moves with the transition piece. The overturning moments of the weights of
+    /// the tower and of the transition piece are about the height of its hydrostatic stiffness.
     pub platform: FloatingPlatform,
     /// The part of its hydrostatic stiffness that acts on joints: the number of the joint from 0,
     /// and the stiffness for its motion.

@@ -9,14 +9,15 @@ use super::super::parts::surroundings::SoilStiffness;
 /// soil. Where stretches overlap their springs add up.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FrameSoil {
-    /// Rows by rising fraction, at least two; linear between them, two of one fraction are a step.
+    /// Rows by rising fraction, at least two; springs are linear between rows, and two rows with
+    /// the same fraction are a step.
     pub rows: Vec<FrameSoilRow>,
 }
 
 /// One row of springs along a member.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FrameSoilRow {
-    /// Where it is, as a fraction of the length from the first joint.
+    /// Position of the row, as a fraction of the length from the first joint.
     pub fraction: f64,
     /// The springs per length of the member there.
     pub stiffness: SoilStiffness,

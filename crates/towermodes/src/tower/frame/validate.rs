@@ -21,7 +21,7 @@ const STIFFEST_PA: f64 = 1e20;
 /// Relative difference of the entries of a matrix that is symmetric but for rounding.
 const SYMMETRIC: f64 = 1e-6;
 
-/// A frame that was checked; constant afterwards.
+/// A checked frame, which cannot be changed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frame {
     description: FrameDescription,

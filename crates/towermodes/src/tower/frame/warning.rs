@@ -1,4 +1,4 @@
-//! What is possible in a frame but probably a mistake.
+//! Warnings: possible values of a frame that are probably mistakes.
 
 use std::cmp::Ordering;
 use std::collections::HashMap;
@@ -22,8 +22,8 @@ const FARTHEST_M: f64 = 1000.0;
 /// Plastics have 1e9, and members that stand for rigid ones up to 1e5 times the modulus of steel.
 const MODULUS_PA: [f64; 2] = [1e9, 1e17];
 
-/// A fact that a user should check, with its numbers: of each kind the part that is furthest off,
-/// and how many others there are.
+/// A probable mistake that the user should check, with its numbers. There is one warning of each
+/// kind, with the part that deviates most and the number of other parts with the same problem.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum FrameWarning {
@@ -44,7 +44,7 @@ pub enum FrameWarning {
         /// Wall thickness, m.
         wall_m: f64,
     },
-    /// A tube that is wider than any.
+    /// A tube with a larger diameter than any real tube.
     #[error(
         "member {name}{}: outer diameter {} m is larger than 30 m; lengths are in m, not mm",
         and_others(*.others), Plain(*.diameter_m)
@@ -59,7 +59,7 @@ pub enum FrameWarning {
         /// Outer diameter, m.
         diameter_m: f64,
     },
-    /// A member that is longer than any.
+    /// A member that is longer than any real member.
     #[error(
         "member {name}{} is {} m long, more than 200 m; check the positions of its joints, in m",
         and_others(*.others), Rounded(*.length_m)
@@ -145,7 +145,7 @@ fn and_others(others: usize) -> String {
 }
 
 impl FrameWarning {
-    /// The part that it is about.
+    /// The part that the warning concerns.
     pub fn part(&self) -> FramePart {
         match *self {
             Self::UnusualWall { member, .. }
@@ -160,7 +160,7 @@ impl FrameWarning {
 }
 
 impl Frame {
-    /// What is possible but probably a mistake.
+    /// Probable mistakes in the frame.
     pub fn warnings(&self) -> Vec<FrameWarning> {
         let description = self.description();
         let of_kinds = [

@@ -7,11 +7,12 @@ use crate::inputs::{Input, Inputs, Limit, Named, names};
 ///
 /// The pile is a part of the tower: its stations reach down to its tip, the lowest station. The
 /// springs along it follow from the layers, each by its model; they add to the rows of
-/// [`TowerDescription::soil`](crate::TowerDescription::soil). At the tip act base springs, where
-/// the models have such, which add to the stiffness of the foundation.
+/// [`TowerDescription::soil`](crate::TowerDescription::soil). Some models also give springs at the
+/// tip; these add to the stiffness of the foundation.
 ///
 /// # Example
-/// A monopile of 6 m in 36 m of sand and clay. Its tip is free to move sideways and to turn.
+/// A monopile of 6 m in 36 m of sand and clay. Its tip is free to translate in x and y and to
+/// rotate about x and y.
 /// ```
 /// use towermodes::{
 ///     Clay, Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, Material, Options, Rna,
@@ -69,17 +70,17 @@ pub struct Ground {
         .note("whether the soil is under water")
         .hint("submerged = true if the water table is at the surface or above it, else false"))]
     pub submerged: bool,
-    /// Soil that is eroded.
+    /// General and local erosion of the soil.
     #[inputs]
     pub scour: Scour,
-    /// Multiplies every spring: 0.5 and 2 show the uncertainty of soil.
+    /// Factor on every spring; 0.5 and 2 show the effect of the uncertainty of the soil.
     #[input(Input::new("factor", "", Limit::Positive, "the factor on all springs of the ground")
         .or(1.0)
         .quiet()
         .note("on all springs of the ground"))]
     pub factor: f64,
-    /// Outer diameter of the pile, m, for a tower that is given by a table of properties; none:
-    /// that of the stations.
+    /// Outer diameter of the pile, m, for a tower that is given by a table of properties; none for
+    /// a tower with stations, which have diameters.
     #[input(Input::length("pile_diameter", "the outer diameter of the pile")
         .optional()
         .note("for a tower given by a table of properties"))]
@@ -100,8 +101,8 @@ pub struct Ground {
 }
 
 impl Ground {
-    /// Layers under water from a surface (m) down, without scour and axial springs, by the current
-    /// edition of API.
+    /// A ground under water with layers below a surface at this height (m), without scour and axial
+    /// springs, by the current edition of API.
     pub fn new(surface_m: f64, layers: Vec<GroundLayer>) -> Self {
         Self {
             surface_m,
@@ -111,7 +112,8 @@ impl Ground {
         }
     }
 
-    /// Height of the surface after scour, at the pile: of the bottom of the hole of local scour, m.
+    /// Height of the surface at the pile after scour, m: the height of the bottom of the hole of
+    /// local scour.
     pub fn scoured_surface_m(&self) -> f64 {
         self.surface_m - self.scour.general_m - self.scour.local_m
     }
@@ -120,13 +122,13 @@ impl Ground {
 /// Erosion of the soil around a pile; zero for none.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Inputs)]
 pub struct Scour {
-    /// By how much the surface as a whole goes down, m.
+    /// Depth of general scour, by which the whole surface is lowered, m.
     #[input(Input::new("scour.general", " m", Limit::Depth, "the depth of general scour")
         .or(0.0)
         .quiet()
         .note("depth by which the whole surface goes down"))]
     pub general_m: f64,
-    /// Depth of the hole around the pile below that, m.
+    /// Depth of the hole of local scour around the pile below the lowered surface, m.
     #[input(Input::new("scour.local", " m", Limit::Depth, "the depth of local scour")
         .or(0.0)
         .quiet()
@@ -169,7 +171,7 @@ impl ApiEdition {
     }
 }
 
-/// A model of the springs along the axis of a pile, by its shaft and its tip.
+/// A model of the springs against motion along the axis of a pile, on its shaft and at its tip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum AxialModel {
     /// API: first points of the t-z curves of clay and sand, and of the Q-z curve.

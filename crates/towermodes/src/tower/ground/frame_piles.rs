@@ -119,9 +119,9 @@ impl FramePile {
 }
 
 impl TowerDescription {
-    /// Outer diameter of the pile in the [ground](Self::ground) at its tip, m: that of the lowest
-    /// station, of the first pile of a frame below the tower, or the given one beside a table; none
-    /// without ground or pile.
+    /// Outer diameter of the pile in the [ground](Self::ground) at its tip, m: the diameter of the
+    /// lowest station, of the first pile of a frame below the tower, or the given diameter for a
+    /// table of properties; none without ground or pile.
     pub fn pile_diameter_m(&self) -> Option<f64> {
         let ground = self.ground.as_ref()?;
         let of_frame = self.foundation.frame().map(|foundation| {

@@ -37,13 +37,13 @@ impl FrameDescription {
     /// The same frame with the springs of ground along its piles and under their tips.
     ///
     /// The piles are the members below the surface of the ground (after scour), and the parts of
-    /// members below it, that are less than 60 degrees from the vertical; nothing marks them. They
-    /// must be tubes. The springs follow from the layers by the same models as along a tower, with
-    /// the outer diameter of the member at each depth, which is the vertical depth below the
-    /// surface: those across the pile act across the axis of the member, also where it is
-    /// inclined, the axial ones along it, each per length of the member. Where a pile ends, the
-    /// springs under its tip add to the support of its joint. Piles do not influence each other:
-    /// group effects are left out.
+    /// members below it, that are less than 60 degrees from the vertical; they need no mark in the
+    /// description. They must be tubes. The springs follow from the layers by the same models as
+    /// along a tower, with the outer diameter of the member at each depth, which is the vertical
+    /// depth below the surface: those across the pile act across the axis of the member, also where
+    /// it is inclined, the axial ones along it, each per length of the member. Where a pile ends,
+    /// the springs under its tip add to the support of its joint. Piles do not influence each
+    /// other: group effects are left out.
     ///
     /// # Errors
     /// [`TowerError`] with the place in the ground: impossible numbers, no member in the ground, a

@@ -9,7 +9,7 @@ use crate::inputs::{Given, Input, Inputs, Limit, Named, given_inputs};
 /// Values with two entries are at the top and at the bottom of the layer, and linear in between.
 #[derive(Debug, Clone, PartialEq, Inputs)]
 pub struct GroundLayer {
-    /// How the springs follow from these.
+    /// The model by which the springs follow from the values of the layer.
     #[input(Input::choice("model", "the soil model")
         .optional()
         .note("model of the springs, in place of model in [ground]"))]
@@ -27,8 +27,7 @@ pub struct GroundLayer {
         .symbol("γ′", 1e-3, " kN/m³")
         .note("under water the buoyant one"))]
     pub effective_unit_weight_n_per_m3: Option<f64>,
-    /// Multiplies every spring of the layer, those under the tip too; 1 for the springs of the
-    /// model.
+    /// Factor on every spring of the layer, including those under the tip; 1 by default.
     #[input(Input::new("factor", "", Limit::Positive, "the factor on the springs of the layer")
         .or(1.0)
         .quiet()
@@ -92,7 +91,8 @@ pub struct Sand {
         .symbol("φ′", 1.0, "°")
         .usual([20.0, 50.0], "loose sand has about 28, very dense sand 42; the unit is degrees (0.6 rad is 34 degrees)"))]
     pub friction_angle_deg: Option<f64>,
-    /// Modulus k of the springs k z of API, N/m³, in place of that by the friction angle.
+    /// Modulus k of the springs k z of API, N/m³, in place of the modulus that follows from the
+    /// friction angle.
     #[input(Input::new("subgrade_modulus", " N/m3", Limit::Positive, "the subgrade modulus")
         .optional()
         .note("in place of friction_angle for api")
@@ -117,7 +117,7 @@ pub struct Clay {
         .symbol("S_u", 1e-3, " kPa")
         .usual([1e3, 1e6], "soft clay has 1e4 to 4e4, hard clay 2e5; the unit is Pa, not kPa"))]
     pub undrained_strength_pa: Option<[f64; 2]>,
-    /// ε₅₀: the strain at half the strength in undrained compression.
+    /// Strain ε₅₀ at half of the strength in undrained compression.
     #[input(Input::new("strain_at_half_strength", "", Limit::UpTo(1.0), "the strain at half the strength")
         .optional()
         .note("eps50")
@@ -152,7 +152,8 @@ pub struct Rock {
     pub youngs_modulus_pa: Option<[f64; 2]>,
 }
 
-/// One row of a table of p-y curves: the secant of one point of the curve at a height.
+/// One row of a table of p-y curves: one point (y, p) of the curve at a height, whose secant p/y is
+/// the spring.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PyRow {
     /// Height in the datum of the stations, m.
@@ -175,7 +176,8 @@ impl LayerSoil {
         ]
     }
 
-    /// The models that a whole ground can have: those that are not of one kind alone.
+    /// The models that can be given for a whole ground: those that do not belong to a single kind
+    /// of soil.
     pub fn models() -> impl Iterator<Item = SoilModel> {
         let of_kinds = Self::blanks().map(|soil| soil.only_model());
         let every = SoilModel::CHOICES.iter().copied();
@@ -220,7 +222,7 @@ impl LayerSoil {
         }
     }
 
-    /// Its model, if there is only one for it.
+    /// The model of this kind of soil, if there is only one.
     pub fn only_model(&self) -> Option<SoilModel> {
         match self {
             Self::Rock(_) => Some(SoilModel::WeakRock),
@@ -229,7 +231,7 @@ impl LayerSoil {
         }
     }
 
-    /// What it is, in a sentence.
+    /// The kind of soil as a noun in a sentence.
     pub fn noun(&self) -> &'static str {
         match self {
             Self::Sand(_) => "sand",

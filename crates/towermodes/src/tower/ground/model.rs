@@ -1,4 +1,4 @@
-//! The names of the models by which springs follow from soil.
+//! The names of the models that give springs from values of the soil.
 
 use crate::inputs::{Named, names};
 
@@ -23,13 +23,13 @@ pub enum SoilModel {
     PisaBothkennar,
     /// PISA, sand (Dunkirk): Burd et al. (2020).
     PisaDunkirk,
-    /// 1.2 E: from Young's modulus.
+    /// Springs 1.2 E per metre of pile, from Young's modulus E.
     Winkler,
     /// Vesić (1961), from Young's modulus and the stiffness of the pile.
     Vesic,
     /// Reese (1997), weak rock.
     WeakRock,
-    /// The secants of a table.
+    /// Secants p/y of the points in a table.
     Table,
 }
 

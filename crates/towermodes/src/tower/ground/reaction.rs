@@ -55,13 +55,14 @@ impl<'l> Models<'l> {
 
 impl Ground {
     /// Whether springs across the pile depend on the [edition](Self::edition) of the standard of
-    /// API: those of sand whose modulus k is that of its friction angle.
+    /// API: the springs of sand whose modulus k follows from its friction angle.
     pub fn modulus_depends_on_edition(&self) -> bool {
         self.models()
             .any(|models| models.across.nature().depends_on_edition)
     }
 
-    /// Whether springs along the pile depend on the [edition](Self::edition): those of sand by API.
+    /// Whether springs along the pile depend on the [edition](Self::edition): springs of sand by
+    /// API.
     pub fn axial_depends_on_edition(&self) -> bool {
         let mut axial = self.models().filter_map(|models| models.axial);
         axial.any(|axial| axial.nature().depends_on_edition)

@@ -51,7 +51,7 @@ impl TowerDescription {
     /// scoured. Its frequencies are the same. Below a tower on a frame the springs are along the
     /// members of the frame and at its supports.
     ///
-    /// For programs and formats that know springs only. A description that
+    /// For programs and formats that have springs only. A description that
     /// [`Tower::new`](crate::Tower::new) refuses can give springs that are not finite.
     #[must_use]
     pub fn with_ground_as_soil(&self) -> Self {

@@ -1,24 +1,24 @@
-//! What the shear modulus of soil at small strains, G₀, follows from.
+//! The value from which the shear modulus of soil at small strains, G₀, is computed.
 
 use crate::inputs::{Given, Input, Inputs, Limit, Named, Quantity, Value, names};
 
-/// What the shear modulus G₀ of a layer at small strains follows from. Values with two entries are
-/// at the top and at the bottom of the layer.
+/// The value from which the shear modulus G₀ of a layer at small strains is computed. Values with
+/// two entries are at the top and at the bottom of the layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ShearModulus {
-    /// Itself.
+    /// G₀ itself is given.
     Given {
         /// G₀, Pa.
         shear_modulus_pa: [f64; 2],
     },
     /// Young's modulus: G₀ = E/(2(1 + ν)) with Poisson's ratio of the layer.
     Youngs {
-        /// E, Pa.
+        /// Young's modulus E, Pa.
         youngs_modulus_pa: [f64; 2],
     },
     /// The measured velocity of shear waves: G₀ = ρ V_s².
     WaveVelocity {
-        /// V_s, m/s.
+        /// Velocity of shear waves V_s, m/s.
         velocity_m_per_s: [f64; 2],
         /// Density ρ of soil with its water, kg/m³.
         density_kg_per_m3: f64,

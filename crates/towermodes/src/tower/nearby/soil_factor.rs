@@ -18,11 +18,11 @@ impl TowerDescription {
 
     /// The same tower with the stiffness of its soil multiplied by `factor`.
     ///
-    /// The stiffness of soil is known within a factor of two at best. Multiplied are the springs
-    /// of [`soil`](Self::soil), the modulus of the soil of a foundation that is given by its
-    /// dimensions (the head of a flexible pile gets stiffer by less than the factor), and the
-    /// springs or the stiffness matrix of the base. A clamped base and a floating platform have no
-    /// soil.
+    /// The stiffness of soil is known within a factor of two at best. The factor applies to the
+    /// springs of [`soil`](Self::soil), the modulus of the soil of a foundation that is given by
+    /// its dimensions (the stiffness of the head of a flexible pile changes by less than the
+    /// factor), and the springs or the stiffness matrix of the base. A clamped base and a floating
+    /// platform have no soil.
     ///
     /// # Example
     /// ```

@@ -32,11 +32,11 @@ const RAMP: f64 = 1e-6;
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct AddedMassTable {
-    /// At frequency zero.
+    /// Added mass at frequency zero.
     pub zero: SpatialMatrix,
-    /// By angular frequency (rad/s), rising; all positive.
+    /// Added mass at rising angular frequencies (rad/s), all positive.
     pub rows: Vec<(f64, SpatialMatrix)>,
-    /// At infinite frequency.
+    /// Added mass at infinite frequency.
     pub infinite: SpatialMatrix,
 }
 

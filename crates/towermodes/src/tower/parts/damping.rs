@@ -1,8 +1,9 @@
-//! What dissipates the energy of vibrations: loss factors of the parts, and the rotor in the wind.
+//! Damping: loss factors of the parts, and the aerodynamic damping by the rotor.
 
 use crate::inputs::{Input, Inputs, Limit};
 
-/// What dissipates the energy of vibrations. It has no effect on frequencies and mode shapes.
+/// The data from which damping ratios are computed. They have no effect on frequencies and mode
+/// shapes.
 ///
 /// # Example
 /// Steel with a damping ratio of 0.2 %, and soil with 1 %:
@@ -25,7 +26,7 @@ pub struct Damping {
     /// The loss factors of the parts.
     #[inputs]
     pub loss_factors: LossFactors,
-    /// The rotor in the wind; none if it is not known.
+    /// Data for the aerodynamic damping by the rotor; none if they are not known.
     #[inputs]
     pub rotor: Option<RotorAerodynamics>,
 }
@@ -37,25 +38,26 @@ pub struct Damping {
 /// the part has all the energy.
 #[derive(Debug, Clone, PartialEq, Default, Inputs)]
 pub struct LossFactors {
-    /// Of the materials without a loss factor of their own, and of a table of properties.
+    /// Loss factor of the tower: of the materials without an entry in `materials`, and of a table
+    /// of properties.
     #[input(loss_factor("tower_loss_factor", "the loss factor of the tower").note("of the tower's materials: 2 times the damping ratio"))]
     pub tower: Option<f64>,
-    /// Of the materials, in their order in the description; it may be shorter.
+    /// Loss factors of the materials, in the order of the description; the list may be shorter.
     #[tables]
     pub materials: Vec<Option<f64>>,
-    /// Of the members of a substructure.
+    /// Loss factor of the members of a substructure.
     #[input(loss_factor("substructure_loss_factor", "the loss factor of the substructure").note("of the members of the substructure"))]
     pub substructure: Option<f64>,
-    /// Of the foundation; of the supports of a substructure.
+    /// Loss factor of the foundation, and of the supports of a substructure.
     #[input(loss_factor("foundation_loss_factor", "the loss factor of the foundation").note("of the foundation"))]
     pub foundation: Option<f64>,
-    /// Of the soil springs along the tower and along the piles of a substructure.
+    /// Loss factor of the soil springs along the tower and along the piles of a substructure.
     #[input(loss_factor("soil_loss_factor", "the loss factor of the soil").note("of the soil along the tower or the piles"))]
     pub soil: Option<f64>,
-    /// Of the guy wires.
+    /// Loss factor of the guy wires.
     #[input(loss_factor("wires_loss_factor", "the loss factor of the wires").note("of the guy wires"))]
     pub wires: Option<f64>,
-    /// Of the water, as a fraction of its largest kinetic energy.
+    /// Loss factor of the water, as a fraction of its largest kinetic energy.
     #[input(loss_factor("water_loss_factor", "the loss factor of the water").note("of the water, of its kinetic energy"))]
     pub water: Option<f64>,
 }
@@ -66,7 +68,7 @@ pub(in crate::tower) const fn loss_factor(key: &'static str, name: &'static str)
 }
 
 impl LossFactors {
-    /// That of a material, by its index; none if it is not known.
+    /// Loss factor of a material by its index; none if it is not known.
     pub fn of_material(&self, index: usize) -> Option<f64> {
         self.materials.get(index).copied().flatten().or(self.tower)
     }
@@ -108,7 +110,7 @@ impl RotorAerodynamics {
     /// The density of air at sea level and 15 °C, kg/m³ (ISO 2533:1975, standard atmosphere).
     pub const STANDARD_AIR: f64 = 1.225;
 
-    /// Of blades with this ∫ c r dr, m³, of thin airfoils in the standard atmosphere.
+    /// Data of blades with this ∫ c r dr, m³, thin airfoils and the standard atmosphere.
     pub fn of_chords(chord_moment_m3: f64) -> Self {
         Self {
             chord_moment_m3,

@@ -26,14 +26,14 @@ pub struct Drivetrain {
         .note("of rotor and hub about the shaft")
         .hint("rotor and hub about the shaft, kg m2"))]
     pub rotor_inertia_kg_m2: f64,
-    /// Inertia of the generator about its own shaft, kg m².
+    /// Inertia of the generator about its own shaft, kg m², not referred to the rotor shaft.
     #[input(Input::new("generator_inertia", " kg m2", Limit::NotNegative, "the inertia of the generator")
         .or(0.0)
         .quiet()
         .note("about its own shaft"))]
     pub generator_inertia_kg_m2: f64,
-    /// Turns of the generator per turn of the rotor relative to the nacelle; 1 without a gearbox,
-    /// negative if it turns the other way.
+    /// Gear ratio q: turns of the generator per turn of the rotor relative to the nacelle; 1
+    /// without a gearbox, negative if the generator turns in the opposite direction.
     #[input(Input::new("gear_ratio", "", Limit::Finite, "the gear ratio")
         .or(1.0)
         .quiet()
@@ -42,13 +42,13 @@ pub struct Drivetrain {
 }
 
 impl Drivetrain {
-    /// What rotor and generator add to the roll inertia of a nacelle in which they are locked:
-    /// J_r + J_g.
+    /// Contribution of rotor and generator to the roll inertia of the nacelle if they are locked:
+    /// J_r + J_g, kg m².
     pub fn locked_kg_m2(&self) -> f64 {
         self.rotor_inertia_kg_m2 + self.generator_inertia_kg_m2
     }
 
-    /// What they add if no torque acts on the shaft: J_r J_g (1 − q)²/(J_r + J_g q²).
+    /// Their contribution if no torque acts on the shaft: J_r J_g (1 − q)²/(J_r + J_g q²), kg m².
     ///
     /// When the nacelle rolls by θ and the rotor turns by φ, the generator turns by
     /// θ + q (φ − θ). The kinetic energy (J_r φ′² + J_g (θ′ + q (φ′ − θ′))²)/2 is smallest for the

@@ -29,14 +29,15 @@ pub struct FloatingPlatform {
     pub inertia_kg_m2: Inertia,
     /// Hydrodynamic added mass: kg, kg m, kg m².
     pub added_mass: ReferredMatrix,
-    /// Added mass that depends on frequency, beside the constant one and about the same point.
+    /// Added mass that depends on frequency, in addition to the constant added mass and about the
+    /// same point.
     pub added_mass_by_frequency: Option<Arc<AddedMassTable>>,
-    /// Hydrostatic stiffness of water plane and buoyancy: N/m, N, N m. The gravity part
-    /// is that of gravity.
+    /// Hydrostatic stiffness of water plane and buoyancy: N/m, N, N m. It does not contain the
+    /// gravity terms of the masses, which are added if there is gravity.
     pub hydrostatic: ReferredMatrix,
-    /// The buoyancy at the reference position, for the
-    /// [static balance](crate::tower::Tower::static_balance); no frequency at the reference
-    /// position depends on it.
+    /// The buoyancy at the reference position, for the [static
+    /// balance](crate::tower::Tower::static_balance); it has no effect on frequencies at the
+    /// reference position.
     pub buoyancy: Option<Buoyancy>,
     /// Stiffness of the moorings that is given as a matrix: N/m, N, N m.
     pub mooring: ReferredMatrix,
@@ -50,15 +51,16 @@ pub struct FloatingPlatform {
 /// The upward force of the water on a floating platform at its reference position.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Buoyancy {
-    /// Force ρ g V, N. The vertical force of moorings that are given as a matrix belongs to it too.
+    /// Force ρ g V, N; with the vertical force of moorings that are given as a matrix added.
     pub force_n: f64,
-    /// Where it acts, m: x and y from the tower's axis. Its height is part of the
-    /// [hydrostatic stiffness](FloatingPlatform::hydrostatic).
+    /// Centre of buoyancy, m: x and y from the tower's axis. Its height is part of the [hydrostatic
+    /// stiffness](FloatingPlatform::hydrostatic).
     pub center_m: [f64; 2],
 }
 
 impl FloatingPlatform {
-    /// The added mass at an angular frequency (rad/s), constant or not.
+    /// The added mass at an angular frequency (rad/s): the constant part and the part that depends
+    /// on frequency.
     pub fn added_mass_at(&self, frequency: f64) -> ReferredMatrix {
         let mut added = self.added_mass;
         if let Some(table) = &self.added_mass_by_frequency {

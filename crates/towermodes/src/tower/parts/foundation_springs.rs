@@ -3,33 +3,34 @@
 use crate::inputs::{Input, Inputs, Limit};
 use crate::space::SpatialMatrix;
 
-/// Springs under the base, the same in both planes; infinity is a rigid one, zero none.
+/// Springs under the base, equal in both planes. An infinite spring is rigid, a zero spring is
+/// none.
 #[derive(Debug, Clone, Copy, PartialEq, Inputs)]
 pub struct FoundationSprings {
-    /// Against translation x and y, N/m.
+    /// Spring against translation in x and y, N/m.
     #[input(spring("lateral", " N/m", "the lateral stiffness in x and y")
         .hint("lateral in N/m; inf is rigid, 0 is none")
         .also("kx ky kxx kyy k_x k_lateral horizontal translation kh"))]
     pub lateral_n_per_m: f64,
-    /// Against rotation about x and y, N m.
+    /// Spring against rotation about x and y, N m/rad.
     #[input(spring("rocking", " N m", "the rocking stiffness about x and y")
         .hint("rocking in N m; inf is rigid, 0 is none")
         .also("krx kry k_rocking rotation rotational krot k_theta tilting kr"))]
     pub rocking_n_m: f64,
-    /// Between x and rotation about y, and with the opposite sign between y and rotation about x,
-    /// N.
+    /// Coupling between translation in x and rotation about y, and with the opposite sign between
+    /// translation in y and rotation about x, N.
     #[input(Input::new("coupling", " N", Limit::Finite, "the coupling stiffness between x and rotation about y")
         .or(0.0)
         .quiet()
         .note("between x and rotation about y")
         .also("kxr klr cross cross_coupling k_coupling"))]
     pub coupling_n: f64,
-    /// Against translation z, N/m.
+    /// Spring against translation in z, N/m.
     #[input(spring("vertical", " N/m", "the vertical stiffness")
         .hint("vertical in N/m; inf is rigid, 0 is none")
         .also("kz kzz k_z k_vertical axial kv"))]
     pub vertical_n_per_m: f64,
-    /// Against rotation about z, N m.
+    /// Spring against rotation about z, N m/rad.
     #[input(spring("torsion", " N m", "the torsional stiffness about z")
         .hint("torsion in N m; inf is rigid, 0 is none")
         .also("ktors krz kt torsional yaw"))]
@@ -44,7 +45,7 @@ const fn spring(key: &'static str, spaced_unit: &'static str, name: &'static str
 }
 
 impl FoundationSprings {
-    /// Rigid in every direction.
+    /// Rigid against all six motions, without coupling.
     pub const RIGID: Self = Self {
         lateral_n_per_m: f64::INFINITY,
         rocking_n_m: f64::INFINITY,
@@ -67,7 +68,7 @@ impl FoundationSprings {
         matrix
     }
 
-    /// Those of a stiffness that is the same in both planes; none for any other.
+    /// The springs of a stiffness matrix that is equal in both planes; none for any other matrix.
     pub fn of_matrix(matrix: &SpatialMatrix) -> Option<Self> {
         let springs = Self {
             lateral_n_per_m: matrix[0][0],

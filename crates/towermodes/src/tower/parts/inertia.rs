@@ -17,14 +17,14 @@ pub struct Inertia {
     /// About the tower axis (resists torsion), kg m².
     #[input(entry("inertia.zz", Limit::Inertia, "the inertia about the tower axis"))]
     pub zz: f64,
-    /// Entry xy, kg m².
-    #[input(entry("inertia.xy", Limit::Elsewhere, "the entry xy of the inertia"))]
+    /// Entry xy = −∫ x y dm of the tensor, kg m².
+    #[input(entry("inertia.xy", Limit::Elsewhere, "the entry xy of the inertia tensor"))]
     pub xy: f64,
-    /// Entry xz, kg m².
-    #[input(entry("inertia.xz", Limit::Elsewhere, "the entry xz of the inertia"))]
+    /// Entry xz = −∫ x z dm of the tensor, kg m².
+    #[input(entry("inertia.xz", Limit::Elsewhere, "the entry xz of the inertia tensor"))]
     pub xz: f64,
-    /// Entry yz, kg m².
-    #[input(entry("inertia.yz", Limit::Elsewhere, "the entry yz of the inertia"))]
+    /// Entry yz = −∫ y z dm of the tensor, kg m².
+    #[input(entry("inertia.yz", Limit::Elsewhere, "the entry yz of the inertia tensor"))]
     pub yz: f64,
 }
 

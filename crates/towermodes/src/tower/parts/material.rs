@@ -15,8 +15,8 @@ pub struct Material {
     pub youngs_modulus_pa: f64,
     /// Shear modulus G, Pa.
     pub shear_modulus_pa: f64,
-    /// Poisson's ratio ν, if the material is given by it: then a [`Parameter`](crate::Parameter)
-    /// that changes Young's modulus changes the shear modulus too.
+    /// Poisson's ratio ν, if it is given in place of the shear modulus: then a
+    /// [`Parameter`](crate::Parameter) that changes Young's modulus changes the shear modulus too.
     pub given_poissons_ratio: Option<f64>,
 }
 

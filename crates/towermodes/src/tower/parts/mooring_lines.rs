@@ -2,8 +2,8 @@
 
 use crate::mooring::{Fairlead, Mooring, MooringDescription, MooringError, MooringLoad, Pose};
 
-/// Mooring lines that hold a platform: at its reference position they have a force on it and a
-/// stiffness, both about the tower's axis.
+/// Mooring lines that hold a platform. Their force on the platform at its reference position and
+/// their stiffness are about a point on the tower's axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MooringLines {
     /// The lines. Their positions are from the tower's axis and from still water.
@@ -16,7 +16,7 @@ impl MooringLines {
     /// The checked lines, about a point of the tower's axis at the height of their reference point.
     ///
     /// # Errors
-    /// [`MooringError`]: the first thing that no mooring system can have.
+    /// [`MooringError`] for the first invalid value.
     pub fn mooring(&self) -> Result<Mooring, MooringError> {
         self.about(self.description.reference_m[2])
     }

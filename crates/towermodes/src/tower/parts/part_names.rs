@@ -5,8 +5,8 @@ use crate::mooring::MooringItem;
 /// The names of the parts of a tower, for messages and reports only.
 ///
 /// Each list belongs to the list of the same name in the
-/// [`TowerDescription`](crate::TowerDescription); a part beyond its end has no name, and neither
-/// has one whose name is empty.
+/// [`TowerDescription`](crate::TowerDescription); a part beyond the end of the list, or with an
+/// empty name, has no name.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct PartNames {
     /// Of the materials.
@@ -30,7 +30,7 @@ pub struct PartNames {
 }
 
 impl PartNames {
-    /// The name of a part of the mooring lines that has one.
+    /// The name of a part of the mooring lines, if it has a name.
     pub fn of_mooring(&self, item: MooringItem) -> Option<&str> {
         let (names, index) = match item {
             MooringItem::LineType(index) => (&self.mooring_line_types, index),

@@ -5,13 +5,13 @@ use super::inertia::Inertia;
 /// Relative size below which an entry is a rounding error.
 const ROUNDING: f64 = 1e-14;
 
-/// A rigid body: its mass, where its centre is, and its inertia about the centre.
+/// A rigid body: mass, centre of mass, and inertia about the centre of mass.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RigidBody {
     /// Mass, kg.
     pub mass_kg: f64,
-    /// Centre of mass, m: x fore-aft (downwind), y side-side, z up, from any point that all bodies
-    /// share.
+    /// Centre of mass, m: x fore-aft (downwind), y side-side, z up, from a point that is common to
+    /// all bodies.
     pub center_m: [f64; 3],
     /// Inertia about the centre of mass, kg m².
     pub inertia_kg_m2: Inertia,
@@ -27,7 +27,7 @@ impl RigidBody {
         }
     }
 
-    /// Inertia without mass; its centre does not matter.
+    /// A body with inertia but without mass, whose centre has no effect.
     pub fn massless(inertia_kg_m2: Inertia) -> Self {
         Self {
             inertia_kg_m2,
@@ -84,7 +84,8 @@ impl RigidBody {
         self
     }
 
-    /// The inertia about a point: J + m (r² 1 − r rᵀ), kg m².
+    /// The inertia about a point at the distance r from the centre of mass: J + m (r² 1 − r rᵀ), kg
+    /// m².
     pub fn tensor_about(&self, point_m: [f64; 3]) -> [[f64; 3]; 3] {
         let r: [f64; 3] = std::array::from_fn(|i| self.center_m[i] - point_m[i]);
         let square: f64 = r.iter().map(|r| r * r).sum();
@@ -111,7 +112,7 @@ impl RigidBody {
         self.turned([[1.0, 0.0, 0.0], [0.0, cos, -sin], [0.0, sin, cos]])
     }
 
-    /// The same body elsewhere.
+    /// The same body, displaced by a vector (m).
     #[must_use]
     pub fn moved(&self, by_m: [f64; 3]) -> Self {
         Self {

@@ -3,7 +3,8 @@
 use super::super::pieces::planes::Planes;
 use crate::inputs::{Input, Inputs, Limit};
 
-/// One row of soil springs along the tower; linear in height between rows, nothing outside them.
+/// One row of soil springs along the tower; springs are linear in the height between rows, and zero
+/// outside them.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SoilRow {
     /// Height z in the datum of the stations, m.
@@ -15,20 +16,23 @@ pub struct SoilRow {
 /// Springs to the ground per length of tower.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SoilStiffness {
-    /// Against translation x, N/m².
+    /// Spring per length against translation in x, N/m².
     pub x_n_per_m2: f64,
-    /// Against translation y, N/m².
+    /// Spring per length against translation in y, N/m².
     pub y_n_per_m2: f64,
-    /// Against translation z, N/m².
+    /// Spring per length against translation in z, N/m².
     pub z_n_per_m2: f64,
-    /// Against rotation about the axis, N m per radian and metre.
+    /// Spring per length against rotation about the axis, N m per radian and metre.
     pub torsion_n: f64,
-    /// Against rotation of the section about x (in the side-side plane), N m per radian and metre.
+    /// Spring per length against rotation of the section about x (in the side-side plane), N m per
+    /// radian and metre.
     ///
     /// Friction along the wall of a wide pile resists its rotation: the m-ψ springs of PISA (Byrne
-    /// et al. 2020). A section of a beam that shears rotates by less than its axis.
+    /// et al. 2020). With shear deformation the rotation of a section differs from the slope of the
+    /// axis.
     pub rotation_x_n: f64,
-    /// Against rotation of the section about y (in the fore-aft plane), N m per radian and metre.
+    /// Spring per length against rotation of the section about y (in the fore-aft plane), N m per
+    /// radian and metre.
     pub rotation_y_n: f64,
 }
 
@@ -36,7 +40,7 @@ impl SoilStiffness {
     /// How many springs there are.
     pub(crate) const SPRINGS: usize = 6;
 
-    /// Against deflection in each plane.
+    /// Spring per length against deflection in each plane, N/m².
     #[inline]
     pub fn transverse(&self) -> Planes<f64> {
         Planes {
@@ -45,7 +49,7 @@ impl SoilStiffness {
         }
     }
 
-    /// Against rotation of the section in each plane.
+    /// Spring per length against rotation of the section in each plane, N m per radian and metre.
     #[inline]
     pub fn rotation(&self) -> Planes<f64> {
         Planes {
@@ -123,9 +127,9 @@ pub struct Water {
         .hint("height of the surface in m, in the datum of the stations")
         .also("water_level sea_level msl swl surface waterline"))]
     pub level_m: f64,
-    /// Height of the ground, m; `None` is the lowest station, the lowest joint of a substructure,
-    /// or the surface of [`TowerDescription::ground`](crate::TowerDescription::ground), with whose
-    /// scour it goes down.
+    /// Height of the seabed, m; `None` stands for the lowest station, the lowest joint of a
+    /// substructure, or the surface of
+    /// [`TowerDescription::ground`](crate::TowerDescription::ground), which scour lowers.
     #[input(Input::height("bed", "the height of the seabed")
         .otherwise("the lowest station, or the lowest joint of a substructure")
         .also("mudline seabed ground sea_bed depth water_depth"))]
@@ -169,7 +173,7 @@ pub struct Wires {
         .note("of their upper ends")
         .hint("height of their upper ends in m, in the datum of the stations"))]
     pub height_m: f64,
-    /// How many there are, at least three.
+    /// Number n of wires, at least three.
     #[input(Input::new("count", "", Limit::AtLeast(3), "the number of guy wires in the set")
         .note("number of wires, equally spaced")
         .hint("number of equally spaced wires")
@@ -177,13 +181,13 @@ pub struct Wires {
         .usual([f64::NEG_INFINITY, 24.0], "typical: 3 to 12")
         .also("n number number_of_wires n_wires wires"))]
     pub count: usize,
-    /// Stiffness EA/L of each, N/m.
+    /// Axial stiffness k = EA/L of each wire, N/m.
     #[input(Input::new("stiffness", " N/m", Limit::Spring, "the stiffness EA/L of each wire")
         .note("EA/L of each wire")
         .hint("EA/L of each wire in N/m")
         .also("ea_l wire_stiffness"))]
     pub stiffness_n_per_m: f64,
-    /// Angle from the horizontal, degrees.
+    /// Angle α of the wires from the horizontal, degrees.
     #[input(Input::new("angle_deg", " degrees", Limit::Slope, "the angle of the guy wires from the horizontal")
         .note("from the horizontal")
         .hint("angle from the horizontal in degrees")

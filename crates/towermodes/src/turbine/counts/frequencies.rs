@@ -11,7 +11,8 @@ use super::search::{Found, Guess, Search};
 use crate::beam::BladeFactors;
 use crate::rotor::{Reactionless, reactionless};
 
-/// A natural frequency of a turbine at a speed, or several that cannot be told apart.
+/// A natural frequency of a turbine at a speed, or several frequencies that the computation cannot
+/// separate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CoupledFrequency {
     /// The frequency, Hz.
@@ -21,21 +22,21 @@ pub struct CoupledFrequency {
     pub lower_hz: f64,
     /// The upper bound, Hz.
     pub upper_hz: f64,
-    /// How many modes have this frequency.
+    /// Number of modes with this frequency.
     pub multiplicity: usize,
-    /// Whether the energy of the mode in the fixed frame is negative: a whirl that runs backward on
-    /// the blades more slowly than the rotor turns, so that the rotation carries it forward.
-    /// Damping in the fixed frame makes it grow.
+    /// Whether the energy of the mode in the fixed frame is negative: a backward whirl that is
+    /// slower in the rotating frame than the rotor turns, so that it runs forward in the fixed
+    /// frame. Damping in the fixed frame makes it grow.
     pub has_negative_energy: bool,
 }
 
 /// The natural frequencies of a turbine below a limit, at a speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoupledSpectrum {
-    /// The frequencies, rising. Motions that nothing resists, as the rotation of a free shaft, are
-    /// not among them.
+    /// The frequencies, rising. Motions without stiffness, such as the rotation of a free shaft,
+    /// are not included.
     pub frequencies: Vec<CoupledFrequency>,
-    /// The limit, Hz.
+    /// Upper limit of the frequencies in the list, Hz.
     pub limit_hz: f64,
     /// Whether eigenvalue counts prove that the list is complete and that the turbine is stable.
     ///
@@ -46,18 +47,19 @@ pub struct CoupledSpectrum {
     /// Intervals, Hz, in which counts do not exclude two more modes, one of positive and one of
     /// negative energy; they may lie above the limit. There are none if the list is complete.
     pub unproven_hz: Vec<[f64; 2]>,
-    /// How many modes grow without limit, at least: as many as there are too few of negative
-    /// energy, where no interval is unproven; 0 if none does, or if this is not known. (Two modes
-    /// of opposite energies beside a third within some 1/1000 of the range that is searched are not
-    /// excluded.)
+    /// Least number of unstable modes, whose amplitude grows without limit: the number of missing
+    /// modes of negative energy, if no interval is unproven; 0 if there is no unstable mode, or if
+    /// this is not known. (Two modes of opposite energies beside a third within some 1/1000 of the
+    /// range that is searched are not excluded.)
     pub growing: usize,
-    /// How many motions are slower than 1e-5 rad/s (1.6e-6 Hz) and not in the list, beside the
-    /// rotation of a free shaft: those that nothing resists.
+    /// Number of motions without stiffness, such as yaw of a platform without moorings: they are
+    /// slower than 1e-5 rad/s (1.6e-6 Hz) and not in the list. The rotation of a free shaft is not
+    /// counted.
     pub unresisted: usize,
     /// How many modes of negative energy there are if none is unstable; they may lie above the
     /// limit.
     pub negative_energy_expected: usize,
-    /// How many were found.
+    /// Number of modes of negative energy that were found.
     pub negative_energy_found: usize,
 }
 
@@ -83,7 +85,7 @@ impl TurbineModel {
     /// The natural frequencies up to a limit (Hz) at a speed of the rotor (rpm).
     ///
     /// # Errors
-    /// [`TurbineError`] if limit or speed is no number.
+    /// [`TurbineError`] if the limit is not positive, or the limit or the speed is not finite.
     pub fn frequencies(
         &mut self,
         limit_hz: f64,

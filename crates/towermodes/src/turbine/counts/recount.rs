@@ -7,29 +7,29 @@ use thiserror::Error;
 use super::super::equations::model::{TurbineModel, UNRESISTED};
 use super::super::results::mode::{TurbineMode, TurbineModes};
 
-/// Modes that counts show where a list has others, or none.
+/// An interval in which eigenvalue counts and the list of modes differ.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
     "the eigenvalue count changes by {counted} between {from_hz:.6} and {to_hz:.6} Hz, but the list has {listed} there"
 )]
 pub struct MissedModes {
-    /// Where the interval begins, Hz.
+    /// Lower end of the interval, Hz.
     pub from_hz: f64,
-    /// Where it ends, Hz.
+    /// Upper end of the interval, Hz.
     pub to_hz: f64,
     /// By how much the count of negative eigenvalues rises: the number of modes, less twice those
     /// of negative energy.
     pub counted: isize,
-    /// The same by the list.
+    /// The rise of the count that follows from the modes in the list.
     pub listed: isize,
 }
 
 impl TurbineModel {
     /// Checks a list of modes of this model: counts at the bounds of each mode and at the limit.
     ///
-    /// It finds every mode that is missing, in the list once too often, or outside its bounds. Only
-    /// a mode of negative energy and one of positive energy that are missing together in one gap
-    /// escape it.
+    /// It finds every mode that is missing, listed twice, or outside its bounds. The only
+    /// exception: a mode of negative energy and a mode of positive energy that are both missing in
+    /// one gap.
     ///
     /// # Errors
     /// [`MissedModes`] with the first interval where list and counts differ.

@@ -17,15 +17,15 @@ const MOST_DEGREE_OF_BLADE: usize = 9;
 pub struct TurbineMesh {
     /// Least number of elements of the tower, which also end at its steps, kinks and attachments.
     pub tower_elements: usize,
-    /// Polynomial degree of their deflections.
+    /// Polynomial degree of the deflections of the elements of the tower.
     pub tower_degree: usize,
     /// Polynomial degree of the deflections of a blade's elements.
     pub blade_degree: usize,
 }
 
 impl TurbineMesh {
-    /// A finer mesh, whose frequencies tell the error of this one: higher degrees reduce it several
-    /// times.
+    /// A finer mesh, from whose frequencies the error of this mesh is estimated: its higher degrees
+    /// reduce the error by a factor of several.
     #[must_use]
     pub fn finer(self) -> Self {
         Self {

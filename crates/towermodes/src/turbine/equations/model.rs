@@ -106,11 +106,11 @@ impl TurbineModel {
     /// The number of negative eigenvalues of H at a frequency in Hz, which is not 0, and a speed of
     /// the rotor in rpm.
     ///
-    /// Where K is positive definite, this is the number of natural frequencies below; a free shaft
-    /// adds 1, its rotation. Proof: where an eigenvalue of H vanishes, with the vector x, its
-    /// derivative by w, times w, is −xᴴ (K + w² M) x < 0, so that each crosses zero downwards.
-    /// Where the stiffness K, softened by the spin, is indefinite, modes with xᴴ (K + w² M) x < 0,
-    /// of negative energy, cross upwards.
+    /// If K is positive definite, this is the number of natural frequencies below the given one;
+    /// the rotation of a free shaft adds 1. Proof: where an eigenvalue of H vanishes, with the
+    /// vector x, its derivative by w, times w, is −xᴴ (K + w² M) x < 0, so that each crosses zero
+    /// downwards. Where the stiffness K, softened by the spin, is indefinite, modes with xᴴ (K + w²
+    /// M) x < 0, of negative energy, cross upwards.
     pub fn count(&mut self, frequency_hz: f64, rotor_speed_rpm: f64) -> usize {
         let speed = rad_per_s(rotor_speed_rpm);
         self.count_at(TAU * frequency_hz, speed, self.is_locked)
@@ -149,9 +149,9 @@ impl TurbineModel {
         coupled + of_waves.sum::<usize>()
     }
 
-    /// How many motions nothing resists, beside the rotation of a free shaft: those of a floating
-    /// platform that no mooring holds, or yaw on a spring that is next to nothing. They are slower
-    /// than 1e-5 rad/s and are not among the modes.
+    /// Number of motions without stiffness, apart from the rotation of a free shaft: motions of a
+    /// floating platform that no mooring holds, or yaw with a negligible stiffness of the yaw
+    /// drive. They are slower than 1e-5 rad/s and are not among the modes.
     pub fn unresisted_motions(&self) -> usize {
         self.unresisted
     }

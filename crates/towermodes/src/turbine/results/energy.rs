@@ -1,4 +1,4 @@
-//! Where the energy of a mode is, by parts of the turbine.
+//! The elastic energy of a mode by parts of the turbine.
 
 use crate::modes::Family;
 
@@ -22,16 +22,16 @@ pub enum BladeMotion {
     Flap,
     /// Bending along the chord (edgewise), mostly in the plane of the rotor.
     Edge,
-    /// Twist about its axis.
+    /// Twist about the axis of the blade.
     Torsion,
-    /// Along its axis.
+    /// Extension along the axis of the blade.
     Axial,
 }
 
-/// How the deflections of the blades of a rotor follow each other.
+/// The phase of the deflections from blade to blade: a harmonic of multiblade coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Harmonic {
-    /// All alike.
+    /// All blades deflect equally.
     Collective,
     /// A wave that runs around the rotor with the rotation.
     Forward,
@@ -40,19 +40,23 @@ pub enum Harmonic {
     /// A wave of this many periods around the rotor, 2 or more, with the rotation; it does not move
     /// the hub. Only rotors of more than three blades have it.
     ForwardOf(usize),
-    /// The same against the rotation.
+    /// A wave of this many periods around the rotor, 2 or more, against the rotation; it does not
+    /// move the hub. Only rotors of more than three blades have it.
     BackwardOf(usize),
-    /// Neighbours against each other, in a rotor with an even number of blades, 4 or more.
+    /// Neighbouring blades deflect in opposite directions; only rotors with an even number of
+    /// blades, 4 or more, have it.
     Alternating,
 }
 
-/// What a mode of the blades does to the nacelle if both waves are alike, as at standstill.
+/// How a mode of the blades moves the nacelle, if its forward and backward waves together mostly
+/// tilt or mostly yaw it, as at standstill.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Nodding {
-    /// The forces of the blades tilt the nacelle: flap as the cosine of the azimuth, edge as its
-    /// sine.
+    /// The blades tilt the nacelle: flapwise deflections vary as the cosine of the azimuth (0 is
+    /// up), edgewise deflections as its sine.
     Tilt,
-    /// They yaw it.
+    /// The blades yaw the nacelle: flapwise deflections vary as the sine of the azimuth, edgewise
+    /// deflections as its cosine.
     Yaw,
 }
 
@@ -62,8 +66,9 @@ pub enum TurbinePart {
     /// A floating platform in one of its six motions, surge to yaw, with mooring, water and
     /// gravity.
     Platform(Family),
-    /// Members of the frame below a tower that move by themselves, as braces between their joints;
-    /// what the frame has as it follows the tower is with the tower.
+    /// Local motion of members of the frame below a tower, for example of braces between their
+    /// joints. The energy of the frame that follows the motion of the tower is counted with the
+    /// tower.
     Substructure,
     /// Bending of the tower downwind, with the soil and the foundation.
     TowerForeAft,
@@ -81,18 +86,19 @@ pub enum TurbinePart {
     Blades(BladeMotion, Harmonic),
 }
 
-/// Energies of the blades in one motion.
+/// Energies of the blades in one motion, by harmonic; see [`TurbineEnergy::blades`].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct BladeEnergy {
-    /// All alike.
+    /// All blades deflect equally.
     pub collective: f64,
-    /// With the rotation.
+    /// Energy of the wave that runs with the rotation.
     pub forward: f64,
-    /// Against the rotation.
+    /// Energy of the wave that runs against the rotation.
     pub backward: f64,
-    /// Of what tilts the nacelle; `tilt + yaw = forward + backward`.
+    /// Energy of the combination of both waves that tilts the nacelle; `tilt + yaw = forward +
+    /// backward`.
     pub tilt: f64,
-    /// Of what yaws the nacelle.
+    /// Energy of the combination of both waves that yaws the nacelle.
     pub yaw: f64,
 }
 
@@ -103,11 +109,11 @@ pub struct TurbineEnergy {
     /// A floating platform in surge, sway, heave, roll, pitch and yaw, with mooring, water and
     /// gravity.
     pub platform: [f64; 6],
-    /// Of the frame below the tower with its transition piece held: the elastic energy less that of
-    /// a frame which follows the transition piece at rest.
+    /// The frame below the tower in its motion relative to the transition piece: its elastic energy
+    /// less the energy of its static deformation by the motion of the transition piece.
     pub substructure: f64,
-    /// Bending of the tower downwind, with the soil and the foundation: for a frame the energy as
-    /// it follows the tower.
+    /// Bending of the tower downwind, with the soil and the foundation: for a frame also the energy
+    /// of its static deformation by the motion of the transition piece.
     pub tower_fore_aft: f64,
     /// Bending of the tower sideways, with the soil and the foundation.
     pub tower_side_side: f64,
@@ -124,10 +130,10 @@ pub struct TurbineEnergy {
 }
 
 impl BladeMotion {
-    /// All, in the order of [`TurbineEnergy::blades`].
+    /// All motions, in the order of [`TurbineEnergy::blades`].
     pub const ALL: [Self; 4] = [Self::Flap, Self::Edge, Self::Torsion, Self::Axial];
 
-    /// Its name: "flapwise", "edgewise", "blade torsion", "blade axial".
+    /// Name of the motion: "flapwise", "edgewise", "blade torsion", "blade axial".
     pub fn name(self) -> &'static str {
         match self {
             Self::Flap => "flapwise",
@@ -139,12 +145,12 @@ impl BladeMotion {
 }
 
 impl BladeEnergy {
-    /// Of all harmonics.
+    /// The sum over all harmonics.
     pub fn total(&self) -> f64 {
         self.collective + self.forward + self.backward
     }
 
-    /// By harmonic.
+    /// The energies of backward wave, forward wave and collective harmonic, in this order.
     pub fn parts(&self) -> [(Harmonic, f64); 3] {
         [
             (Harmonic::Backward, self.backward),
@@ -153,13 +159,13 @@ impl BladeEnergy {
         ]
     }
 
-    /// Of both waves.
+    /// The energy of both waves, forward and backward.
     pub fn asymmetric(&self) -> f64 {
         self.forward + self.backward
     }
 
-    /// Whether both waves together tilt or yaw the nacelle: if so at least two thirds of their
-    /// energy are in one of the two.
+    /// How both waves together move the nacelle: tilt or yaw, if at least two thirds of their
+    /// energy are in one of these; otherwise none.
     pub fn nodding(&self) -> Option<Nodding> {
         let (nodding, more) = match self.tilt >= self.yaw {
             true => (Nodding::Tilt, self.tilt),
@@ -216,13 +222,14 @@ impl TurbineEnergy {
             .for_each(|energy| *energy *= factor);
     }
 
-    /// Of all parts.
+    /// The sum over all parts.
     pub fn total(&self) -> f64 {
         let blades = self.blades.iter().map(BladeEnergy::total);
         self.stationary().map(|(_, energy)| energy).sum::<f64>() + blades.sum::<f64>()
     }
 
-    /// By part, in the order of the parts of the turbine.
+    /// The energy of each part, in the order of the variants of [`TurbinePart`]; the blades by
+    /// harmonic.
     pub fn parts(&self) -> Vec<(TurbinePart, f64)> {
         let blades = BladeMotion::ALL.iter().zip(&self.blades);
         let blades = blades.flat_map(|(motion, energy)| {
@@ -232,7 +239,8 @@ impl TurbineEnergy {
         self.stationary().chain(blades).collect()
     }
 
-    /// What the two whirls of a motion together do to the nacelle; none of other parts.
+    /// How the two whirls of a motion of the blades together move the nacelle; none for other
+    /// parts.
     pub fn nodding_of(&self, part: TurbinePart) -> Option<Nodding> {
         let TurbinePart::Blades(motion, Harmonic::Backward | Harmonic::Forward) = part else {
             return None;
@@ -241,7 +249,7 @@ impl TurbineEnergy {
         self.blades[place].nodding()
     }
 
-    /// Of the tower and what it stands on: a floating platform, a frame.
+    /// The energy of the tower and of the floating platform or the frame below it.
     pub fn of_tower(&self) -> f64 {
         let bending = self.tower_fore_aft + self.tower_side_side;
         self.platform.iter().sum::<f64>()

@@ -14,20 +14,21 @@ use crate::scalar::{Complex, Scalar};
 pub struct TurbineMode {
     /// The frequency, with bounds from eigenvalue counts.
     pub frequency: CoupledFrequency,
-    /// An estimate of the error of the mesh, Hz: the change of the frequency to a finer one, and
-    /// the error of soil springs that are straight between depths; none before
+    /// Estimate of the discretization error, Hz: the change of the frequency from this mesh to a
+    /// finer mesh, and the error of soil springs that are linear between depths; none before
     /// [`TurbineModel::estimate_errors`](super::super::TurbineModel::estimate_errors).
     pub discretization_error_hz: Option<f64>,
-    /// Its name. Each name is that of one mode at a speed; see [`TurbineModes::modes`].
+    /// Name of the mode. At a speed each name belongs to one mode only; see
+    /// [`TurbineModes::modes`].
     pub name: TurbineModeName,
     /// The fraction of its elastic energy in the part that names it.
     pub share: f64,
-    /// The part with the most energy besides, with its fraction; none if there is no energy
-    /// elsewhere.
+    /// The part with the most elastic energy among the other parts, and its fraction; none if the
+    /// other parts have no energy.
     pub second: Option<(TurbinePart, f64)>,
     /// Fractions of the elastic energy; they sum to 1.
     pub energy: TurbineEnergy,
-    /// Its shape; the largest deflection is 1.
+    /// Shape of the mode; its largest deflection is 1.
     pub shape: TurbineShape,
     /// What it is a mode of: all that moves the tower, or a harmonic of the blades.
     pub(crate) part: Part,
@@ -43,18 +44,20 @@ pub struct TurbineMode {
 /// The modes of a turbine below a limit, at a speed of its rotor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TurbineModes {
-    /// The speed, rpm.
+    /// Rotor speed, rpm.
     pub rotor_speed_rpm: f64,
-    /// The modes by frequency. The rotation of a free shaft, at 0, is not among them.
+    /// The modes by rising frequency. The rotation of a free shaft, at frequency 0, is not
+    /// included.
     ///
-    /// Going up in frequency, each mode gets the part that is most in arrears: the one whose energy
-    /// in the modes so far exceeds the number of its names by most, as
-    /// [`Arrears`](crate::modes::Arrears) chooses among the parts that have at least a quarter of
-    /// the energy of the largest. From a mode to the next the arrears fade with the eighth power of
-    /// the ratio of their frequencies. Backward and forward whirl of a motion are one part first,
-    /// and the same rule chooses between them. So a name depends on this speed alone.
+    /// Names are given by rising frequency. Each mode is named after the part whose energy, added
+    /// up over the modes so far, exceeds the number of modes already named after it by the largest
+    /// amount. [`Arrears`](crate::modes::Arrears) does this among the parts with at least a quarter
+    /// of the largest energy of a part in the mode. From one mode to the next these amounts are
+    /// multiplied by the eighth power of the ratio of the lower to the higher frequency. Backward
+    /// and forward whirl of a motion first count as one part, and then the same rule chooses
+    /// between them. Therefore the names depend on the modes at this speed alone.
     pub modes: Vec<TurbineMode>,
-    /// The limit, Hz.
+    /// Upper limit of the frequencies in the list, Hz.
     pub limit_hz: f64,
     /// Whether eigenvalue counts prove that the list contains all modes below the limit and that
     /// the turbine is stable; see
@@ -64,16 +67,17 @@ pub struct TurbineModes {
     /// negative energy; see
     /// [`CoupledSpectrum::unproven_hz`](super::super::CoupledSpectrum::unproven_hz).
     pub unproven_hz: Vec<[f64; 2]>,
-    /// How many modes grow without limit, as far as it is known; see
+    /// Number of unstable modes, whose amplitude grows without limit, as far as it is known; see
     /// [`CoupledSpectrum::growing`](super::super::CoupledSpectrum::growing).
     pub growing: usize,
-    /// How many motions are slower than 1e-5 rad/s (1.6e-6 Hz) and not among the modes, beside the
-    /// rotation of a free shaft: those that nothing resists.
+    /// Number of motions without stiffness, such as yaw of a platform without moorings: they are
+    /// slower than 1e-5 rad/s (1.6e-6 Hz) and not in the list. The rotation of a free shaft is not
+    /// counted.
     pub unresisted: usize,
     /// How many modes of negative energy there are if none is unstable; they may lie above the
     /// limit.
     pub negative_energy_expected: usize,
-    /// How many were found.
+    /// Number of modes of negative energy that were found.
     pub negative_energy_found: usize,
 }
 
@@ -85,14 +89,14 @@ impl TurbineModes {
 }
 
 impl TurbineMode {
-    /// What the mode does to the nacelle if it is a whirl of which both waves are alike, as at
-    /// standstill.
+    /// Tilt or yaw, if the mode is a whirl whose two waves together mostly tilt or mostly yaw the
+    /// nacelle, as at standstill; otherwise none.
     pub fn nodding(&self) -> Option<Nodding> {
         self.energy.nodding_of(self.name.part)
     }
 
-    /// Its name, with what it does to the nacelle if both waves are alike: "1st flapwise backward
-    /// whirl (yaw)".
+    /// The name, followed by the motion of the nacelle (tilt or yaw) if [`nodding`](Self::nodding)
+    /// gives one: "1st flapwise backward whirl (yaw)".
     pub fn label(&self) -> String {
         self.name.with(self.nodding())
     }

@@ -15,7 +15,8 @@ impl Turbine {
     /// with names, shapes and the errors of the mesh.
     ///
     /// # Errors
-    /// [`TurbineError`] if limit or speed is no number, or the tower is unstable at rest.
+    /// [`TurbineError`] if the limit is not positive, the limit or the speed is not finite, or the
+    /// tower is unstable at rest.
     ///
     /// # Example
     /// See the [first page](crate).
@@ -31,7 +32,7 @@ impl TurbineModel {
     /// The modes up to a limit (Hz) at a speed of the rotor (rpm), with names and shapes.
     ///
     /// # Errors
-    /// [`TurbineError`] if limit or speed is no number.
+    /// [`TurbineError`] if the limit is not positive, or the limit or the speed is not finite.
     ///
     /// # Example
     /// See [`Turbine`](super::super::Turbine).
@@ -43,11 +44,12 @@ impl TurbineModel {
         self.modes_from(limit_hz, rotor_speed_rpm, &[])
     }
 
-    /// The same, sooner where the modes at one or two speeds before are known, the nearest last.
-    /// Counts prove that none is missing, as without them.
+    /// As [`modes`](Self::modes), but faster with start vectors: `before` contains the modes at one
+    /// or two previous speeds, those of the nearest speed last. The counts prove in the same way
+    /// that no mode is missing.
     ///
     /// # Errors
-    /// [`TurbineError`] if limit or speed is no number.
+    /// [`TurbineError`] if the limit is not positive, or the limit or the speed is not finite.
     pub fn modes_from(
         &mut self,
         limit_hz: f64,
@@ -102,10 +104,10 @@ impl TurbineModel {
         }
     }
 
-    /// Estimates the discretization errors of modes of this turbine on a coarser mesh: how much
-    /// lower the frequencies on this mesh are, each compared with that of the same number, and what
-    /// [`Tower::soil_error`](crate::Tower::soil_error) adds to them. A mode without a counterpart
-    /// has none.
+    /// Estimates the discretization errors of modes of this turbine on a coarser mesh: the
+    /// difference between the frequency of a mode and the lower frequency with the same number on
+    /// this mesh, and the error that [`Tower::soil_error`](crate::Tower::soil_error) gives. A mode
+    /// without a counterpart has none.
     pub fn estimate_errors(&mut self, modes: &mut TurbineModes) {
         let own_guesses = |part| {
             let own = modes.modes.iter().filter(|mode| mode.part == part);

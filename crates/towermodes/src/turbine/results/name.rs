@@ -5,8 +5,8 @@ use std::fmt;
 use super::energy::{BladeMotion, Harmonic, Nodding, TurbinePart};
 use crate::modes::Ordinal;
 
-/// The name of a mode of a turbine. Its text is that of the field: "1st tower fore-aft", "1st
-/// flapwise backward whirl", "2nd edgewise collective", "1st drivetrain torsion".
+/// The name of a mode of a turbine. Its text is the usual term for wind turbines: "1st tower
+/// fore-aft", "1st flapwise backward whirl", "2nd edgewise collective", "1st drivetrain torsion".
 ///
 /// # Example
 /// ```
@@ -19,14 +19,15 @@ use crate::modes::Ordinal;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct TurbineModeName {
-    /// The part.
+    /// The part of the turbine that names the mode.
     pub part: TurbinePart,
     /// Order by frequency among the modes with this part, from 1.
     pub order: usize,
 }
 
 impl TurbineModeName {
-    /// The name with a remark: "1st flapwise backward whirl (yaw)".
+    /// The name, followed by the motion of the nacelle in parentheses if it is given: "1st flapwise
+    /// backward whirl (yaw)".
     pub fn with(&self, nodding: Option<Nodding>) -> String {
         match nodding {
             None => self.to_string(),

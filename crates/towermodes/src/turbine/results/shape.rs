@@ -1,15 +1,16 @@
-//! How a turbine moves in a mode, for pictures.
+//! The shape of a mode of a turbine, for pictures.
 
 use crate::scalar::Complex;
 
-/// The motion in a mode: complex amplitudes a of motions Re(a e^(i w t)).
+/// The motion in a mode with the angular frequency w: complex amplitudes a of the motions Re(a e^(i
+/// w t)).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct TurbineShape {
     /// The tower, from its base to its top.
     pub tower: Vec<TowerMotion>,
     /// The apex of the rotor, where the axes of the blades meet: translation and rotation in the
-    /// axes of the tower, with the yaw of the nacelle but without the rotation about the shaft
-    /// relative to it.
+    /// axes of the tower, with the yaw of the nacelle but without the rotation of the shaft
+    /// relative to the nacelle.
     pub apex: [Complex; 6],
     /// The blades, from the apex to the tip.
     pub blades: Vec<BladeDeflection>,
@@ -30,10 +31,11 @@ pub struct BladeDeflection {
     /// Distance from the apex along the blade's axis, m.
     pub radius_m: f64,
     /// Amplitudes d of the translation, with the motion of the hub, by harmonic: collective,
-    /// forward, backward, and that of blades which do not move the hub. Each is in (along the
-    /// shaft downwind, against the rotation, radial) at the azimuth of the blade.
+    /// forward, backward, and the harmonic that does not move the hub. Each is in (along the shaft
+    /// downwind, against the rotation, radial) at the azimuth of the blade.
     pub harmonics: [[Complex; 3]; 4],
-    /// Periods of the fourth harmonic around the rotor; it runs forward if positive.
+    /// Number of periods of the fourth harmonic around the rotor; positive if the wave runs with
+    /// the rotation.
     pub waves: isize,
 }
 

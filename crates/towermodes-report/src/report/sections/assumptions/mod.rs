@@ -175,7 +175,7 @@ fn left_out(description: &TowerDescription) -> String {
         _ => format!("The input has no {}. ", absent.join(", no ")),
     };
     format!(
-        "{input}The list of modes does not contain local modes of the shell and of internals, and modes of the blades: the beam model of the tower does not \
+        "{input}The list of modes does not contain local modes of the shell and of internals or modes of the blades: the beam model of the tower does not \
          represent them."
     )
 }

@@ -15,7 +15,7 @@ use crate::wording::{STRUCTURE_ONLY, proved};
 
 /// What the table of the modes means.
 const MEANING: &str = "Each name is given to one mode only. In the order of rising frequency, each mode is named after the part of the turbine whose accumulated elastic energy exceeds the number of modes already named after it by the largest amount; \
-     a mode with less than 60 % of its energy in the motion of its name is shared with another part. \
+     a mode with less than 60 % of its energy in the motion that its name states is shared with another part. \
      The bound of the solver error is the half-width of the interval in which eigenvalue counts bracket the frequency; the mesh error is the change of the frequency from this mesh to a finer mesh.";
 
 /// Why a share stands in place of a difference.
