@@ -183,9 +183,7 @@ fn damped(solved: &Solved) -> Vec<DampedMode> {
 fn method(solution: &Solution, file: &TowerInput) -> String {
     let computed = computed_by(solution);
     match file.turbine {
-        Some(_) => format!(
-            "{computed}; the rotor is a rigid body (with flexible blades: towermodes campbell, report)"
-        ),
+        Some(_) => format!("{computed}; in the list of the tower the rotor is a rigid body"),
         None => computed,
     }
 }

@@ -350,6 +350,8 @@ export class Explorer {
     this.masses.show(answer.modes, followed);
     this.findings.show(answer, variant?.answer ?? null);
     this.comparison.show(this.sheet.parameters, answer.values, variant && this.valuesOf(variant), this.fileOf(variant));
+    const other = this.fileOf(variant);
+    setText(byId("beside"), `Left: this tower. Right, paler: A${other === null ? "" : `, ${other}`}.`);
     this.showResonance(shown);
     setText(byId("method"), `${answer.method} · ${answer.certificate}`);
     this.showReadout(shown);

@@ -6,6 +6,8 @@ import type { Point } from "./scene.js";
 const LENGTH = 26;
 const CORNER = 44;
 const HEAD = 5;
+/** For the name of the wind. */
+const ROOM = 44;
 
 /** A direction in the view, in pixels from its corner. */
 export interface Arm {
@@ -22,7 +24,7 @@ export function armsOf(eye: Eye): Arm[] {
 }
 
 /** Where the arms begin in a view of a width. */
-export const cornerOf = (width: number, height: number): [number, number] => [width - CORNER - 12, height - CORNER];
+export const cornerOf = (width: number, height: number): [number, number] => [width - ROOM - CORNER, height - CORNER];
 
 /** An arrow with its head, and the place of its name. */
 export function arrowOf({ to: [x, y] }: Arm): { line: [number, number][]; name: [number, number] } {

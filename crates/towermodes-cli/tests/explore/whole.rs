@@ -131,7 +131,7 @@ fn folder() -> PathBuf {
 fn damping_is_that_of_the_command() {
     let plain = std::fs::read_to_string(root().join("examples/nrel-5mw.toml")).expect("a file");
     let path = folder().join("damped.toml");
-    std::fs::write(&path, plain + "\n[damping]\ntower = 0.004\n").expect("written");
+    std::fs::write(&path, plain + "\n[damping]\ntower_loss_factor = 0.004\n").expect("written");
     let path = path.to_string_lossy().into_owned();
     let explorer = Explorer::start(&[&path, "--modes", "4"]);
     let answer = explorer.answer("solve", &json!({ "numbers": {} }));

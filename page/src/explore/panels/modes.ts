@@ -49,7 +49,7 @@ class ModeRow {
   private name = make("span", "mode-name");
   private remark = make("span", "mode-remark");
   private frequency = make("td", "number frequency");
-  private error = make("td", "number");
+  private error = make("td", "number error");
   private ofA = ["", " diff-hz", ""].map((more) => make("td", `number of-a${more}`));
   private verdict = make("span", "verdict");
   private damping = make("td", "number damping");

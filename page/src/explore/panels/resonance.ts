@@ -111,7 +111,8 @@ export class ResonancePanel {
   private row(): HTMLElement {
     const head = make("th");
     head.scope = "row";
-    const cells = [head, ...[1, 2, 3, 4, 5].map(() => make("td", "number")), make("td")];
+    // The excitation follows from its multiple and the speed.
+    const cells = [head, ...[1, 2, 3, 4, 5].map((place) => make("td", place === 4 ? "number known" : "number")), make("td")];
     this.rows.push(cells);
     const element = make("tr", "", ...cells);
     this.body.append(element);
