@@ -119,16 +119,19 @@ function numbers(content: Content, scale: Scale, text: number): string[] {
 }
 
 function names(content: Content, scale: Scale, { height, text }: Frame): string[] {
-  const { left, right, top } = scale;
+  const { right, top } = scale;
   const below = `<text class="name" x="${n(right)}" y="${n(height - 0.3 * text)}" text-anchor="end">rotor speed, rpm</text>`;
   const beside = `<text class="name" x="2" y="${n(0.95 * text)}">Hz</text>`;
   if (content.operation === null) return [below, beside];
-  const [from, to] = content.operation;
-  const middle = scale.x(0.5 * (from + to));
-  const words = `operation ${from === to ? from : `${from} to ${to}`} rpm`;
-  const half = 0.28 * text * words.length;
-  const at = Math.min(Math.max(middle, left + half), right - half);
+  const { at, words } = titleOf(content.operation, scale, text);
   return [below, beside, `<text class="name" x="${n(at)}" y="${n(top - 0.4 * text)}" text-anchor="middle">${words}</text>`];
+}
+
+/** The operating speeds in words, the middle of these above the field, and half their width. */
+function titleOf([from, to]: Place, { x, left, right }: Scale, text: number): { at: number; half: number; words: string } {
+  const words = `operation ${from === to ? from : `${from} to ${to}`} rpm`;
+  const half = 0.3 * text * words.length;
+  return { at: Math.min(Math.max(x(0.5 * (from + to)), left + half), right - half), half, words };
 }
 
 /** At the right edge: numbers of the modes, and excitations where they leave the field. */
@@ -148,9 +151,10 @@ function ends(content: Content, scale: Scale, text: number): string[] {
   const all = [...modes.values(), ...rays.filter(({ hz }) => isInside(hz))];
   const places = apart(all.map(({ hz }) => scale.y(hz)), 1.05 * text, [scale.top, scale.bottom]);
   const right = all.map(({ words, of }, k) => `<text class="${of}" x="${n(scale.right + 0.4 * text)}" y="${n(places[k]! + 0.35 * text)}">${words}</text>`);
+  const title = content.operation && titleOf(content.operation, scale, text);
   const above = rays.filter(({ hz }) => !isInside(hz)).flatMap(({ words, of, hz }) => {
     const x = scale.x((last_rpm * last_hz) / hz);
-    const isFree = content.operation === null || x < scale.x(content.operation[0]) - 2 * text;
+    const isFree = title === null || Math.abs(x - title.at) > title.half + 1.5 * text;
     return isFree ? [`<text class="${of}" x="${n(x)}" y="${n(scale.top - 0.4 * text)}" text-anchor="middle">${words}</text>`]
       : [`<text class="${of}" x="${n(x - 0.5 * text)}" y="${n(scale.top + text)}" text-anchor="end">${words}</text>`];
   });

@@ -19,7 +19,9 @@ export class ModeTable {
     const head = this.table.tHead?.rows[0];
     const differs = cell("Diff. Hz");
     differs.classList.add("diff-hz");
-    head?.querySelector(".judged")?.after(cell("Diff. %"), differs, cell("A Hz"));
+    const ofA = cell("A Hz");
+    ofA.classList.add("a-hz");
+    head?.querySelector(".judged")?.after(cell("Diff. %"), differs, ofA);
   }
 
   /** Shows the modes; `others` are the modes of A by identity, null without A. */
@@ -50,7 +52,7 @@ class ModeRow {
   private remark = make("span", "mode-remark");
   private frequency = make("td", "number frequency");
   private error = make("td", "number error");
-  private ofA = ["", " diff-hz", ""].map((more) => make("td", `number of-a${more}`));
+  private ofA = ["", " diff-hz", " a-hz"].map((more) => make("td", `number of-a${more}`));
   private verdict = make("span", "verdict");
   private damping = make("td", "number damping");
   private period = make("td", "number period");
