@@ -83,9 +83,7 @@ impl Explorer {
         match question {
             Question::Sheet => json(&self.sheet()),
             Question::Solve => asked(text, |state| either(self.of(state).solve(state))),
-            Question::Coupled => asked(text, |state| {
-                either(self.of(state).coupled(state, wanted))
-            }),
+            Question::Coupled => asked(text, |state| either(self.of(state).coupled(state, wanted))),
             Question::Whirl => asked(text, |of: &WhirlQuestion| {
                 either(self.of(&of.state).whirl(of))
             }),

@@ -118,7 +118,10 @@ fn sentences(found: &Design) -> Vec<String> {
     let frequencies =
         reached.map(|of| format!("{}: {} Hz", of.goal.mode, arrow(of.before_hz, of.after_hz)));
     let [before_t, after_t] = found.mass_kg.map(|kg| kg / 1000.0);
-    let mass = format!("mass of the structure: {} t", arrow(Some(before_t), after_t));
+    let mass = format!(
+        "mass of the structure: {} t",
+        arrow(Some(before_t), after_t)
+    );
     let local = (!found.is_stationary())
         .then(|| "the tower meets the band, but a lighter one may exist".to_owned());
     frequencies.chain([mass]).chain(local).collect()

@@ -191,9 +191,8 @@ impl WhirlMode {
         const SHARED: f64 = 0.6;
         let percent = |share: f64| format!("{:.0} %", 100.0 * share);
         let second = mode.second.filter(|_| mode.share < SHARED);
-        let remark = second.map(|(part, share)| {
-            format!("{}; {} {part}", percent(mode.share), percent(share))
-        });
+        let remark = second
+            .map(|(part, share)| format!("{}; {} {part}", percent(mode.share), percent(share)));
         Self {
             name: mode.name.to_string(),
             frequency_hz: mode.frequency.frequency_hz,

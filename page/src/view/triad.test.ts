@@ -7,7 +7,7 @@ test("arrows point where the eye sees the axes", () => {
   const eye = new Eye();
   // From the side, on the level: the wind goes to the right, up is up, y points away or at the reader.
   eye.look(90, 0);
-  const [x, y, z] = armsOf(eye).map(({ to }) => to.map((value) => Math.round(value)));
+  const [x, y, z] = armsOf(eye).map(({ to }) => to.map((value) => Math.round(value) + 0));
   assert.deepEqual([Math.abs(x![0]!), x![1]], [26, 0]);
   assert.deepEqual(y!.map(Math.abs), [0, 0]);
   assert.deepEqual(z, [0, -26]);

@@ -61,7 +61,10 @@ fn the_modes_at_a_rotor_speed_are_those_of_the_diagram() {
     for rpm in [0.0, 12.1] {
         let answer = explorer.answer("whirl", &json!({ "numbers": {}, "rpm": rpm }));
         let modes = answer["modes"].as_array().expect("modes");
-        assert_eq!(answer["scene"]["modes"].as_array().map(Vec::len), Some(modes.len()));
+        assert_eq!(
+            answer["scene"]["modes"].as_array().map(Vec::len),
+            Some(modes.len())
+        );
         let curves = campbell["curves"].as_array().expect("curves").iter();
         let points = curves.flat_map(|curve| curve["points"].as_array().expect("points"));
         let there = points.filter(|point| point["rotor_speed_rpm"].as_f64() == Some(rpm));
@@ -90,7 +93,10 @@ fn a_tower_has_no_turbine_and_a_clamped_one_no_soil() {
     let explorer = Explorer::start(&["examples/nrel-5mw.toml"]);
     let refused = |what: &str| {
         let answer = explorer.answer(what, &json!({ "numbers": {} }));
-        answer["refused"]["message"].as_str().expect("a message").to_owned()
+        answer["refused"]["message"]
+            .as_str()
+            .expect("a message")
+            .to_owned()
     };
     refused("coupled").says("no turbine with flexible blades");
     refused("band").says("the tower has no soil");
@@ -111,9 +117,12 @@ fn the_soil_band_is_that_of_campbell() {
     assert!(modes.len() >= 4);
     for (own, mode) in answer["modes"].as_array().expect("modes").iter().zip(modes) {
         assert_eq!(own["label"], mode["label"]);
-        for (own, at) in own["at"].as_array().expect("values").iter().zip(
-            mode["at"].as_array().expect("values"),
-        ) {
+        for (own, at) in own["at"]
+            .as_array()
+            .expect("values")
+            .iter()
+            .zip(mode["at"].as_array().expect("values"))
+        {
             assert_eq!(own["frequency_hz"], at["frequency_hz"]);
             assert_eq!(own["verdict"], at["verdict"]);
         }
@@ -136,9 +145,12 @@ fn damping_is_that_of_the_command() {
     let explorer = Explorer::start(&[&path, "--modes", "4"]);
     let answer = explorer.answer("solve", &json!({ "numbers": {} }));
     let damping = json_of(&["damping", &path, "--modes", "4"]);
-    for (own, theirs) in answer["modes"].as_array().expect("modes").iter().zip(
-        damping["modes"].as_array().expect("modes"),
-    ) {
+    for (own, theirs) in answer["modes"]
+        .as_array()
+        .expect("modes")
+        .iter()
+        .zip(damping["modes"].as_array().expect("modes"))
+    {
         let [own, theirs] = [&own["damping"]["ratio"], &theirs["damping_ratio"]];
         let [own, theirs] = [own, theirs].map(|ratio| ratio.as_f64().expect("a ratio"));
         assert!((own - theirs).abs() < 1e-12, "{own} {theirs}");
@@ -173,7 +185,10 @@ fn a_target_is_met_by_its_numbers() {
     // The lightest tower is at the limit.
     let hz = hz.expect("a frequency");
     assert!((hz - 0.33).abs() < 1e-5, "{hz}");
-    found["sentences"][0].as_str().expect("a sentence").says_all("fore-aft 1 & Hz");
+    found["sentences"][0]
+        .as_str()
+        .expect("a sentence")
+        .says_all("fore-aft 1 & Hz");
     let refused = explorer.answer("target", &question(3.0));
     let message = refused["refused"]["message"].as_str().expect("a message");
     message.says_all("no tower was found that meets & fore-aft 1 & 3 Hz");
@@ -188,7 +203,10 @@ fn another_file_is_solved_as_itself() {
     let sheet = explorer.ask("GET", "sheet", b"");
     let sheet: Value = serde_json::from_slice(&sheet.body).expect("JSON");
     assert_eq!(sheet["against"]["file"], other);
-    sheet["command"].as_str().expect("a command").says("--against examples/monopile-layers.toml");
+    sheet["command"]
+        .as_str()
+        .expect("a command")
+        .says("--against examples/monopile-layers.toml");
     let answer = explorer.answer("solve", &json!({ "numbers": {}, "is_of_other": true }));
     let names = sheet["against"]["names"].as_array().expect("names");
     assert_eq!(answer["values"].as_array().map(Vec::len), Some(names.len()));
