@@ -112,7 +112,7 @@ export class ResonancePanel {
     const head = make("th");
     head.scope = "row";
     // The excitation follows from its multiple and the speed.
-    const cells = [head, ...[1, 2, 3, 4, 5].map((place) => make("td", place === 4 ? "number known" : "number")), make("td")];
+    const cells = [head, ...[1, 2, 3, 4, 5].map((place) => make("td", place === 3 ? "number speed" : place === 4 ? "number known" : "number")), make("td")];
     this.rows.push(cells);
     const element = make("tr", "", ...cells);
     this.body.append(element);
