@@ -141,6 +141,23 @@ fn first_warning(text: &str, table: &str) {
     }
 }
 
+/// Lines in fresh water under a tower in the sea.
+#[test]
+fn one_floater_is_in_one_water() {
+    let warned = |density: &str| {
+        let water = format!("[water]\nlevel = 12.0\ndensity = {density}\n\n[mooring]\n");
+        let tower = tower_from_toml(&SPAR.replacen("[mooring]\n", &water, 1)).expect(density);
+        let said: Vec<String> = tower.warnings().iter().map(ToString::to_string).collect();
+        said.iter().any(|text| {
+            text.starts_with(
+                "the mooring lines are in water of 1025 kg/m3, and the tower is in water of 1000",
+            )
+        })
+    };
+    assert!(warned("1000.0"));
+    assert!(!warned("1025.0") && !warned("1030.0"));
+}
+
 /// Lines and members of a tower file have the warnings of those of OpenFAST.
 #[test]
 fn slips_of_lines_and_members_are_warned_of() {
@@ -148,7 +165,8 @@ fn slips_of_lines_and_members_are_warned_of() {
         SPAR,
         r#"
         length = 880.0          | length = 1200.0        | line 1 is slack
-        depth = 300.0           | depth = 301.0          | `anchor 1`: the anchor point 1 is at z = -300 m, 1 m above the seabed
+        depth = 300.0           | depth = 301.0          | all anchors are at z = -300 m, but the depth is 301 m
+        position = [840.0, 0.0, -300.0] | position = [840.0, 0.0, -299.0] | `anchor 1`: the anchor point 1 is at z = -299 m, 1 m above the seabed
         axial_stiffness = 3.8e8 | axial_stiffness = 3.8e5 | line 1 is stretched by
         "#,
     );
