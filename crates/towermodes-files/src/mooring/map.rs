@@ -183,7 +183,7 @@ fn angles(
             solver.push((name.text, name.span.start));
         } else {
             let message = format!("the option {} is not known and not used", quoted(name.text));
-            notes.push(Note::left_out(message).at(source, name.span.start));
+            notes.push(Note::suspicious(message).at(source, name.span.start));
         }
     }
     if let Some((_, place)) = solver.first() {

@@ -223,7 +223,7 @@ fn left_out(tables: &Tables<'_>, source: &Source) -> Result<Vec<Note>, Diagnosti
             .text
             .trim_matches(|c: char| c == '-' || c.is_whitespace());
         let message = format!("the section {} is not known and not used", quoted(text));
-        notes.push(Note::left_out(message).at(source, heading.start));
+        notes.push(Note::suspicious(message).at(source, heading.start));
     }
     let sections = [
         (Kind::Control, "CONTROL", "lines keep their initial length"),

@@ -142,5 +142,5 @@ fn unknown(value: &Token<'_>, name: &str) -> Result<Note, Diagnostic> {
         return Err(value.wrong(kind).with_hint(hint));
     }
     let message = format!("the option {} is not known and not used", quoted(name));
-    Ok(Note::left_out(message))
+    Ok(Note::suspicious(message))
 }
