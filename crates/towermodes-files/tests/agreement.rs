@@ -1,6 +1,9 @@
 //! Files of one OpenFAST model that contradict each other: SubDyn, HydroDyn, SeaState and MoorDyn.
 
-use towermodes_files::{InMemory, Input, ReadError, ReadOptions, Source, TowerInput, read_source};
+use towermodes_files::{
+    InMemory, Input, NoteKind, ReadError, ReadOptions, SiblingFiles, Source, TowerInput,
+    read_source,
+};
 use towermodes_testing::Says;
 
 use crate::elastodyn::texts::{BLADE, MASSES, TOWER, main_text};
@@ -122,12 +125,48 @@ fn files_that_agree_are_not_doubted() {
     }
 }
 
+/// The unedited public models: nothing in them is doubted.
+#[test]
+fn public_models_are_not_doubted() {
+    let Some(folder) = std::env::var_os("TOWERMODES_PEER_DATA") else {
+        eprintln!("skipped: TOWERMODES_PEER_DATA is not set");
+        return;
+    };
+    let models = [
+        "fast8/Test19.fst",
+        "fast8/Test20.fst",
+        "fast8/Test21.fst",
+        "fast8/Test24.fst",
+        "fast8/Test25.fst",
+        "iea15-monopile/OpenFAST/IEA-15-240-RWT-Monopile/IEA-15-240-RWT-Monopile.fst",
+        "iea15-volturnus/OpenFAST/IEA-15-240-RWT-UMaineSemi/IEA-15-240-RWT-UMaineSemi.fst",
+    ];
+    for model in models {
+        let path = std::path::Path::new(&folder).join("offshore").join(model);
+        let source = Source::from_path(&path).expect("the file is there");
+        let files = SiblingFiles::of(&path);
+        let Ok(Input::Tower(input)) = read_source(source, &files, &ReadOptions::default()) else {
+            panic!("{model}: no tower");
+        };
+        let notes = input.notes.iter();
+        let doubts: Vec<_> = notes
+            .filter(|note| note.kind == NoteKind::Suspicious)
+            .collect();
+        assert!(doubts.is_empty(), "{model}: {doubts:?}");
+        let tower = input
+            .tower()
+            .unwrap_or_else(|error| panic!("{model}: {error}"));
+        let said: Vec<String> = tower.warnings().iter().map(ToString::to_string).collect();
+        assert!(said.is_empty(), "{model}: {said:?}");
+    }
+}
+
 #[test]
 fn another_depth_is_doubted() {
     let deep = notes(&[], &[], ["200", "default"]);
     deep.says_all("model.fst:9: WtrDpth is 200 m, but the lowest reaction joint of sub.dat is at z = -20 m, 180 m above the seabed");
-    let shallow = notes(&[], &[], ["4", "default"]);
-    shallow.says_all("model.fst:9: WtrDpth is 4 m & is at z = -20 m, 16 m below the seabed");
+    let shallow = notes(&[], &[], ["9", "default"]);
+    shallow.says_all("model.fst:9: WtrDpth is 9 m & is at z = -20 m, 11 m below the seabed");
 }
 
 #[test]
