@@ -76,14 +76,6 @@ pub enum FileError {
         /// The path.
         name: String,
     },
-    /// Its lines end with carriage returns alone.
-    #[error(
-        "{name}: line 1 does not end: the lines end with carriage returns (\\r) alone, as on old Macs; save the file with line feeds (\\n)"
-    )]
-    CarriageReturns {
-        /// The path.
-        name: String,
-    },
     /// It is not text.
     #[error(
         "{name}: not a text file (the byte at offset {byte} is not a character in UTF-8 or Latin-1); save it as UTF-8"
@@ -188,10 +180,10 @@ impl Source {
         Ok(source)
     }
 
-    /// Refuses pointers of Git LFS and git-annex, web pages, and texts without line feeds.
+    /// Refuses pointers of Git LFS and git-annex, and web pages.
     ///
     /// # Errors
-    /// [`FileError::Pointer`], [`FileError::WebPage`], [`FileError::CarriageReturns`].
+    /// [`FileError::Pointer`], [`FileError::WebPage`].
     pub(crate) fn check_is_itself(&self) -> Result<(), FileError> {
         let name = self.name.clone();
         let start = self.text.trim_start_matches('\u{feff}').trim_start();
@@ -210,11 +202,7 @@ impl Source {
         if is_page("<!doctype html") || is_page("<html") {
             return Err(FileError::WebPage { name });
         }
-        let has_lines = self.text.contains('\n') || !self.text.trim_end().contains('\r');
-        match has_lines {
-            true => Ok(()),
-            false => Err(FileError::CarriageReturns { name }),
-        }
+        Ok(())
     }
 }
 
@@ -361,10 +349,7 @@ mod tests {
         assert!(refusal(pointer).contains("`git lfs pull`"));
         assert!(refusal("/annex/objects/SHA256E-s100--ab.dat\n").contains("git-annex pointer"));
         assert!(refusal("\n<!DOCTYPE HTML>\n<html lang=\"en\">").contains("a web page"));
-        assert!(refusal("1 NJoints\r2 NMembers\r").contains("carriage returns"));
         for file in [
-            "1 NJoints\r\n2 NMembers\r\n",
-            "gravity = 9.81\r",
             "version 1\n",
             "# https://git-lfs.github.com/spec/\n",
             "<h\n",

@@ -160,26 +160,6 @@ fn matrices_that_are_not_quite_symmetric_are_answered_with_a_warning() {
     assert_near(tower.base().stiffness[0][4], -1.01e6);
     let said = tower.warnings();
     assert!(matches!(said[0], Warning::Symmetrized { .. }), "{said:?}");
-    said[0]
-        .says("the platform's mooring stiffness is not symmetric (entries differ by up to 1.96 %)");
-    // Rounded digits are no asymmetry, not even where both are only rounding.
-    for rounded in ["-1.0000001e6", "-1e6, 1e-3"] {
-        let rows = match rounded.split_once(", ") {
-            Some((coupling, noise)) => mooring
-                .replace("-1.02e6, 0, 0", &format!("{coupling}, {noise}, 0"))
-                .replace("-1.00e6", coupling),
-            None => mooring.replace("-1.02e6", rounded),
-        };
-        let rounded_tower = self::tower(&format!(
-            "[foundation]\ntype = \"floating\"\nmass = 7e6\ncenter = [0, 0, -90]\n\
-             inertia = {{ xx = 4e9, yy = 4e9, zz = 2e8 }}\nmooring = {rows}\nmooring_height = -20.0\n"
-        ));
-        let said = rounded_tower.warnings();
-        let is_silent = !said
-            .iter()
-            .any(|w| matches!(w, Warning::Symmetrized { .. }));
-        assert!(is_silent, "{rounded}: {said:?}");
-    }
 }
 
 #[test]
