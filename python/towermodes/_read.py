@@ -37,7 +37,8 @@ def read(
         path: The file.
         part: The part of a windIO turbine that is read.
         no_rna: Omit the rotor-nacelle assembly.
-        no_gravity: Omit gravity (no geometric stiffness).
+        no_gravity: Omit gravity (no geometric stiffness); not for a floating tower, whose
+            buoyancy is gravity.
         clamped: Clamp a tower of OpenFAST at its base, without the structure below it.
         equilibrium: Give the mooring lines of a floating platform their stiffness at the
             equilibrium of weights, buoyancy and lines, instead of the reference position.

@@ -24,16 +24,21 @@ pub(crate) fn report(text: &str) {
     say(&printable(text, NOT_SHOWN));
 }
 
-/// Prints the notes of a reader.
+/// Prints the notes of a reader, as warnings where the user should check something.
 pub(crate) fn note(notes: &[Note]) {
-    let texts: Vec<String> = notes.iter().map(Note::to_string).collect();
-    note_texts(&texts);
+    for note in notes {
+        let level = match note.is_warning() {
+            true => Level::WARNING,
+            false => Level::NOTE,
+        };
+        say(&message(level, &note.to_string(), None));
+    }
 }
 
-/// Prints notes.
-pub(crate) fn note_texts(notes: &[String]) {
-    for note in notes {
-        say(&message(Level::WARNING, note, None));
+/// Prints warnings that are no notes of a reader.
+pub(crate) fn warn_texts(warnings: &[String]) {
+    for warning in warnings {
+        say(&message(Level::WARNING, warning, None));
     }
 }
 

@@ -99,6 +99,20 @@ impl Note {
         self
     }
 
+    /// Whether the user should check something or may give more: an assumption, a part that the
+    /// model lacks, a value that looks wrong. Other notes say how a file is read, and nobody can
+    /// change that.
+    pub fn is_warning(&self) -> bool {
+        match self.kind {
+            NoteKind::Assumption | NoteKind::MissingPart | NoteKind::Suspicious => true,
+            NoteKind::Information
+            | NoteKind::LeftOut
+            | NoteKind::Approximation
+            | NoteKind::RigidRotor
+            | NoteKind::Compatibility => false,
+        }
+    }
+
     /// Whether it is on a part of the turbine that the model lacks.
     pub fn is_on_missing_part(&self) -> bool {
         self.kind == NoteKind::MissingPart

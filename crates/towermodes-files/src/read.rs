@@ -143,6 +143,7 @@ pub fn read_source(
         remove_rna(&mut tower);
     }
     if options.without_gravity {
+        check_stands(&tower)?;
         tower.description.gravity_m_per_s2 = 0.0;
     }
     if options.at_equilibrium {
@@ -153,6 +154,19 @@ pub fn read_source(
 
 fn mooring(input: Result<MooringInput, ReadError>) -> Result<Input, ReadError> {
     input.map(|input| Input::Mooring(Box::new(input)))
+}
+
+/// Refuses to take gravity from a floating tower: its buoyancy, the stiffness of its water plane and
+/// the weight of its lines are gravity too, and without them nothing holds it.
+fn check_stands(tower: &TowerInput) -> Result<(), ReadError> {
+    if tower.description.foundation.floating().is_none() {
+        return Ok(());
+    }
+    let message = "a floating tower cannot be without gravity: its buoyancy, the stiffness of its water plane and the weight of its mooring lines are gravity too";
+    let kind = DiagnosticKind::Unsupported(message.to_owned());
+    let hint = "omit --no-gravity (in Python: no_gravity), or use --clamped for the tower of an OpenFAST or windIO model alone";
+    let mistake = Diagnostic::new(0..0, kind).with_hint(hint);
+    Err(ReadError::mistakes(&tower.sources[0], vec![mistake]))
 }
 
 /// Gives mooring lines their stiffness at the equilibrium.

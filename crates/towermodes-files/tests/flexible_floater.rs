@@ -380,3 +380,37 @@ fn a_floater_needs_water_that_carries_it() {
         .to_string()
         .says_all("gravity & hydrostatic stiffness");
 }
+
+/// The rigid platform is the weight of the members: another mass or another centre is a slip.
+#[test]
+fn another_mass_than_that_of_the_members_is_doubted() {
+    let doubts = |change: fn(&mut towermodes::FloatingPlatform)| {
+        let mut description = given(true);
+        let Foundation::Frame(foundation) = &mut description.foundation else {
+            panic!("no frame");
+        };
+        change(&mut foundation.restoring.as_mut().expect("afloat").platform);
+        let tower = Tower::new(description).unwrap_or_else(|error| panic!("{error}"));
+        let said = tower.warnings().iter().map(ToString::to_string);
+        said.filter(|text| text.starts_with("[foundation] describes a floating platform of"))
+            .count()
+    };
+    assert_eq!(doubts(|_| ()), 0);
+    assert_eq!(doubts(|platform| platform.center_m[2] += 0.5), 0);
+    assert_eq!(doubts(|platform| platform.center_m[2] += 3.0), 1);
+    assert_eq!(doubts(|platform| platform.mass_kg *= 1.3), 1);
+}
+
+/// Buoyancy is gravity too: without gravity nothing holds a floater.
+#[test]
+fn a_floater_has_gravity() {
+    let text = write_toml(&given(false)).0;
+    let source = || Source {
+        name: "floater.toml".to_owned(),
+        text: text.clone(),
+    };
+    let options = with!(ReadOptions, without_gravity = true);
+    let refused = read_source(source(), &InMemory::default(), &options).map(|_| ());
+    let refused = refused.expect_err("without gravity").to_string();
+    refused.says("a floating tower cannot be without gravity");
+}

@@ -1,5 +1,6 @@
 //! All tests of the readers and writers.
 
+mod agreement;
 mod bmodes;
 mod bmodes_errors;
 mod bmodes_mutations;

@@ -60,10 +60,10 @@ fn mistakes_in_a_substructure_have_a_place() {
         outer_diameter = 1.4       | outer_diameter = -1.4      | { name       | must be positive
         outer_diameter = 1.4       | outer_diameter = [1, 2, 3] | [1, 2, 3]    | 2
         interface = ["a3",         | interface = ["x3",         | "x3"         | x3
-        { name = "front1", position | { name = "back1", position = [0, 0, 0] }, { name = "front1", position | - | the name occurs twice
+        { name = "front1", position | { name = "back1", position = [0, 0, 0] }, { name = "front1", position | - | the joint `back1` occurs 2 times
         "a1", position = [-12.0,   | "a1", position = [         | [ -12        | 3
         flooded = ["leg a1"        | flooded = ["leg z1"        | "leg z1"     | leg z1
-        name = "leg b1"            | name = "leg a1"            | -            | member leg a1: the name occurs twice
+        name = "leg b1"            | name = "leg a1"            | -            | the member `leg a1` occurs 2 times
         [substructure]             | [foundation]\ntype = "clamped"\n[substructure] | - | keep one
         "#,
     );
@@ -141,6 +141,23 @@ fn first_warning(text: &str, table: &str) {
     }
 }
 
+/// Lines in fresh water under a tower in the sea.
+#[test]
+fn one_floater_is_in_one_water() {
+    let warned = |density: &str| {
+        let water = format!("[water]\nlevel = 12.0\ndensity = {density}\n\n[mooring]\n");
+        let tower = tower_from_toml(&SPAR.replacen("[mooring]\n", &water, 1)).expect(density);
+        let said: Vec<String> = tower.warnings().iter().map(ToString::to_string).collect();
+        said.iter().any(|text| {
+            text.starts_with(
+                "the mooring lines are in water of 1025 kg/m3, and the tower is in water of 1000",
+            )
+        })
+    };
+    assert!(warned("1000.0"));
+    assert!(!warned("1025.0") && !warned("1030.0"));
+}
+
 /// Lines and members of a tower file have the warnings of those of OpenFAST.
 #[test]
 fn slips_of_lines_and_members_are_warned_of() {
@@ -148,7 +165,8 @@ fn slips_of_lines_and_members_are_warned_of() {
         SPAR,
         r#"
         length = 880.0          | length = 1200.0        | line 1 is slack
-        depth = 300.0           | depth = 301.0          | `anchor 1`: the anchor point 1 is at z = -300 m, 1 m above the seabed
+        depth = 300.0           | depth = 301.0          | all anchors are at z = -300 m, but the depth is 301 m
+        position = [840.0, 0.0, -300.0] | position = [840.0, 0.0, -299.0] | `anchor 1`: the anchor point 1 is at z = -299 m, 1 m above the seabed
         axial_stiffness = 3.8e8 | axial_stiffness = 3.8e5 | line 1 is stretched by
         "#,
     );

@@ -608,3 +608,29 @@ fn local_modes_of_braces_have_names_of_their_own() {
     // A longer list changes no name.
     assert_eq!(labels(9), all[..9]);
 }
+
+/// A member has the same modes with elements of the highest degree as with those of degree 16.
+#[test]
+fn the_highest_degree_has_no_rounding_errors_above_those_of_the_eigenvalues() {
+    let frame = Frame::new(frame(&HALVES, &IN_LINE, &[0])).expect("a frame");
+    let [low, high] = [16, towermodes::MAX_DEGREE].map(|degree| {
+        let options = FrameOptions {
+            recipe: Some(FrameRecipe::Spectral { degree }),
+            ..FrameOptions::default()
+        };
+        solve_frame(&frame, &options).unwrap_or_else(|error| panic!("{error}"))
+    });
+    for (low, high) in low.modes.iter().zip(&high.modes) {
+        let change = (low.frequency_hz / high.frequency_hz - 1.0).abs();
+        assert!(change < 1e-9, "{} Hz: {change:e}", low.frequency_hz);
+    }
+    let degree = towermodes::MAX_DEGREE + 1;
+    let options = FrameOptions {
+        recipe: Some(FrameRecipe::Spectral { degree }),
+        ..FrameOptions::default()
+    };
+    let refused = solve_frame(&frame, &options)
+        .expect_err("a degree")
+        .to_string();
+    assert!(refused.contains("from 2 to 60"), "{refused}");
+}

@@ -34,7 +34,7 @@ pub(crate) struct ReadingArguments {
     #[arg(help_heading = MODEL, long)]
     pub(crate) no_rna: bool,
 
-    /// Omit gravity (no geometric stiffness)
+    /// Omit gravity (no geometric stiffness); not for a floating tower, whose buoyancy is gravity
     #[arg(help_heading = MODEL, long)]
     no_gravity: bool,
 

@@ -11,7 +11,7 @@ use crate::args::{Ending, EndingError, InputArguments, file_of};
 use crate::explained::explained;
 use crate::failure::Failure;
 use crate::input::tower_input;
-use crate::messages::{note, report};
+use crate::messages::{note, report, warn_texts};
 use crate::output::{check_not_input, check_not_inputs, deliver, deliver_both};
 
 const EXAMPLES: &str = "Examples:
@@ -130,7 +130,10 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
         (converted, _) => converted.map_err(Failure::from),
     }?;
     note(&input.notes);
-    note(&converted.notes);
+    // What a file cannot hold is lost.
+    warn_texts(&Vec::from_iter(
+        converted.notes.iter().map(ToString::to_string),
+    ));
     if let (Some((name, text)), Some(output)) = (&converted.companion, output) {
         let companion = output.with_file_name(name);
         check_not_inputs(input.files(), Some(&companion))?;

@@ -14,7 +14,7 @@ use crate::args::{FoundArguments, InputArguments, PictureFile, TextFormat};
 use crate::failure::Failure;
 use crate::found::{check_output, study_source, write_tower};
 use crate::input::tower_input;
-use crate::messages::{note, note_texts, warn};
+use crate::messages::{note, warn, warn_texts};
 use crate::output::{check_not_input, check_not_inputs, check_place, deliver};
 use crate::progress::searching;
 use crate::studies::design::{StudyError, document, located, options, problem, warnings};
@@ -98,7 +98,7 @@ pub(crate) fn run(arguments: &DesignArguments) -> Result<(), Failure> {
             result.extend(text.into_bytes());
         }
     }
-    note_texts(&warnings);
+    warn_texts(&warnings);
     if let Some(file) = picture {
         deliver_picture(figure(&input.description, &found), &tower, file)?;
     }

@@ -24,7 +24,7 @@ use crate::args::{
 use crate::explained::explained;
 use crate::failure::Failure;
 use crate::input::tower_input;
-use crate::messages::{note_texts, warn};
+use crate::messages::{note, warn};
 use crate::output::{check_not_input, check_not_inputs, check_terminal, deliver};
 use crate::progress::Progress;
 use crate::side_by_side::all_methods;
@@ -160,7 +160,7 @@ pub(crate) fn run(arguments: &ReportArguments, words: &[OsString]) -> Result<(),
         PageFormat::Html => html(&content).map_err(Failure::failed)?,
         PageFormat::Md => markdown(&content),
     };
-    note_texts(&content.circumstances.notes);
+    note(&all_notes(&input, arguments.rotor.rotor(&input).as_ref()));
     warn(&content.solution.warnings, &input);
     deliver(text.as_bytes(), output)
 }
@@ -220,12 +220,7 @@ fn circumstances(
     arguments: &ReportArguments,
     words: &[OsString],
 ) -> Circumstances {
-    let all_notes = || input.rotor_notes.iter().cloned().collect();
-    let of_rotor = Some(rotor.map_or_else(all_notes, |rotor| notes_on(input, rotor)));
-    let notes = input.notes.iter().cloned();
-    let of_turbine = Some(input.turbine_notes.iter().cloned());
-    let notes = notes.chain(of_turbine.into_iter().flatten());
-    let notes: Vec<Note> = notes.chain(of_rotor.into_iter().flatten()).collect();
+    let notes = all_notes(input, rotor);
     let of_model = notes.iter().filter(|note| note.is_on_missing_part());
     Circumstances {
         title: arguments.title.clone().unwrap_or_default(),
@@ -238,6 +233,14 @@ fn circumstances(
         is_own_format: input.format == FileFormat::Toml,
         files: input.sources().iter().map(input_file).collect(),
     }
+}
+
+/// The notes on the files, the turbine and its rotor.
+fn all_notes(input: &TowerInput, rotor: Option<&ChosenRotor>) -> Vec<Note> {
+    let of_files = || input.rotor_notes.iter().cloned().collect();
+    let of_rotor: Vec<Note> = rotor.map_or_else(of_files, |rotor| notes_on(input, rotor));
+    let notes = input.notes.iter().chain(&input.turbine_notes).cloned();
+    notes.chain(of_rotor).collect()
 }
 
 /// The computations of a report with a progress line.

@@ -8,20 +8,21 @@ use towermodes::{
     FloatingPlatform, Foundation, Inertia, MissingPart, MooringLines, Place, RigidBody,
 };
 
+use super::agreement::doubts;
 use super::fst::{STANDARD_M_PER_S2, gravity_of_fst, is_on, switch};
 use super::hanging;
 use super::main_input::main_file::MainFile;
 use super::names::line_of;
-use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use super::sea::Sea;
+use crate::diagnostic::{Diagnostic, DiagnosticKind, Exact};
 use crate::error::ReadError;
-use crate::hydrodyn::{HydrodynInput, HydrodynPlatform, read_hydrodyn, read_water, water_of_fst};
-use crate::input::ReadOptions;
+use crate::hydrodyn::{HydrodynInput, HydrodynPlatform, read_hydrodyn};
 use crate::mooring::{MooringInput, MooringSite, read_map, read_moordyn};
 use crate::note::Note;
 use crate::places::TABLE;
 use crate::resolver::FileResolver;
 use crate::source::Source;
-use crate::subdyn::{Interface, SoildynInput, read_soildyn, read_subdyn};
+use crate::subdyn::{Interface, SoildynInput, SubdynInput, read_soildyn, read_subdyn};
 
 /// What is below the tower.
 #[derive(Debug, Default)]
@@ -44,14 +45,8 @@ pub(super) fn below(
     fst: &Source,
     main: &MainFile,
     files: &dyn FileResolver,
-    options: &ReadOptions,
 ) -> Result<Below, ReadError> {
-    let model = Model {
-        fst,
-        main,
-        files,
-        has_weight: !options.without_gravity,
-    };
+    let model = Model { fst, main, files };
     match switch(fst, "CompSub") {
         Some((1, at)) if main.tower_hangs() => {
             Err(ReadError::mistake(fst, hangs_below(at..at + 1)))
@@ -67,8 +62,6 @@ struct Model<'a> {
     fst: &'a Source,
     main: &'a MainFile,
     files: &'a dyn FileResolver,
-    /// Whether gravity acts.
-    has_weight: bool,
 }
 
 /// A file that the `.fst` file names.
@@ -130,13 +123,18 @@ impl<'a> Model<'a> {
         let floats = subdyn.description.supports.is_empty();
         let reference = || Interface::Rigid(self.main.platform.reference_m);
         let structure = subdyn.frame(reference())?.body();
-        let water = self.water()?;
+        let mut sea = self.sea()?;
+        let water = self.water(&mut sea)?;
+        if let Some(water) = water.as_ref().filter(|_| floats) {
+            check_afloat(&subdyn, water)?;
+        }
         let mut below = Below {
             notes: subdyn.notes.clone(),
             parts,
             ..Below::default()
         };
         if let Some(water) = &water {
+            below.notes.extend(doubts(&subdyn, water, &sea));
             let on_frame = water.put_on_frame(&mut subdyn.description);
             below.notes.extend(water.notes.iter().cloned());
             below.notes.extend(on_frame);
@@ -187,7 +185,7 @@ impl<'a> Model<'a> {
 
     /// The rigid platform with its water and its mooring lines, at its reference position.
     fn floater(&self) -> Result<Below, ReadError> {
-        let Some(water) = self.water()? else {
+        let Some(water) = self.water(&mut self.sea()?)? else {
             return Ok(Below::default());
         };
         let structure = RigidBody {
@@ -213,8 +211,7 @@ impl<'a> Model<'a> {
         below.sources.extend(water.sources);
         self.moor(&mut platform, &site, &mut below)?;
         if self.main.tower_hangs() {
-            let weighs = f64::from(u8::from(self.has_weight));
-            platform = hanging::mirrored(&platform, weighs * gravity_m_per_s2);
+            platform = hanging::mirrored(&platform, gravity_m_per_s2);
             below.notes.push(hanging::note());
         }
         below
@@ -266,21 +263,32 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// The content of the file of HydroDyn, if there is one.
-    fn water(&self) -> Result<Option<HydrodynInput>, ReadError> {
+    /// The files that give the water, if there is water: the `.fst` file and that of SeaState.
+    fn sea(&self) -> Result<Sea, ReadError> {
+        let mut sea = Sea::default();
+        sea.add(self.fst.clone());
+        if is_on(self.fst, "CompHydro")
+            && is_on(self.fst, "CompSeaSt")
+            && let Some(file) = self.file("CompSeaSt", &["SeaStFile"])?
+        {
+            sea.add(file.source);
+        }
+        Ok(sea)
+    }
+
+    /// The content of the file of HydroDyn, if there is one, which joins those of the water.
+    fn water(&self, sea: &mut Sea) -> Result<Option<HydrodynInput>, ReadError> {
         if !is_on(self.fst, "CompHydro") {
             return Ok(None);
         }
         let Some(file) = self.file("CompHydro", &["HydroFile", "HDFile"])? else {
             return Ok(None);
         };
-        let mut defaults = water_of_fst(self.fst)?;
-        if is_on(self.fst, "CompSeaSt")
-            && let Some(sea) = self.file("CompSeaSt", &["SeaStFile"])?
-        {
-            defaults = read_water(&sea.source, defaults)?;
-        }
-        read_hydrodyn(file.source, self.files, file.folder, defaults).map(Some)
+        let defaults = sea.defaults()?;
+        sea.add(file.source.clone());
+        let mut water = read_hydrodyn(file.source, self.files, file.folder, defaults)?;
+        water.notes.extend(sea.notes());
+        Ok(Some(water))
     }
 
     /// The content of the file of SoilDyn, if there is one.
@@ -330,6 +338,30 @@ fn nothing_holds(span: Range<usize>) -> Diagnostic {
     let message = "nothing holds the substructure of SubDyn: it has no reaction joint that is held, and no HydroDyn file whose water carries it";
     let hint = "hold reaction joints, give CompHydro 1 and a HydroFile for a floater, or use --clamped for the tower alone";
     Diagnostic::new(span, DiagnosticKind::Unsupported(message.to_owned())).with_hint(hint)
+}
+
+/// Refuses a structure that nothing holds and that stands on the seabed.
+fn check_afloat(subdyn: &SubdynInput, water: &HydrodynInput) -> Result<(), ReadError> {
+    let joints = subdyn.description.joints.iter();
+    let lowest = joints.min_by(|a, b| a.position_m[2].total_cmp(&b.position_m[2]));
+    let Some(lowest) = lowest.filter(|joint| water.water.is_on_seabed(joint.position_m[2])) else {
+        return Ok(());
+    };
+    let message = format!(
+        "no reaction joint is held, so the substructure floats, but its joint {} at z = {} m is on the seabed, which is at z = {} m",
+        lowest.name,
+        Exact(lowest.position_m[2]),
+        Exact(-water.water.depth_m)
+    );
+    let source = &subdyn.sources[0];
+    let count = line_of(&source.text, "NReact").and_then(|line| line.first());
+    let span = count.map_or(0..0, |token| token.span);
+    let hint = "add the joints on the seabed to the table of reaction joints, with flags 1 or a file of soil stiffness; the joints of a floater end above the seabed";
+    let kind = DiagnosticKind::Contradiction(message);
+    Err(ReadError::mistake(
+        source,
+        Diagnostic::new(span, kind).with_hint(hint),
+    ))
 }
 
 /// The platform of ElastoDyn, with its centre from the reference point.

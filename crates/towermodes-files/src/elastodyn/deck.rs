@@ -131,7 +131,7 @@ impl Model {
         let controls = found.fst.as_ref();
         let controls = controls.map_or_else(Vec::new, |fst| structural_controls(fst, files));
         let below = match &found.fst {
-            Some(fst) if !options.clamped => below(fst, &main, files, options)?,
+            Some(fst) if !options.clamped => below(fst, &main, files)?,
             _ => Below::default(),
         };
         Ok(Self {

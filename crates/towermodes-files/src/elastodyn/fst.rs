@@ -134,7 +134,7 @@ fn in_current(source: &Source) -> Option<Note> {
         let message = format!(
             "MHK is {value}, so the turbine is in water: the added mass and the buoyancy of tower, nacelle and blades, which AeroDyn has, are left out, and the frequencies of the tower are too high"
         );
-        Note::left_out(message).at(source, at)
+        Note::missing_part(message).at(source, at)
     })
 }
 

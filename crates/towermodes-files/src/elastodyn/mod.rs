@@ -1,5 +1,6 @@
 //! The files of ElastoDyn, the OpenFAST module for tower, blades and drive train.
 
+mod agreement;
 mod below;
 mod deck;
 mod fst;
@@ -10,6 +11,7 @@ mod model;
 mod names;
 mod positional;
 mod record;
+mod sea;
 mod tower_alone;
 mod tower_input;
 mod write;

@@ -24,12 +24,6 @@ pub(super) fn read(values: &Values<'_>, source: &Source) -> Result<Added, Diagno
     let stiffness = symmetric(matrix(values.text, &line)?, &line, source, &mut notes);
     let line = expect(values, "AddF0", "six numbers in a row or in a column")?;
     let force = force(values.text, &line)?;
-    for (name, what) in [("AddBLin", "damping"), ("AddBQuad", "drag")] {
-        if let Some(line) = values.line(name) {
-            let message = format!("{name} is not used: modes have no {what}");
-            notes.push(Note::left_out(message).at(source, line.start));
-        }
-    }
     Ok(Added {
         stiffness,
         force,

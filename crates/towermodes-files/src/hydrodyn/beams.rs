@@ -41,9 +41,18 @@ impl Lying {
 
 /// The beams of a frame.
 pub(super) fn of(frame: &FrameDescription) -> Vec<Beam> {
+    axes(frame, |kind| matches!(kind, MemberKind::Beam { .. }))
+}
+
+/// The members of a frame, each with its axis as that of a beam.
+pub(super) fn all(frame: &FrameDescription) -> Vec<Beam> {
+    axes(frame, |_| true)
+}
+
+fn axes(frame: &FrameDescription, is_wanted: impl Fn(&MemberKind) -> bool) -> Vec<Beam> {
     let members = frame.members.iter().enumerate();
-    let beams = members.filter(|(_, member)| matches!(member.kind, MemberKind::Beam { .. }));
-    let beams = beams.filter_map(|(index, member)| {
+    let wanted = members.filter(|(_, member)| is_wanted(&member.kind));
+    let axes = wanted.filter_map(|(index, member)| {
         let [from, to] = member.joints.map(|joint| frame.joints.get(joint));
         let ends_m = [from?.position_m, to?.position_m];
         (ends_m[0] != ends_m[1]).then_some(Beam {
@@ -51,7 +60,7 @@ pub(super) fn of(frame: &FrameDescription) -> Vec<Beam> {
             ends_m,
         })
     });
-    beams.collect()
+    axes.collect()
 }
 
 /// The parts of a strip member that lie on beams, rising; no part lies on two.

@@ -34,6 +34,8 @@ pub struct HydrodynInput {
     pub notes: Vec<Note>,
     /// The file, then the files of WAMIT.
     pub(crate) sources: Vec<Source>,
+    /// The byte of the row of each strip member.
+    pub(crate) member_rows: Vec<usize>,
     /// The byte of AddCLin in the file.
     pub(super) stiffness_at: usize,
 }

@@ -20,6 +20,8 @@ pub(super) struct Members {
     pub(super) joints: Vec<Joint>,
     pub(super) members: Vec<StripMember>,
     pub(super) joints_of: Vec<[usize; 2]>,
+    /// The byte of the row of each member.
+    pub(super) rows: Vec<usize>,
     pub(super) notes: Vec<Note>,
 }
 
@@ -65,6 +67,7 @@ pub(super) fn read(
         let member = member(&table, row, ends_m, &tube, filling, site)?;
         found.members.push(member);
         found.joints_of.push(ends);
+        found.rows.push(row.span().start);
     }
     found.notes = overlaps(&joint_table, source);
     Ok(found)

@@ -8,6 +8,7 @@
 mod added_stiffness;
 mod afloat;
 mod beams;
+mod beside_frame;
 mod coefficients;
 mod ends;
 mod growth;
@@ -35,5 +36,5 @@ pub use potential::PotentialFlow;
 pub use read::read_hydrodyn;
 pub use strip::{MarineGrowth, Stretch, StripAddedMass, StripMember};
 pub(crate) use strips::{StripWater, ring, strip_water};
-pub(crate) use water::water_of_fst;
+pub(crate) use water::{GivenWater, given_in, water_of_fst};
 pub use water::{SeaWater, WaterDefaults, read_water};

@@ -71,7 +71,7 @@ impl HydrodynInput {
 
 impl Stretch {
     /// Whether something moves with it.
-    fn moves(&self) -> bool {
+    pub(super) fn moves(&self) -> bool {
         let added = self
             .added_mass
             .is_some_and(|of| [of.across, of.along] != [[0.0; 2]; 2]);

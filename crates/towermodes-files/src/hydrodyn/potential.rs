@@ -98,6 +98,11 @@ pub(super) fn read(
         let token = values.expect("PtfmVol0").map_err(wrong)?;
         return Err(wrong(token.wrong(kind)));
     }
+    if volume_m3 == 0.0 {
+        let message = "PtfmVol0 is 0, so the buoyancy of the potential-flow body is not known and the static balance is without it; give the displaced volume of WAMIT in m3";
+        let token = values.expect("PtfmVol0").map_err(wrong)?;
+        notes.push(Note::suspicious(message).at(source, token.span.start));
+    }
     let [x, y] = [number("PtfmCOBxt")?, number("PtfmCOByt")?];
     // The stiffness of the files is for a centre of buoyancy above or below their own origin.
     let buoyancy = of_force([0.0, 0.0, volume_m3], [x, y, frame.reference_m[2]]);
@@ -235,7 +240,9 @@ fn on_triangle(is_upper: bool, source: &Source) -> Option<Note> {
     is_upper.then(|| Note::compatibility(message).at(source, 0))
 }
 
-/// Differences of single precision and of panels are small.
+/// That of rounded digits.
+const ROUNDED_SKEW: f64 = 1e-4;
+/// Differences of panels are small.
 const USUAL_SKEW: f64 = 0.01;
 /// A larger one is a wrong sign or a wrong entry.
 const LARGEST_SKEW: f64 = 0.1;
@@ -254,7 +261,7 @@ fn on_skew(skew: f64, what: &str, source: &Source) -> Result<Option<Note>, Diagn
         true => Note::suspicious(message),
         false => Note::approximation(message),
     };
-    Ok((skew > 0.0).then(|| note.at(source, 0)))
+    Ok((skew > ROUNDED_SKEW).then(|| note.at(source, 0)))
 }
 
 /// At no frequency the added mass of a body is so many times its median.
@@ -275,13 +282,9 @@ fn on_outlier(table: &AddedMassTable, source: &Source) -> Option<Note> {
     Some(Note::suspicious(message).at(source, 0))
 }
 
-/// What changes no mode.
+/// What is in another form than in HydroDyn.
 fn left_out(values: &Values<'_>, source: &Source) -> Vec<Note> {
     let mut notes = Vec::new();
-    if let Some(token) = values.token("RdtnMod") {
-        let message = "the radiation damping and the wave excitation of the WAMIT files are not used: modes have neither";
-        notes.push(Note::left_out(message).at(source, token.span.start));
-    }
     let token = values.token("FKMod");
     if let Some(token) = token.filter(|token| token.integer("FKMod").is_ok_and(|of| of != 0)) {
         let message = "FKMod is not 0, so HydroDyn has the buoyancy of the hull in GeoFile, which is not read: the stiffness of the .hst file, PtfmVol0 and the centre of buoyancy are used";

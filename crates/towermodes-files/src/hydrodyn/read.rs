@@ -7,9 +7,10 @@ use super::growth::Growth;
 use super::input::HydrodynInput;
 use super::members::{self, Members, Site};
 use super::potential;
+use super::strip::StripMember;
 use super::values::Values;
 use super::water::{self, SeaWater, WaterDefaults};
-use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::diagnostic::{Diagnostic, DiagnosticKind, Exact};
 use crate::error::ReadError;
 use crate::note::Note;
 use crate::resolver::FileResolver;
@@ -45,6 +46,7 @@ pub fn read_hydrodyn(
     let body = potential::read(&values, &source, files, folder, density)?;
     let is_static = values.line("PtfmSgF").is_some();
     let stiffness_at = values.line("AddCLin").map_or(0, |line| line.start);
+    let damping = on_damping(&values, body.is_some(), &source);
     drop(values);
     let Found {
         water,
@@ -60,9 +62,11 @@ pub fn read_hydrodyn(
         &water,
     );
     let mut notes = added.notes;
+    notes.extend(damping);
     notes.append(&mut members.notes);
     notes.extend(on_strips(&members, &water, &source));
     notes.extend(on_density(&water, &source));
+    notes.extend(on_added_mass(&members, &source));
     let mut sources = vec![source];
     let mut flow = None;
     if let Some(body) = body {
@@ -76,6 +80,7 @@ pub fn read_hydrodyn(
         additional_stiffness: added.stiffness,
         additional_load: added.force,
         members: members.members,
+        member_rows: members.rows,
         ends,
         is_static,
         notes,
@@ -139,6 +144,22 @@ fn not_hydrodyn(values: &Values<'_>) -> Diagnostic {
         .with_hint("such a file has PotMod, AddCLin, NJoints and NMembers")
 }
 
+/// What does not change undamped modes, in one note.
+fn on_damping(values: &Values<'_>, has_body: bool, source: &Source) -> Option<Note> {
+    let named =
+        ["AddBLin", "AddBQuad"].map(|name| values.line(name).map(|line| (name, line.start)));
+    let radiation = values.line("RdtnMod").filter(|_| has_body);
+    let radiation = radiation.map(|line| ("radiation damping, wave excitation", line.start));
+    let found: Vec<_> = named.into_iter().chain([radiation]).flatten().collect();
+    let at = found.iter().map(|(_, at)| *at).min()?;
+    let names: Vec<&str> = found.iter().map(|(name, _)| *name).collect();
+    let message = format!(
+        "not used by modes, which have no damping, drag and waves: {}",
+        names.join(", ")
+    );
+    Some(Note::left_out(message).at(source, at))
+}
+
 /// The density of water, kg/m³, from fresh to the saltiest.
 const DENSITIES_KG_PER_M3: std::ops::RangeInclusive<f64> = 900.0..=1100.0;
 
@@ -149,6 +170,32 @@ fn on_density(water: &SeaWater, source: &Source) -> Option<Note> {
         "the density of the water (WtrDens) is {density} kg/m3; expected 900 to 1100 kg/m3; sea water has 1025"
     );
     (!DENSITIES_KG_PER_M3.contains(&density)).then(|| Note::suspicious(message).at(source, 0))
+}
+
+/// A cylinder alone has Ca = 1, one between others 2.
+const LARGEST_CA: f64 = 3.0;
+
+/// Coefficients of added mass across the axis that no member has.
+fn on_added_mass(members: &Members, source: &Source) -> Option<Note> {
+    let largest = |member: &StripMember| {
+        let stretches = member.stretches.iter();
+        let across = stretches.filter_map(|stretch| stretch.added_mass);
+        across.flat_map(|added| added.across).fold(0.0, f64::max)
+    };
+    let all = members.members.iter().zip(&members.rows);
+    let mut large = all.filter(|(member, _)| largest(member) > LARGEST_CA);
+    let (member, row) = large.next()?;
+    let others = match large.count() {
+        0 => String::new(),
+        1 => ", as has 1 other member".to_owned(),
+        others => format!(", as have {others} other members"),
+    };
+    let message = format!(
+        "member {} has a coefficient of added mass Ca of up to {}{others}; a cylinder alone in water has 1, at most {LARGEST_CA} is expected: check SimplCa, DpthCa and MemberCa",
+        member.name,
+        Exact(largest(member))
+    );
+    Some(Note::suspicious(message).at(source, *row))
 }
 
 /// What strip theory leaves out of the modes.

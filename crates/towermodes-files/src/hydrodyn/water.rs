@@ -31,7 +31,24 @@ pub struct SeaWater {
     pub level_m: f64,
 }
 
+/// What is nearer to the seabed stands on it: as a fraction of the depth, and in m. Piles stand out
+/// of the seabed.
+const NEAR: f64 = 0.1;
+const NEAR_M: f64 = 2.0;
+/// Heights that differ by this fraction of the depth are one.
+const ON_SEABED: f64 = 0.01;
+
 impl SeaWater {
+    /// How far from the seabed something may stand on it, m.
+    pub(crate) fn near_seabed_m(&self) -> f64 {
+        (NEAR * self.depth_m).max(NEAR_M)
+    }
+
+    /// Whether a height is on the seabed or under it, but for rounded digits.
+    pub(crate) fn is_on_seabed(&self, z_m: f64) -> bool {
+        z_m <= -self.depth_m * (1.0 - ON_SEABED)
+    }
+
     /// Whether a height is in the water.
     pub(super) fn holds(&self, z_m: f64) -> bool {
         z_m >= -self.depth_m && z_m <= self.level_m
@@ -72,6 +89,28 @@ pub(crate) fn water_of_fst(source: &Source) -> Result<WaterDefaults, ReadError> 
 
 fn is_default(token: &Token<'_>) -> bool {
     token.text.trim().eq_ignore_ascii_case("default")
+}
+
+/// A value of the water in one file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct GivenWater {
+    pub(crate) name: &'static str,
+    pub(crate) value: f64,
+    /// Its byte.
+    pub(crate) at: usize,
+}
+
+/// The values of the water that a file has as numbers.
+pub(crate) fn given_in(source: &Source) -> Vec<GivenWater> {
+    let values = Values::of(&source.text);
+    let found = NAMES.into_iter().filter_map(|name| {
+        Some(GivenWater {
+            name,
+            value: value(&values, name).ok()??,
+            at: values.token(name)?.span.start,
+        })
+    });
+    found.collect()
 }
 
 /// The same of a file whose values are known.

@@ -1,17 +1,18 @@
 //! Reads a file of MAP++ as a whole.
 
-use towermodes::mooring::{MooringDescription, MooringPoint, Pose};
+use towermodes::mooring::{Attachment, MooringDescription, MooringPoint, Pose};
 
 use super::column::Layout;
 use super::input::{MooringInput, MooringSite, Spans};
 use super::line_types::{self, line_types};
 use super::lines::{self, lines};
 use super::map_nodes::nodes;
-use super::points;
+use super::points::{self, ReadPoint};
 use super::repeat::{Angles, repeated};
 use super::row::Row;
 use super::site::{depth_m, water};
 use super::tables::{Kind, Tables};
+use super::unused::Unused;
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 use crate::error::ReadError;
 use crate::note::Note;
@@ -80,11 +81,11 @@ fn found(source: &Source, site: &MooringSite) -> Result<Found, Diagnostic> {
         .rows(&points::NEEDED, Layout::Map)?;
     let mut read = nodes(&node_table)?;
     let mut notes = Vec::new();
-    let reason = "damping, drag and added mass have no effect at rest";
-    notes.extend(types_table.notes(&line_types::READ, reason, source));
-    notes.extend(node_table.notes(&points::READ, reason, source));
+    let mut unused = Unused::default();
+    notes.extend(types_table.note_unused(&line_types::READ, source, &mut unused));
+    notes.extend(node_table.note_unused(&points::READ, source, &mut unused));
     let angles = match tables.find(Kind::Options) {
-        Some(table) => angles(table.lines(), source, &mut notes)?,
+        Some(table) => angles(table.lines(), source, &mut notes, &mut unused)?,
         None => Angles::default(),
     };
     let depth_m = depth_m(site.depth_m, &read, source, &mut notes)?;
@@ -99,15 +100,16 @@ fn found(source: &Source, site: &MooringSite) -> Result<Found, Diagnostic> {
     for (index, row) in line_table.rows.iter().enumerate() {
         without_contact.extend(no_contact(row)?.map(|token| (index, token.span.clone())));
     }
-    notes.extend(line_table.notes(
-        &[&lines::NEEDED[..], &[lines::FLAGS]].concat(),
-        "unknown",
-        source,
-    ));
+    let of_lines = [&lines::NEEDED[..], &[lines::FLAGS]].concat();
+    notes.extend(line_table.note_unused(&of_lines, source, &mut unused));
+    notes.extend(unused.note(source));
     notes.extend(types.notes);
     let (water_density_kg_per_m3, gravity_m_per_s2) = water(site, &mut notes);
+    let is_anchor = |read: &&ReadPoint| read.point.attachment == Attachment::Fixed;
+    let anchor = read.iter().find(is_anchor);
     let mut spans = Spans {
-        site: 0..0,
+        // The file has no depth; its anchors show it.
+        site: anchor.map_or(0..0, |anchor| anchor.span.clone()),
         line_types: types_table.rows.iter().map(Row::span).collect(),
         points: read.into_iter().map(|read| read.span).collect(),
         lines: line_table.rows.iter().map(Row::span).collect(),
@@ -155,6 +157,7 @@ fn angles(
     lines: &[Line<'_>],
     source: &Source,
     notes: &mut Vec<Note>,
+    unused: &mut Unused,
 ) -> Result<Angles, Diagnostic> {
     let mut angles = Angles::default();
     let mut solver = Vec::new();
@@ -180,16 +183,12 @@ fn angles(
             solver.push((name.text, name.span.start));
         } else {
             let message = format!("the option {} is not known and not used", quoted(name.text));
-            notes.push(Note::left_out(message).at(source, name.span.start));
+            notes.push(Note::suspicious(message).at(source, name.span.start));
         }
     }
     if let Some((_, place)) = solver.first() {
         let names: Vec<&str> = solver.iter().map(|(name, _)| *name).collect();
-        let message = format!(
-            "options that are not used: {} (they serve the iteration and output of MAP++)",
-            names.join(", ")
-        );
-        notes.push(Note::left_out(message).at(source, *place));
+        unused.add("options", &names, *place);
     }
     Ok(angles)
 }

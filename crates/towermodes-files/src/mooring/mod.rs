@@ -20,6 +20,7 @@ mod rods;
 mod row;
 mod site;
 mod tables;
+mod unused;
 
 pub(crate) use input::Spans;
 pub use input::{MooringInput, MooringSite};

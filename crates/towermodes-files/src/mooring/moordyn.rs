@@ -13,8 +13,9 @@ use super::options::{Options, options};
 use super::points::{self, points};
 use super::rods::{self, Rods, rods};
 use super::row::Row;
-use super::site::{depth_m, water};
+use super::site::{contradictions, depth_m, water};
 use super::tables::{Kind, Rows, Table, Tables};
+use super::unused::Unused;
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 use crate::error::ReadError;
 use crate::note::Note;
@@ -67,13 +68,15 @@ fn found(
         Some(table) => options(table, source)?,
         None => Options::default(),
     };
+    notes.extend(contradictions(&options, site, source));
     let site = MooringSite {
         depth_m: options.depth_m.or(site.depth_m),
         water_density_kg_per_m3: options.density_kg_per_m3.or(site.water_density_kg_per_m3),
         gravity_m_per_s2: options.gravity_m_per_s2.or(site.gravity_m_per_s2),
     };
     notes.extend(options.notes);
-    let parts = Parts::of(&tables, source, &mut notes)?;
+    let mut unused = Unused::default();
+    let parts = Parts::of(&tables, source, &mut notes, &mut unused)?;
     let mut read = parts.points;
     let depth_m = depth_m(site.depth_m, &read, source, &mut notes)?;
     for point in read.iter_mut().filter(|point| point.is_on_seabed) {
@@ -84,8 +87,9 @@ fn found(
     let types = line_types(&parts.line_types, source)?;
     let rods = parts.rods.rods;
     let lines = lines(&line_table, &types, rods.len(), &mut points)?;
-    let at_rest = "a line is an elastic catenary at rest, of any number of segments";
-    notes.extend(line_table.notes(&lines::NEEDED, at_rest, source));
+    notes.extend(line_table.note_unused(&lines::NEEDED, source, &mut unused));
+    unused.add("options", &options.of_time, options.heading);
+    notes.extend(unused.note(source));
     notes.extend(types.notes);
     notes.extend(parts.rods.notes);
     let (water_density_kg_per_m3, gravity_m_per_s2) = water(&site, &mut notes);
@@ -125,10 +129,14 @@ struct Parts<'a> {
 }
 
 impl<'a> Parts<'a> {
-    fn of(tables: &Tables<'a>, source: &Source, notes: &mut Vec<Note>) -> Result<Self, Diagnostic> {
-        let reason = "damping, drag and added mass have no effect at rest";
+    fn of(
+        tables: &Tables<'a>,
+        source: &Source,
+        notes: &mut Vec<Note>,
+        unused: &mut Unused,
+    ) -> Result<Self, Diagnostic> {
         let types = rows(tables.expect(Kind::LineTypes)?, &line_types::NEEDED)?;
-        notes.extend(types.notes(&line_types::READ, reason, source));
+        notes.extend(types.note_unused(&line_types::READ, source, unused));
         let optional = |kind, needed| {
             tables
                 .find(kind)
@@ -144,12 +152,12 @@ impl<'a> Parts<'a> {
             rows.iter().map(Row::span).collect::<Vec<_>>()
         };
         for rows in body_rows.iter().filter(|rows| !rows.rows.is_empty()) {
-            notes.extend(rows.notes(&bodies::USED, reason, source));
+            notes.extend(rows.note_unused(&bodies::USED, source, unused));
         }
         for rows in rod_types.iter().filter(|rows| !rows.rows.is_empty()) {
-            notes.extend(rows.notes(&rods::TYPES_READ, reason, source));
+            notes.extend(rows.note_unused(&rods::TYPES_READ, source, unused));
         }
-        notes.extend(point_rows.notes(&points::READ, reason, source));
+        notes.extend(point_rows.note_unused(&points::READ, source, unused));
         let bodies = body_rows
             .as_ref()
             .map(bodies)
@@ -215,7 +223,7 @@ fn left_out(tables: &Tables<'_>, source: &Source) -> Result<Vec<Note>, Diagnosti
             .text
             .trim_matches(|c: char| c == '-' || c.is_whitespace());
         let message = format!("the section {} is not known and not used", quoted(text));
-        notes.push(Note::left_out(message).at(source, heading.start));
+        notes.push(Note::suspicious(message).at(source, heading.start));
     }
     let sections = [
         (Kind::Control, "CONTROL", "lines keep their initial length"),

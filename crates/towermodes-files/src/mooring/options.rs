@@ -48,22 +48,25 @@ const TIME: [&str; 26] = [
 
 /// The options that decide the mooring at rest.
 #[derive(Debug, Default)]
-pub(super) struct Options {
+pub(super) struct Options<'a> {
     pub(super) depth_m: Option<f64>,
     pub(super) density_kg_per_m3: Option<f64>,
     pub(super) gravity_m_per_s2: Option<f64>,
     /// The heading, or the depth.
     pub(super) span: Range<usize>,
     pub(super) notes: Vec<Note>,
+    /// The options of the simulation in time, and the byte of their heading.
+    pub(super) of_time: Vec<&'a str>,
+    pub(super) heading: usize,
 }
 
 /// Reads the options.
-pub(super) fn options(table: &Table<'_>, source: &Source) -> Result<Options, Diagnostic> {
+pub(super) fn options<'a>(table: &Table<'a>, source: &Source) -> Result<Options<'a>, Diagnostic> {
     let mut found = Options {
         span: table.span.clone(),
+        heading: table.span.start,
         ..Options::default()
     };
-    let mut of_time = Vec::new();
     for line in table.lines() {
         let mut tokens = line.tokens();
         let Some(value) = tokens.next() else { continue };
@@ -92,19 +95,10 @@ pub(super) fn options(table: &Table<'_>, source: &Source) -> Result<Options, Dia
                 Note::left_out(message).at(source, place)
             }));
         } else if is(&TIME) {
-            of_time.push(name);
+            found.of_time.push(name);
         } else {
             found.notes.push(unknown(&value, name)?.at(source, place));
         }
-    }
-    if !of_time.is_empty() {
-        let message = format!(
-            "options that are not used: {} (they apply only to simulations in time; the seabed is rigid)",
-            of_time.join(", ")
-        );
-        found
-            .notes
-            .push(Note::left_out(message).at(source, table.span.start));
     }
     Ok(found)
 }
@@ -148,5 +142,5 @@ fn unknown(value: &Token<'_>, name: &str) -> Result<Note, Diagnostic> {
         return Err(value.wrong(kind).with_hint(hint));
     }
     let message = format!("the option {} is not known and not used", quoted(name));
-    Ok(Note::left_out(message))
+    Ok(Note::suspicious(message))
 }

@@ -3,13 +3,15 @@
 use towermodes::mooring::{Attachment, MooringDescription};
 
 use super::input::MooringSite;
+use super::options::Options;
 use super::points::ReadPoint;
 use crate::diagnostic::{Diagnostic, DiagnosticKind, Exact};
 use crate::note::Note;
 use crate::source::Source;
 
-/// Heights that differ by less than this fraction of the depth are one.
-const ROUNDED: f64 = 1e-6;
+/// Depths, densities and gravities that differ by less than this fraction are one: 9.81 and
+/// 9.80665 m/s².
+const SAME: f64 = 0.01;
 
 /// Density and gravity.
 pub(super) fn water(site: &MooringSite, notes: &mut Vec<Note>) -> (f64, f64) {
@@ -36,60 +38,69 @@ pub(super) fn water(site: &MooringSite, notes: &mut Vec<Note>) -> (f64, f64) {
     )
 }
 
-/// The depth of the seabed under the lines. All anchors at one height are on it, even if the water
-/// is said to be deeper, unless a part of the mooring is below them.
+/// The depth of the water; without one, that of the anchors, if they are at one depth.
 pub(super) fn depth_m(
     given_m: Option<f64>,
     points: &[ReadPoint],
     source: &Source,
     notes: &mut Vec<Note>,
 ) -> Result<f64, Diagnostic> {
-    let anchors = anchors(points);
-    let (depth_m, message) = match (given_m, anchors) {
-        (None, None) => {
-            let what = "the depth of the water".to_owned();
-            let hint = "add a line such as `200.0 WtrDpth` to the table OPTIONS of a MoorDyn file; a MAP++ file cannot contain it: give the .fst file that names the MAP++ file";
-            return Err(Diagnostic::new(0..0, DiagnosticKind::Missing { what }).with_hint(hint));
-        }
-        (None, Some((anchor_m, place))) => {
-            let message = format!(
-                "the depth of the water is not given: the seabed is at the fixed points, at z = {} m",
-                Exact(-anchor_m)
-            );
-            (anchor_m, Some((message, place)))
-        }
-        (Some(given_m), Some((anchor_m, place))) if anchor_m < given_m * (1.0 - ROUNDED) => {
-            let message = format!(
-                "all fixed points are at z = {} m, but the depth of the water is {} m: the seabed under the lines is taken at the fixed points",
-                Exact(-anchor_m),
-                Exact(given_m)
-            );
-            (anchor_m, Some((message, place)))
-        }
-        (Some(given_m), _) => (given_m, None),
+    if let Some(given_m) = given_m {
+        return Ok(given_m);
+    }
+    let Some((anchors_m, place)) = anchors(points) else {
+        let what = "the depth of the water".to_owned();
+        let hint = "add a line such as `200.0 WtrDpth` to the table OPTIONS of a MoorDyn file; a MAP++ file cannot contain it: give the .fst file that names the MAP++ file";
+        return Err(Diagnostic::new(0..0, DiagnosticKind::Missing { what }).with_hint(hint));
     };
-    let note = message.map(|(message, place)| Note::assumption(message).at(source, place));
-    notes.extend(note);
-    Ok(depth_m)
+    let message = format!(
+        "the depth of the water is not given: the seabed is at the fixed points, at z = {} m",
+        Exact(-anchors_m)
+    );
+    notes.push(Note::assumption(message).at(source, place));
+    Ok(anchors_m)
 }
 
-/// The depth of all anchors and the place of the first one, if it is one depth, and if no other
-/// point is below it.
+/// The depth of all anchors and the place of the first one, if it is one depth, and if nothing is
+/// below them.
 fn anchors(points: &[ReadPoint]) -> Option<(f64, usize)> {
-    let z_m = |read: &ReadPoint| read.point.position_m[2];
-    let is_anchor = |read: &&ReadPoint| read.point.attachment == Attachment::Fixed;
-    let is_placed = |read: &&ReadPoint| {
-        matches!(
-            read.point.attachment,
-            Attachment::Fixed | Attachment::Platform | Attachment::Free
-        )
+    if points.iter().any(|read| read.is_on_seabed) {
+        return None;
+    }
+    let placed = MooringDescription {
+        points: points.iter().map(|read| read.point).collect(),
+        ..MooringDescription::default()
     };
+    let is_anchor = |read: &&ReadPoint| read.point.attachment == Attachment::Fixed;
     let first = points.iter().find(is_anchor)?;
-    let depth_m = -z_m(first);
-    let near_m = ROUNDED * depth_m;
-    let mut anchors = points.iter().filter(is_anchor);
-    let is_level = anchors.all(|read| !read.is_on_seabed && (z_m(read) + depth_m).abs() <= near_m);
-    let mut placed = points.iter().filter(is_placed);
-    let is_lowest = placed.all(|read| z_m(read) >= -depth_m - near_m);
-    (depth_m > 0.0 && is_level && is_lowest).then_some((depth_m, first.span.start))
+    Some((placed.depth_of_anchors_m()?, first.span.start))
+}
+
+/// The notes on options of the file that contradict the rest of the model.
+pub(super) fn contradictions(
+    options: &Options<'_>,
+    site: &MooringSite,
+    source: &Source,
+) -> Vec<Note> {
+    let pairs = [
+        ("WtrDpth", "m", options.depth_m, site.depth_m),
+        (
+            "rhoW",
+            "kg/m3",
+            options.density_kg_per_m3,
+            site.water_density_kg_per_m3,
+        ),
+        ("g", "m/s2", options.gravity_m_per_s2, site.gravity_m_per_s2),
+    ];
+    let notes = pairs.into_iter().filter_map(|(name, unit, own, other)| {
+        let (own, other) = (own?, other?);
+        let message = format!(
+            "{name} is {} {unit} here, but {} {unit} in the other files of the model; the lines have the value of this file: make both equal",
+            Exact(own),
+            Exact(other)
+        );
+        let differ = (own / other - 1.0).abs() > SAME;
+        differ.then(|| Note::suspicious(message).at(source, options.span.start))
+    });
+    notes.collect()
 }

@@ -6,6 +6,7 @@ use std::rc::Rc;
 
 use super::column::{Column, Layout, plain};
 use super::row::{Header, Row};
+use super::unused::Unused;
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 use crate::note::Note;
 use crate::records::{Line, Lines, Token};
@@ -248,27 +249,30 @@ fn check_count(count: Option<Token<'_>>, rows: usize, title: &str) -> Result<(),
 }
 
 impl<'a> Rows<'a> {
-    /// Notes on columns that are not read, for a reason, and on names that are not known.
-    pub(super) fn notes(&self, read: &[Column], reason: &str, source: &Source) -> Vec<Note> {
+    /// Adds the columns that are not read to those that are not used; the note on names that are not
+    /// known.
+    pub(super) fn note_unused(
+        &self,
+        read: &[Column],
+        source: &Source,
+        unused: &mut Unused,
+    ) -> Option<Note> {
         let title = self.kind.name();
         if self.header.unnamed.is_some() {
             let message = format!(
                 "the names of the columns of {title} ({}) are not those of its format: the columns are read in its order",
                 self.names.join(" ")
             );
-            return vec![Note::assumption(message).at(source, self.heading.start)];
+            return Some(Note::assumption(message).at(source, self.heading.start));
         }
         let used: Vec<usize> = read.iter().filter_map(|c| self.header.index(c)).collect();
         let names = self.names.iter().enumerate();
-        let unused = names.filter(|(index, _)| !used.contains(index));
-        let unused: Vec<&str> = unused.map(|(_, name)| *name).collect();
-        if unused.is_empty() || self.rows.is_empty() {
-            return Vec::new();
+        let others = names.filter(|(index, _)| !used.contains(index));
+        let others: Vec<&str> = others.map(|(_, name)| *name).collect();
+        if !self.rows.is_empty() {
+            let what = format!("columns of {title}");
+            unused.add(&what, &others, self.heading.start);
         }
-        let message = format!(
-            "columns of {title} that are not used: {} ({reason})",
-            unused.join(", ")
-        );
-        vec![Note::left_out(message).at(source, self.heading.start)]
+        None
     }
 }

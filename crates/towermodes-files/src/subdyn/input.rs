@@ -131,6 +131,11 @@ impl SubdynInput {
         of_rows(kinds).chain(transition.map(|span| (FramePart::Transition, span)))
     }
 
+    /// The byte of the row of a member.
+    pub(crate) fn member_row(&self, index: usize) -> usize {
+        self.spans.members.get(index).map_or(0, |row| row.start)
+    }
+
     /// The files it was read from, the main one first.
     pub fn files(&self) -> impl Iterator<Item = &str> {
         self.sources.iter().map(|source| source.name.as_str())

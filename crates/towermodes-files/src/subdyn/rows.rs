@@ -91,8 +91,16 @@ impl<'a> Row<'a> {
         Diagnostic::new(span, kind)
     }
 
-    /// A row with another number of values than its layouts have.
+    /// A row with another number of values than its layouts have, or with NaN or infinity in it.
     pub(super) fn wrong_count(&self, expected: &str, hint: &str) -> Diagnostic {
+        let token = self.get(self.numbers());
+        let no_number = token.filter(|token| token.text.parse::<f64>().is_ok());
+        if let Some(mistake) = no_number.and_then(|token| {
+            let what = format!("a value in {}", self.name);
+            token.number(&what).err()
+        }) {
+            return mistake;
+        }
         let kind =
             DiagnosticKind::wrong_count_of("numbers", self.name.as_str(), self.numbers(), expected);
         Diagnostic::new(self.span(), kind).with_hint(hint)

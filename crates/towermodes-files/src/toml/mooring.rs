@@ -168,7 +168,9 @@ fn named<T>(
         let part = read(&table, reading);
         Some((part?, own?.to_owned()))
     });
-    let (list, names) = parts?.into_iter().unzip();
+    let (list, names): (_, Vec<String>) = parts?.into_iter().unzip();
+    let of_parts = names.iter().map(String::as_str);
+    Names::distinct(one, of_parts, |index| at(item(index)), reading)?;
     Some(Named { list, names })
 }
 

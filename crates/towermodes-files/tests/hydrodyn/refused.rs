@@ -161,3 +161,30 @@ fn nonlinear_hydrostatics_have_a_note() {
     assert!(!said(0));
     assert!(said(1));
 }
+
+/// Without its volume the body has no buoyancy, and there is no static balance.
+#[test]
+fn a_body_without_volume_is_doubted() {
+    let text = deck(Layout::V31, &[("PotMod", "1")]);
+    for (volume, expected) in [("100", 0), ("0", 1)] {
+        let text = text.replace("100 PtfmVol0", &format!("{volume} PtfmVol0"));
+        let input = read_with(&text, [WAMIT_1, WAMIT_HST]).expect("a file");
+        let notes = input.notes.iter().map(ToString::to_string);
+        let doubts = notes.filter(|note| note.contains("PtfmVol0 is 0, so the buoyancy"));
+        assert_eq!(doubts.count(), expected, "{volume}");
+    }
+}
+
+/// Damping, drag and waves change no mode: one note names all that is not used.
+#[test]
+fn what_modes_do_not_need_is_one_note() {
+    let text = deck(Layout::V31, &[("PotMod", "1")]);
+    let input = read_with(&text, [WAMIT_1, WAMIT_HST]).expect("a file");
+    let notes: Vec<String> = input.notes.iter().map(ToString::to_string).collect();
+    let unused: Vec<&String> = notes
+        .iter()
+        .filter(|note| note.contains("not used"))
+        .collect();
+    assert_eq!(unused.len(), 1, "{notes:?}");
+    unused[0].says("no damping, drag and waves: AddBLin, AddBQuad");
+}

@@ -207,7 +207,11 @@ fn anchors_at_one_height_are_on_the_seabed() {
             text
         };
         assert_eq!(
-            described(&text).depth_m,
+            read(&text)
+                .mooring()
+                .expect("a mooring")
+                .description()
+                .depth_m,
             depth.parse::<f64>().expect("a depth"),
             "{to}"
         );

@@ -16,30 +16,26 @@ fn lines(notes: &[Note]) -> String {
 fn a_plain_file_has_notes_on_columns_and_options() {
     let input = moordyn(MOORDYN_2, &SITE).expect("a mooring");
     let expected = "\
-3: columns of LINE TYPES that are not used: BA/-zeta, EI, Cd, Ca, CdAx, CaAx (damping, drag and added mass have no effect at rest)
-7: columns of POINTS that are not used: CdA, CA (damping, drag and added mass have no effect at rest)
-16: columns of LINES that are not used: NumSegs, Outputs (a line is an elastic catenary at rest, of any number of segments)
-22: options that are not used: dtM, kbot (they apply only to simulations in time; the seabed is rigid)
+3: not used by lines at rest: columns of LINE TYPES BA/-zeta, EI, Cd, Ca, CdAx, CaAx; columns of POINTS CdA, CA; columns of LINES NumSegs, Outputs; options dtM, kbot (damping, drag, added mass, segments, and settings of the simulation or iteration have no effect)
 ";
     assert_eq!(lines(&input.notes), expected);
     let input = map(MAP, &SITE).expect("a mooring");
     let expected = "\
-1: columns of LINE DICTIONARY that are not used: CIntDamp, Ca, Cdn, Cdt (damping, drag and added mass have no effect at rest)
+1: not used by lines at rest: columns of LINE TYPES CIntDamp, Ca, Cdn, Cdt (damping, drag, added mass, segments, and settings of the simulation or iteration have no effect)
 ";
-    assert_eq!(lines(&input.notes), expected.replace("DICTIONARY", "TYPES"));
+    assert_eq!(lines(&input.notes), expected);
 }
 
 #[test]
 fn what_is_assumed_has_a_note() {
     let cases = r"
-        320.0    WtrDpth | 500.0    WtrDpth | 10: all fixed points are at z = -320 m, but the depth of the water is 500 m
         320.0    WtrDpth | 0 WaterKin | 10: the depth of the water is not given: the seabed is at the fixed points, at z = -320 m
         1025.0   rhoW | 0 mu_kT | the density of the water (kg/m3) is not given: 1025 is assumed
         9.80665  g | 0 mu_kT | the acceleration of gravity (m/s2) is not given: 9.80665 is assumed
         0.001    dtM | 0.2 mu_kT | 23: mu_kT (0.2) is not used
         0.001    dtM | waves.txt WaterKin | 23: WaterKin (`waves.txt`) is not used
-        0.001    dtM | 2e5 FricDamp | 22: options that are not used: FricDamp, kbot (
-        0.001    dtM | 0 ICgenDynamic | 22: options that are not used: ICgenDynamic, kbot (
+        0.001    dtM | 2e5 FricDamp | options FricDamp, kbot (
+        0.001    dtM | 0 ICgenDynamic | options ICgenDynamic, kbot (
         0.001    dtM | 1 magic | 23: the option `magic` is not known
         -0.8     0.0 | -0.8     1e4 | 6: the bending stiffness EI of the line is not used
         ------------------------ OUTPUTS | --- FAILURE ---\nID\n(-)\n1 2\n--- OUTPUTS | 28: the section FAILURE is not used

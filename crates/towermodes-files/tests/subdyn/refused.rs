@@ -38,6 +38,7 @@ fn wrong_rows_are_refused_with_their_place() {
         # Columns.
         NJoints  | 1 0 0 -20 1 0 0 0 0\n2 0 0 -10 1\n3 0 0 0 1 0 0 0 0 | 2:1 | 5 numbers instead of 4 or 9
         NReact   | 1 1 1 1 | 1:1 | 4 numbers instead of 7
+        NJoints  | 1 0 0 -20 1 0 0 0 0\n2 0 NaN -10 1 0 0 0 0\n3 0 0 0 1 0 0 0 0 | 2:5 | a value in row 2 of STRUCTURE JOINTS is NaN, not a finite number
         NInterf  | 3 1 1 1 1 | 1:1 | 5 numbers instead of 7 or 8
         NCmass   | 2 8e3 1e4 | 1:1 | JMYY in row 1 of JOINT ADDITIONAL CONCENTRATED MASSES is missing
         NPropSetsCyl | 1 2.1e11 8.08e10 7850 2.0 | 1:1 | XsecT in row 1 of CIRCULAR BEAM CROSS-SECTION PROPERTIES is missing
@@ -153,6 +154,14 @@ fn wrong_soil_is_refused_in_its_own_file() {
         r#"
         1e7 Kxx\n1e7 Kqq | 2 | there is no entry of the soil matrices `Kqq`
         1e7 Kxx\n1e7 kXX | 2 | the entry kXX occurs 2 times
+        1e7 Kxy\n1e7 Kyx | 2 | the entry Kyx occurs 2 times
+        3e6 Kxy\n5e6 Kyx | 2 | Kyx is 5000000, but Kxy is 3000000 in ssi.txt:1: the matrix must be symmetric
+        5e6 Kyx\n3e6 Kxy | 2 | Kxy is 3000000, but Kyx is 5000000 in ssi.txt:1: the matrix must be symmetric
+        1e7 Kxx\n5e6 Kyx | 2 | there is no entry of the soil matrices `Kyx`
+        1e7 Kxx\n-1e7 Kyy | 2 | Kyy is -1e7, but must be 0 or positive
+        1e3 Mxx\n-1e3 Myy | 2 | Myy is -1e3, but must be 0 or positive
+        1e7 Kxx\n4e9 Ktyty\n-3e8 Kxty | 3 | Kxty is -300000000, but Kxx is 10000000 (ssi.txt:1) and Ktyty is 4000000000 (ssi.txt:2): the square
+        1e7 Kxx\n-3e8 Kxty | 2 | Kxty is -300000000, but Kxx is 10000000 (ssi.txt:1) and Ktyty is not given
         1e7 Ktyx         | 1 | there is no entry of the soil matrices `Ktyx`
         ! K\nKxx 1e7     | 2 | an entry of the soil matrices must be a number, found `Kxx`
         1e7              | 1 | the name of the entry, such as Kxx or Mxty, is missing

@@ -30,3 +30,6 @@ pub(crate) use space_vectors::TopWorkspace;
 pub(crate) use substitution::{reduce, substitute};
 pub(crate) use subsystem::SpaceBeam;
 pub use subsystem::{BeamAssembly, Beams};
+
+/// Highest degree of elements; more elements are better than a higher degree.
+pub const MAX_DEGREE: usize = 60;

@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use crate::beam::MAX_DEGREE;
 use crate::eigen::EigenError;
 
 /// Why a frame was not solved.
@@ -86,7 +87,9 @@ pub enum FrameSolveError {
         available: usize,
     },
     /// An impossible degree or number of divisions.
-    #[error("elements of degree {degree} cannot be made; the degree must be from 2 to 40")]
+    #[error(
+        "elements of degree {degree} cannot be made; the degree must be from 2 to {MAX_DEGREE}"
+    )]
     Degree {
         /// The degree requested.
         degree: usize,

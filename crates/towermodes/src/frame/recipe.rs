@@ -3,7 +3,7 @@
 use super::element::Element;
 use super::error::FrameSolveError;
 use super::tension::{Tension, tension_at};
-use crate::beam::{MemberElement, MemberPart, MemberSlice, MemberStrains, SoilPart};
+use crate::beam::{MAX_DEGREE, MemberElement, MemberPart, MemberSlice, MemberStrains, SoilPart};
 use crate::space::SpatialMatrix;
 use crate::tower::frame::{FrameMember, FrameSoil, MemberKind};
 use crate::tower::{Section, SectionMasses, SoilStiffness};
@@ -12,8 +12,6 @@ use crate::tower::{Section, SectionMasses, SoilStiffness};
 const CLOSE: f64 = 1e-9;
 /// The degree whose polynomials are those that move the far end of a uniform element.
 const LEAST_DEGREE: usize = 2;
-/// Legendre polynomials of a higher degree have rounding errors above those of the eigenvalues.
-pub(super) const MOST_DEGREE: usize = 40;
 /// By how much a fraction is inside an element at least.
 const TINY: f64 = 1e-12;
 
@@ -44,7 +42,7 @@ impl FrameRecipe {
     /// [`FrameSolveError::Degree`], [`FrameSolveError::Divisions`].
     pub(super) fn check(self) -> Result<(), FrameSolveError> {
         match self {
-            Self::Spectral { degree } if !(LEAST_DEGREE..=MOST_DEGREE).contains(&degree) => {
+            Self::Spectral { degree } if !(LEAST_DEGREE..=MAX_DEGREE).contains(&degree) => {
                 Err(FrameSolveError::Degree { degree })
             }
             Self::Subdyn { divisions } if !(1..=1000).contains(&divisions) => {

@@ -6,10 +6,11 @@ use super::assembly::{Assembled, Purpose, assemble};
 use super::error::FrameSolveError;
 use super::mechanism::{least_lambda, mechanism};
 use super::pencil::FramePencil;
-use super::recipe::{FrameRecipe, MOST_DEGREE};
+use super::recipe::FrameRecipe;
 use super::shape::{FrameShape, ShapeReader};
 use super::statics::{AtRest, with_tensions};
 use super::tension::ForcesAtRest;
+use crate::beam::MAX_DEGREE;
 use crate::eigen::{EigenWorkspace, lowest};
 use crate::tower::frame::Frame;
 
@@ -117,7 +118,7 @@ pub fn solve_frame(
 /// The degree whose frequencies show the error of those of another degree: a higher one where that
 /// is possible.
 fn neighbour(degree: usize) -> usize {
-    match degree + STEP <= MOST_DEGREE {
+    match degree + STEP <= MAX_DEGREE {
         true => degree + STEP,
         false => degree - STEP,
     }

@@ -39,7 +39,10 @@ use super::vector::{Vector, difference, length, rotation_of_angles, sum};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mooring {
+    /// With the depth of the seabed under the lines.
     pub(super) description: MooringDescription,
+    /// The depth as it was given, m.
+    pub(super) given_depth_m: f64,
     pub(super) ropes: Vec<Rope>,
     pub(super) ends: Vec<[Arm; 2]>,
     pub(super) points: Vec<Arm>,
@@ -102,9 +105,12 @@ impl Mooring {
     ///
     /// # Errors
     /// [`MooringError`] that describes the first invalid value.
-    pub fn new(description: MooringDescription) -> Result<Self, MooringError> {
+    pub fn new(mut description: MooringDescription) -> Result<Self, MooringError> {
         check(&description)?;
+        let given_depth_m = description.depth_m;
+        description.depth_m = description.depth_under_lines_m();
         let mut mooring = Self {
+            given_depth_m,
             ropes: Vec::new(),
             ends: Vec::new(),
             points: Vec::new(),
@@ -126,7 +132,8 @@ impl Mooring {
         }
     }
 
-    /// Its description.
+    /// Its description, with the depth of the seabed under the lines: if all anchors are at one
+    /// depth and nothing is below them, they are on the seabed, even if the given depth is greater.
     pub fn description(&self) -> &MooringDescription {
         &self.description
     }

@@ -2,22 +2,61 @@
 
 use thiserror::Error;
 
-use super::description::{Attachment, Carrier, MooringDescription, MooringLine, MooringPoint};
 use super::error::MooringItem;
-use super::state::{LineState, MooringState};
-use super::system::Mooring;
 use crate::number::{Plain, Rounded};
-
-/// Anchors higher than this fraction of the depth are above the seabed.
-const ROUNDED: f64 = 1e-6;
-/// Lines that are stretched by more are too short or too soft: chains and steel ropes at rest are
-/// stretched by 0.1 %, ropes of polyester by 1 %.
-const STRETCH: f64 = 0.02;
 
 /// A probable mistake that the user should check, with its numbers. Indices count from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum MooringWarning {
+    /// A density that no water has.
+    #[error(
+        "the density of the water around the lines is {} kg/m3; sea water has 1025, fresh water 1000 kg/m3",
+        Plain(*.density_kg_per_m3)
+    )]
+    Density {
+        /// The density, kg/m³.
+        density_kg_per_m3: f64,
+    },
+    /// A depth that is not that of the anchors.
+    #[error(
+        "all anchors are at z = {} m, but the depth is {} m: the seabed under the lines is taken at the anchors; make the depth {} m, or correct the anchors",
+        Plain(-*.anchors_m), Plain(*.depth_m), Plain(*.anchors_m)
+    )]
+    OtherDepth {
+        /// The given depth, m.
+        depth_m: f64,
+        /// The depth of the anchors, m.
+        anchors_m: f64,
+    },
+    /// An axial stiffness in another unit, as its lines are stretched beyond all materials.
+    #[error(
+        "line type {} has an axial stiffness EA of {} N, and the {} N in its lines stretch them by {} %; EA is in N: a value in kN is multiplied by 1e3, one in MN by 1e6",
+        .line_type + 1, Plain(*.axial_stiffness_n), Rounded(*.tension_n), Rounded(100.0 * .tension_n / .axial_stiffness_n)
+    )]
+    Soft {
+        /// The type of lines.
+        line_type: usize,
+        /// Axial stiffness EA, N.
+        axial_stiffness_n: f64,
+        /// The largest tension of its lines, N.
+        tension_n: f64,
+    },
+    /// An axial stiffness that no material has.
+    #[error(
+        "line type {} has an axial stiffness EA of {} N on a diameter of {} m: that is a modulus of {} GPa, and steel has 210 GPa; give EA in N and the diameter in m",
+        .line_type + 1, Plain(*.axial_stiffness_n), Plain(*.diameter_m), Rounded(1e-9 * .modulus_pa)
+    )]
+    Stiff {
+        /// The type of lines.
+        line_type: usize,
+        /// Axial stiffness EA, N.
+        axial_stiffness_n: f64,
+        /// Diameter of the displaced cylinder, m.
+        diameter_m: f64,
+        /// Stiffness by the area of this cylinder, Pa.
+        modulus_pa: f64,
+    },
     /// An anchor above the seabed.
     #[error(
         "the anchor point {} is at z = {} m, {} m above the seabed; its lines hang from it as from a pole. If it is on the seabed, the depth must be {} m instead of {} m",
@@ -119,130 +158,14 @@ impl MooringWarning {
             Self::AnchorAboveSeabed { point, .. }
             | Self::AnchorAboveWater { point, .. }
             | Self::WithoutLine { point } => MooringItem::Point(point),
-            Self::Floats { line_type, .. } => MooringItem::LineType(line_type),
+            Self::Density { .. } | Self::OtherDepth { .. } => MooringItem::Site,
+            Self::Floats { line_type, .. }
+            | Self::Soft { line_type, .. }
+            | Self::Stiff { line_type, .. } => MooringItem::LineType(line_type),
             Self::Slack { line, .. }
             | Self::Stretched { line, .. }
             | Self::BothOnPlatform { line }
             | Self::AboveWater { line, .. } => MooringItem::Line(line),
         }
     }
-}
-
-impl Mooring {
-    /// Probable mistakes in this mooring system at a given state.
-    pub fn warnings(&self, state: &MooringState) -> Vec<MooringWarning> {
-        let mooring = &self.description;
-        let mut warnings = floating(mooring);
-        warnings.extend(anchors(mooring));
-        warnings.extend(without_line(mooring));
-        for (line, (given, found)) in mooring.lines.iter().zip(&state.lines).enumerate() {
-            warnings.extend(stretch(mooring, line, given, found));
-            warnings.extend(of_line(mooring, line, given, found, state));
-        }
-        warnings
-    }
-}
-
-/// Types of lines that are lighter than the water that they displace.
-fn floating(mooring: &MooringDescription) -> Vec<MooringWarning> {
-    let types = mooring.line_types.iter().enumerate();
-    let found = types.filter_map(|(line_type, kind)| {
-        let area_m2 = std::f64::consts::FRAC_PI_4 * kind.diameter_m * kind.diameter_m;
-        let water_kg_per_m = mooring.water_density_kg_per_m3 * area_m2;
-        let floats = kind.mass_kg_per_m < water_kg_per_m;
-        floats.then_some(MooringWarning::Floats {
-            line_type,
-            mass_kg_per_m: kind.mass_kg_per_m,
-            water_kg_per_m,
-            diameter_m: kind.diameter_m,
-        })
-    });
-    found.collect()
-}
-
-/// Anchors that are not on the seabed.
-fn anchors(mooring: &MooringDescription) -> Vec<MooringWarning> {
-    let depth_m = mooring.depth_m;
-    let points = mooring.points.iter().enumerate();
-    let fixed = points.filter(|(_, point)| point.attachment == Attachment::Fixed);
-    let found = fixed.filter_map(|(point, anchor)| match anchor.position_m[2] {
-        z_m if z_m > 0.0 => Some(MooringWarning::AnchorAboveWater {
-            point,
-            z_m,
-            depth_m,
-        }),
-        z_m => (z_m + depth_m > ROUNDED * depth_m).then_some(MooringWarning::AnchorAboveSeabed {
-            point,
-            z_m,
-            depth_m,
-        }),
-    });
-    found.collect()
-}
-
-/// Points that no line ends at, and that neither weigh nor float.
-fn without_line(mooring: &MooringDescription) -> impl Iterator<Item = MooringWarning> {
-    let is_end = |point: usize| {
-        let mut lines = mooring.lines.iter();
-        lines.any(|line| line.points.contains(&point))
-    };
-    let points = mooring.points.iter().enumerate();
-    let is_idle = move |(index, point): &(usize, &MooringPoint)| {
-        !is_end(*index) && point.mass_kg == 0.0 && point.volume_m3 == 0.0
-    };
-    let idle = points.filter(is_idle);
-    idle.map(|(point, _)| MooringWarning::WithoutLine { point })
-}
-
-fn stretch(
-    mooring: &MooringDescription,
-    line: usize,
-    given: &MooringLine,
-    found: &LineState,
-) -> Option<MooringWarning> {
-    let tension_n = found.tensions_n[0].max(found.tensions_n[1]);
-    let axial_stiffness_n = mooring.line_types[given.line_type].axial_stiffness_n;
-    (tension_n > STRETCH * axial_stiffness_n).then_some(MooringWarning::Stretched {
-        line,
-        tension_n,
-        axial_stiffness_n,
-    })
-}
-
-/// What its ends and its shape say about a line.
-fn of_line(
-    mooring: &MooringDescription,
-    line: usize,
-    given: &MooringLine,
-    found: &LineState,
-    state: &MooringState,
-) -> Vec<MooringWarning> {
-    let mut warnings = Vec::new();
-    if given
-        .points
-        .iter()
-        .all(|point| is_on_platform(mooring, *point))
-    {
-        warnings.push(MooringWarning::BothOnPlatform { line });
-    } else if found.is_slack {
-        let length_m = given.length_m;
-        warnings.push(MooringWarning::Slack { line, length_m });
-    }
-    let ends_m = given.points.map(|point| state.points_m[point][2]);
-    let z_m = ends_m[0].max(ends_m[1]).max(found.extreme_z_m);
-    if z_m > 0.0 {
-        warnings.push(MooringWarning::AboveWater { line, z_m });
-    }
-    warnings
-}
-
-fn is_on_platform(mooring: &MooringDescription, point: usize) -> bool {
-    let carrier = match mooring.points[point].attachment {
-        Attachment::Platform => Carrier::Platform,
-        Attachment::Fixed => Carrier::Fixed,
-        Attachment::Free => Carrier::Free,
-        Attachment::Body(body) => mooring.bodies[body].carrier,
-        Attachment::Rod(rod, _) => mooring.rods[rod].carrier,
-    };
-    carrier == Carrier::Platform
 }

@@ -480,6 +480,38 @@ pub enum Warning {
         /// The same as a fraction of the weight.
         share: f64,
     },
+    /// A rigid platform that is not the members of the frame that floats.
+    #[error(
+        "[foundation] describes a floating platform of {} t with its centre at {}, but the members of the substructure have {} t and their centre at {}: mass and center are those of the members with growth and filling, without the tower and the transition piece",
+        Rounded(.mass_kg / 1e3), Center(*.center_m), Rounded(.members_kg / 1e3), Center(*.members_m)
+    )]
+    OtherMembers {
+        /// The mass or the centre.
+        site: Site,
+        /// Mass of the platform, kg.
+        mass_kg: f64,
+        /// Its centre, m.
+        center_m: [f64; 3],
+        /// Mass of the members, kg.
+        members_kg: f64,
+        /// Their centre, m.
+        members_m: [f64; 3],
+    },
+    /// Mooring lines in another water than the tower or its members.
+    #[error(
+        "the mooring lines are in water of {} kg/m3, and {what} in water of {} kg/m3; give both the density of the same water",
+        Plain(*.lines_kg_per_m3), Plain(*.others_kg_per_m3)
+    )]
+    OtherWater {
+        /// The moorings.
+        site: Site,
+        /// What is in the other water, with its verb.
+        what: &'static str,
+        /// Density of the water around the lines, kg/m³.
+        lines_kg_per_m3: f64,
+        /// Density of the water around the tower or its members, kg/m³.
+        others_kg_per_m3: f64,
+    },
     /// Weights, buoyancy and mooring lines of a floating tower that push it aside or tilt it.
     #[error(
         "weights, buoyancy and mooring lines leave {} N horizontally and a moment of {} N m at the reference position, so the platform drifts or tilts from there; \
@@ -698,6 +730,8 @@ impl Warning {
             | Self::DryUnderWater { site, .. }
             | Self::OutOfBalance { site, .. }
             | Self::PushedAside { site, .. }
+            | Self::OtherMembers { site, .. }
+            | Self::OtherWater { site, .. }
             | Self::Mooring { site, .. }
             | Self::Frame { site, .. }
             | Self::HighTransition { site, .. }
@@ -750,6 +784,16 @@ impl fmt::Display for Range {
             (true, false) => write!(f, "at least {low}{unit}"),
             _ => write!(f, "at most {high}{unit}"),
         }
+    }
+}
+
+/// A point as `[x, y, z] m`.
+struct Center([f64; 3]);
+
+impl std::fmt::Display for Center {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let [x, y, z] = self.0;
+        write!(f, "[{x:.2}, {y:.2}, {z:.2}] m")
     }
 }
 

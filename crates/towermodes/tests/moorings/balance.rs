@@ -333,3 +333,40 @@ fn a_tower_without_equilibrium_is_refused() {
         "{turning}"
     );
 }
+
+/// Where modes are found, the reference position is stable: the error then says that a stiffness is
+/// negative elsewhere, to where the forces move the platform.
+#[test]
+fn a_stable_tower_is_not_unstable_where_it_is() {
+    let mut away = 0;
+    for softer in 0..30 {
+        for force_n in [2e7, 5e7, 8.1e7] {
+            let mut description = moored(0.0);
+            let platform = platform_of(&mut description);
+            for rotation in [3, 4] {
+                platform.hydrostatic.matrix[rotation][rotation] -= 1e8 * f64::from(softer);
+            }
+            platform.buoyancy = Some(Buoyancy {
+                force_n,
+                center_m: [0.0; 2],
+            });
+            let tower = Tower::new(description).expect("a floating tower");
+            let is_stable = solve(&tower, &Options::default()).is_ok();
+            let balance = tower.static_balance().expect("its buoyancy is known");
+            match balance.equilibrium {
+                Err(EquilibriumError::Unstable { motion }) => {
+                    assert!(
+                        !is_stable,
+                        "softer by {softer}e8 N m, {force_n} N: {motion}"
+                    );
+                }
+                Err(EquilibriumError::UnstableAway { shift_m, .. }) => {
+                    assert!(shift_m > 0.0);
+                    away += usize::from(is_stable);
+                }
+                _ => {}
+            }
+        }
+    }
+    assert!(away > 0, "none is stable at the reference position alone");
+}

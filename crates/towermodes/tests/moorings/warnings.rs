@@ -21,16 +21,71 @@ fn a_good_mooring_has_no_warnings() {
     assert_eq!(warnings(&hywind()), Vec::<String>::new());
 }
 
-/// IEA-22: the depth of the file is 300 m, its anchors are at 200 m.
+/// IEA-22: the depth of the file is 300 m, its anchors are at 200 m. The seabed under the lines is
+/// at the anchors: otherwise the lines hang free, are 5.9 MN heavier, and the floater is out of
+/// balance by −4.57 MN instead of +1.35 MN.
+#[test]
+fn the_seabed_is_at_the_anchors() {
+    let found = warnings(&iea_22(300.0, 4.3234e9));
+    assert_eq!(found.len(), 1, "{found:?}");
+    found[0].begins("all anchors are at z = -200 m, but the depth is 300 m:");
+    let [deep, at_anchors] = [300.0, 200.0].map(|depth| at_rest(&iea_22(depth, 4.3234e9)));
+    assert_eq!(deep.load, at_anchors.load);
+    // The reference digits of the lines with their anchors on the seabed.
+    (at_anchors.load.force[2] / -9278385.575 - 1.0).within(0.0, 1e-6);
+}
+
+/// Anchors at two depths: one of them is on no seabed.
 #[test]
 fn anchors_above_the_seabed_are_told() {
-    let warnings = warnings(&iea_22(300.0, 4.3234e9));
-    assert_eq!(warnings.len(), 3, "{warnings:?}");
-    warnings[0].begins("the anchor point 1 is at z = -200 m, 100 m above the seabed;");
-    // The lines hang free then, and are 5.9 MN heavier: the floater is out of balance by -4.57 MN
-    // instead of +1.35 MN.
-    let [free, laid] = [300.0, 200.0].map(|depth| at_rest(&iea_22(depth, 4.3234e9)));
-    (free.load.force[2] - laid.load.force[2]).within(-4.57e6 - 1.35e6, 0.01e6);
+    let mut uneven = hywind();
+    let anchor = uneven.lines[0].points[0];
+    uneven.points[anchor].position_m[2] = -310.0;
+    let found = warnings(&uneven);
+    assert_eq!(found.len(), 1, "{found:?}");
+    found[0].begins("the anchor point 1 is at z = -310 m, 10 m above the seabed;");
+}
+
+/// A point that hangs below all anchors shows that the water is deeper.
+#[test]
+fn a_deeper_point_keeps_the_depth() {
+    let mut deep = hywind();
+    deep.depth_m = 400.0;
+    assert_eq!(deep.depth_of_anchors_m(), Some(320.0));
+    let fairlead = deep.lines[0].points[1];
+    deep.points[fairlead].position_m[2] = -330.0;
+    assert_eq!(deep.depth_of_anchors_m(), None);
+}
+
+/// A density in t/m³.
+#[test]
+fn another_liquid_is_told() {
+    let mut light = hywind();
+    light.water_density_kg_per_m3 = 1.025;
+    let found = warnings(&light);
+    assert_eq!(found.len(), 1, "{found:?}");
+    found[0].begins("the density of the water around the lines is 1.025 kg/m3;");
+}
+
+/// EA in MN and in µN: one sentence for all lines of the type.
+#[test]
+fn an_axial_stiffness_in_another_unit_is_told_once() {
+    for (factor, words) in [
+        (
+            1e-6,
+            "line type 1 has an axial stiffness EA of 384.243 N, and the ",
+        ),
+        (
+            1e6,
+            "line type 1 has an axial stiffness EA of 384243000000000 N on a diameter of 0.09 m",
+        ),
+    ] {
+        let mut other = hywind();
+        other.line_types[0].axial_stiffness_n *= factor;
+        let found = warnings(&other);
+        assert_eq!(found.len(), 1, "{found:?}");
+        found[0].begins(words);
+    }
 }
 
 #[test]

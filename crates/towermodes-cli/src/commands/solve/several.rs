@@ -7,13 +7,13 @@ use std::path::Path;
 
 use towermodes::{Solution, Tower, Warning};
 use towermodes_files::{
-    FileFormat, Input, SolvedFile, TowerInput, write_several_csv, write_several_json,
+    FileFormat, Input, Note, SolvedFile, TowerInput, write_several_csv, write_several_json,
 };
 
 use super::{SolveArguments, SolveFormat};
 use crate::failure::Failure;
 use crate::input::input;
-use crate::messages::{note_texts, warning_text};
+use crate::messages::{note, warn_texts, warning_text};
 use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::progress::Progress;
 use crate::table;
@@ -138,7 +138,7 @@ fn solved(
     let solution = progress.solver(options).solve_certain(&tower);
     let solution = solution.map_err(|error| {
         // They may explain the error.
-        note_texts(&messages(file, &input, tower.warnings()));
+        tell(file, &input, tower.warnings());
         Failure::from(error)
     })?;
     Ok(Solved {
@@ -157,7 +157,7 @@ fn reported(all: Vec<(String, Result<Solved, Failure>)>) -> (Vec<(String, Solved
         match of_file {
             Ok(of_file) => {
                 let warnings = &of_file.solution.warnings;
-                note_texts(&messages(&file, &of_file.input, warnings));
+                tell(&file, &of_file.input, warnings);
                 solved.push((file, of_file));
             }
             Err(failure) => worst = worst.max(Some(failure.report_of(&file))),
@@ -166,18 +166,26 @@ fn reported(all: Vec<(String, Result<Solved, Failure>)>) -> (Vec<(String, Solved
     (solved, worst)
 }
 
-/// The notes and warnings on one file, each with the name of the file.
-fn messages(file: &str, input: &TowerInput, warnings: &[Warning]) -> Vec<String> {
-    let notes = input.notes.iter().map(|note| match note.place {
-        Some(_) => note.to_string(),
-        None => format!("{file}: {note}"),
-    });
+/// Prints the notes and warnings on one file, each with the name of the file.
+fn tell(file: &str, input: &TowerInput, warnings: &[Warning]) {
+    let notes = input
+        .notes
+        .iter()
+        .cloned()
+        .map(|of_file| match of_file.place {
+            Some(_) => of_file,
+            None => Note {
+                message: format!("{file}: {}", of_file.message),
+                ..of_file
+            },
+        });
+    note(&notes.collect::<Vec<_>>());
     let warnings = warnings.iter();
     let warnings = warnings.map(|warning| match warning_text(warning, input) {
         Some(placed) => placed,
         None => format!("{file}: {warning}"),
     });
-    notes.chain(warnings).collect()
+    warn_texts(&warnings.collect::<Vec<_>>());
 }
 
 /// The result in the requested format.

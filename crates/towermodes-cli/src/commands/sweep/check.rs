@@ -8,7 +8,7 @@ use towermodes_sweep::Slices;
 use super::arguments::SweepArguments;
 use super::planned::Planned;
 use crate::failure::Failure;
-use crate::messages::{note_texts, report};
+use crate::messages::{report, warn_texts};
 
 /// The ranges of missing rows that are named.
 const MOST_RANGES: usize = 10;
@@ -37,7 +37,7 @@ pub(super) fn run(
     ));
     if failed > 0 {
         let verb = if failed == 1 { "has" } else { "have" };
-        note_texts(&[format!(
+        warn_texts(&[format!(
             "{failed} of {} {verb} no complete result; the column error has the reason",
             counted(slices.rows(), "row")
         )]);

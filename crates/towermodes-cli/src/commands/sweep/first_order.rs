@@ -7,7 +7,7 @@ use towermodes_sweep::{FirstOrderError, SweepSource};
 use super::arguments::{SweepArguments, SweepFormat};
 use super::planned::Planned;
 use crate::failure::Failure;
-use crate::messages::note_texts;
+use crate::messages::warn_texts;
 use crate::output::deliver;
 use crate::studies::first_order::document;
 use crate::table;
@@ -24,7 +24,7 @@ pub(super) fn run(planned: &Planned, arguments: &SweepArguments) -> Result<(), F
         .sweep
         .first_order(sampling, check.as_ref(), Solver::default());
     let found = found.map_err(failure)?;
-    note_texts(&found.doubts());
+    warn_texts(&found.doubts());
     let mut result = Vec::new();
     match arguments.format == Some(SweepFormat::Json) {
         true => {

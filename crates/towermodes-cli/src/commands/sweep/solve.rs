@@ -9,7 +9,7 @@ use super::arguments::SweepArguments;
 use super::planned::Planned;
 use super::progress::SweepProgress;
 use crate::failure::Failure;
-use crate::messages::{note_texts, report};
+use crate::messages::{report, warn_texts};
 use crate::output::{Streamed, check_not_inputs};
 
 /// Solves the rows into a file or to standard output.
@@ -46,7 +46,7 @@ pub(super) fn run(
             account(&rows, planned.source.rows())
         ));
     }
-    note_texts(&Vec::from_iter(failures(&solved)));
+    warn_texts(&Vec::from_iter(failures(&solved)));
     remark(&solved);
     Ok(())
 }
@@ -94,5 +94,5 @@ fn say(remarked: &RowRemarks, rows: u64, what: &str) {
     let sentence =
         |(row, sentence): &(u64, String)| format!("row {row}, counted from 0: {sentence}");
     let sentences = remarked.first.iter().map(sentence);
-    note_texts(&Vec::from_iter(std::iter::once(all).chain(sentences)));
+    warn_texts(&Vec::from_iter(std::iter::once(all).chain(sentences)));
 }

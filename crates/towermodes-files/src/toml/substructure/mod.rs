@@ -110,26 +110,33 @@ fn refuse<T>(error: FrameError, reading: &mut Reading) -> Option<T> {
 /// The frame of the lists. All are read, so that all mistakes are reported together.
 fn listed(table: &Table<'_>, materials: Option<&Materials>, reading: &mut Reading) -> Option<Read> {
     let joints = joints::joints(table, reading);
-    let names = match &joints {
-        Some(joints) => Names::of("joint", joints.iter().map(|joint| &*joint.name)),
-        None => Names::unknown("joint"),
-    };
+    let of_joints = joints.as_ref().and_then(|joints| {
+        let names = joints.iter().map(|joint| &*joint.name);
+        let place = |index| at(FramePart::Joint(index));
+        Names::distinct("joint", names, place, reading)
+    });
+    let is_distinct = of_joints.is_some();
+    let names = of_joints.unwrap_or_else(|| Names::unknown("joint"));
     let members = members::members(table, &names, materials, reading);
     let supports = bodies::supports(table, &names, reading);
     let masses = bodies::masses(table, &names, reading);
     let added_masses = bodies::added_masses(table, &names, reading);
     let water_planes = bodies::water_planes(table, &names, reading);
     let transition = transition(table, &names, reading);
-    let names = match &members {
-        Some(members) => Names::of("member", members.iter().map(|(member, _)| &*member.name)),
-        None => Names::unknown("member"),
-    };
+    let of_members = members.as_ref().and_then(|members| {
+        let names = members.iter().map(|(member, _)| &*member.name);
+        let place = |index| at(FramePart::Member(index));
+        Names::distinct("member", names, place, reading)
+    });
+    let is_distinct = is_distinct && of_members.is_some();
+    let names = of_members.unwrap_or_else(|| Names::unknown("member"));
     let riders = bodies::riders(table, &names, reading);
     let flooded = match table.get("flooded") {
         Some(value) => names.all(value, "flooded", reading),
         None => Some(Vec::new()),
     };
     let (members, materials): (Vec<_>, Vec<_>) = members?.into_iter().unzip();
+    is_distinct.then_some(())?;
     Some(Read {
         description: FrameDescription {
             joints: joints?,

@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use towermodes::Place;
+
 use super::reading::Reading;
 use super::table::suggestion;
 use super::values::{Value, every_row, list, text};
@@ -27,6 +29,30 @@ impl Names {
             names,
             is_unknown: false,
         }
+    }
+
+    /// Of a list; refuses the first name that stands twice, at the place of its second part.
+    pub(crate) fn distinct<'n>(
+        what: &'static str,
+        names: impl Iterator<Item = &'n str>,
+        place: impl Fn(usize) -> Place,
+        reading: &mut Reading,
+    ) -> Option<Self> {
+        let of_list = Self::of(what, names);
+        let mut numbered = of_list.names.iter().enumerate();
+        let second = numbered.find(|(index, name)| of_list.by_name[*name] != *index);
+        let Some((index, name)) = second else {
+            return Some(of_list);
+        };
+        let place = reading.places.own(place(index));
+        let span = place.map_or(0..0, |(_, span)| span.clone());
+        let times = of_list.names.iter().filter(|other| *other == name).count();
+        let repeated = DiagnosticKind::Repeated {
+            what: format!("the {what} `{name}`"),
+            times,
+        };
+        let hint = format!("give each {what} a name of its own");
+        reading.refuse(Diagnostic::new(span, repeated).with_hint(hint))
     }
 
     /// Of a list whose mistakes were reported: every name may be one of it.

@@ -68,7 +68,7 @@ pub(super) fn lines(
         spans.lines.push(node.span.clone());
     }
     let description = MooringDescription {
-        depth_m: depth_m(sea.depth_m, &points, mooring, reading),
+        depth_m: sea.depth_m,
         water_density_kg_per_m3: sea.density_kg_per_m3,
         gravity_m_per_s2: sea.gravity_m_per_s2,
         line_types,
@@ -76,6 +76,10 @@ pub(super) fn lines(
         lines: found,
         ..MooringDescription::default()
     };
+    // The depth is that of the environment; the anchors show whether it is theirs.
+    let is_anchor = |point: &MooringPoint| point.attachment == Attachment::Fixed;
+    let anchor = description.points.iter().position(is_anchor);
+    spans.site = anchor.map_or(mooring.span.clone(), |anchor| spans.points[anchor].clone());
     let source: Source = reading.source.clone();
     Ok(MooringInput::new(description, source, spans))
 }
@@ -162,33 +166,4 @@ fn point(
         volume_m3: node.number_or("node_volume", "volume of a node", 0.0)?,
         ..MooringPoint::new(attachment, position_m)
     })
-}
-
-/// Anchors at one height are on the seabed, even if the water is said to be deeper.
-fn depth_m(
-    given_m: f64,
-    points: &[MooringPoint],
-    mooring: &Node,
-    reading: &mut Reading<'_>,
-) -> f64 {
-    let anchors = points
-        .iter()
-        .filter(|point| point.attachment == Attachment::Fixed);
-    let depths: Vec<f64> = anchors.map(|point| -point.position_m[2]).collect();
-    let Some(&first) = depths.first() else {
-        return given_m;
-    };
-    let is_level = depths
-        .iter()
-        .all(|depth| (depth - first).abs() <= 1e-6 * first.abs());
-    if is_level && first > 0.0 && first < given_m * (1.0 - 1e-6) {
-        let message = format!(
-            "all anchors are at z = {} m, but the water is {} m deep: the seabed under the lines is taken at the anchors",
-            Rounded(-first),
-            Rounded(given_m)
-        );
-        reading.note_at(mooring.span.start, Note::assumption(message));
-        return first;
-    }
-    given_m
 }

@@ -40,12 +40,13 @@ impl AddedMassAt {
     ///
     /// assert_eq!(AddedMassAt::named("zero"), Some(AddedMassAt::Zero));
     /// assert_eq!(AddedMassAt::named("0.5"), Some(AddedMassAt::Hz(0.5)));
+    /// assert_eq!(AddedMassAt::named("inf"), Some(AddedMassAt::Infinite));
     /// assert_eq!(AddedMassAt::named("-1"), None);
     /// ```
     pub fn named(text: &str) -> Option<Self> {
         match text {
             "own" => Some(Self::Own),
-            "infinite" => Some(Self::Infinite),
+            "infinite" | "inf" => Some(Self::Infinite),
             "zero" => Some(Self::Zero),
             number => {
                 let own = Self::Hz(number.parse().ok()?);

@@ -12,8 +12,8 @@ pub const MAX_SEGMENTS: usize = 2_000_000;
 /// Largest number of spectral elements: each has a full matrix, and a few have no error but
 /// rounding.
 pub const MAX_SPECTRAL_ELEMENTS: usize = 100_000;
-/// Highest degree of spectral elements; more elements are better than a higher degree.
-pub const MAX_DEGREE: usize = 60;
+/// Highest degree of spectral elements.
+pub const MAX_DEGREE: usize = crate::beam::MAX_DEGREE;
 /// Largest number of output heights.
 pub const MAX_POINTS: usize = 1_000_000;
 /// A solve that would take more memory than this, bytes, is refused unless

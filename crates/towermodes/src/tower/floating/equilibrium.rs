@@ -52,7 +52,7 @@ impl Search {
         let mut pose = Pose::default();
         for _ in 0..MAX_STEPS {
             let here = self.at(&pose).map_err(EquilibriumError::Lines)?;
-            let step = newton_step(&here)?;
+            let step = newton_step(&here).map_err(|motion| unstable(motion, &pose))?;
             if step.iter().all(|part| part.abs() < CLOSE) {
                 let pose = pose.moved(step);
                 self.check(&pose, weight_n)?;
@@ -124,11 +124,30 @@ impl Search {
         if left > ROUNDING * weight_n {
             return Err(EquilibriumError::NotHeld { motion, left });
         }
-        let tilt_deg = pose.rotation[2][2].clamp(-1.0, 1.0).acos().to_degrees();
+        let tilt_deg = tilt_deg(pose);
         match tilt_deg > MOST_TILT_DEG {
             true => Err(EquilibriumError::Tilts { tilt_deg }),
             false => Ok(()),
         }
+    }
+}
+
+/// The angle of the axis of a tower at a pose, degrees.
+fn tilt_deg(pose: &Pose) -> f64 {
+    pose.rotation[2][2].clamp(-1.0, 1.0).acos().to_degrees()
+}
+
+/// Why there is no step from a pose.
+fn unstable(motion: &'static str, pose: &Pose) -> EquilibriumError {
+    let [x, y, z] = pose.displacement_m;
+    let (shift_m, tilt_deg) = (x.hypot(y).hypot(z), tilt_deg(pose));
+    match *pose == Pose::default() {
+        true => EquilibriumError::Unstable { motion },
+        false => EquilibriumError::UnstableAway {
+            motion,
+            shift_m,
+            tilt_deg,
+        },
     }
 }
 
@@ -141,8 +160,8 @@ fn work(step: &[f64; 6], force: &[f64; 6]) -> f64 {
 }
 
 /// K⁻¹ F in units in which the diagonal of K is 1; none in a motion without stiffness, which only
-/// weights beside the axis couple with others.
-fn newton_step(loads: &Loads) -> Result<[f64; 6], EquilibriumError> {
+/// weights beside the axis couple with others. Fails with the motion of a negative stiffness.
+fn newton_step(loads: &Loads) -> Result<[f64; 6], &'static str> {
     let unit: [f64; 6] = std::array::from_fn(|i| match loads.stiffness[i][i] {
         0.0 => 0.0,
         own => 1.0 / own.abs().sqrt(),
@@ -160,8 +179,7 @@ fn newton_step(loads: &Loads) -> Result<[f64; 6], EquilibriumError> {
                     most
                 }
             });
-            let motion = MOTIONS[largest];
-            return Err(EquilibriumError::Unstable { motion });
+            return Err(MOTIONS[largest]);
         }
         if *value > FREE {
             let scaled: f64 = (0..6).map(|i| vector[i] * unit[i] * loads.force[i]).sum();

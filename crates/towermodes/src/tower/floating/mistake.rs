@@ -29,13 +29,26 @@ pub enum EquilibriumError {
         "the floating tower drifts to where its mooring lines cannot hold it: {0}; compare weight, buoyancy and the vertical force of the lines"
     )]
     Lines(MooringError),
-    /// A stiffness is negative.
+    /// A stiffness is negative at the reference position.
     #[error(
         "the floating tower has no stable equilibrium: its stiffness against {motion} is negative; check the heights of masses, hydrostatic stiffness and fairleads"
     )]
     Unstable {
         /// The motion with the most negative stiffness.
         motion: &'static str,
+    },
+    /// A stiffness is negative on the way from the reference position, where it is positive.
+    #[error(
+        "no equilibrium of the floating tower was found: its forces move it from the reference position, and {} m and {} degrees away its stiffness against {motion} is negative, although the modes, which belong to the reference position, are stable; compare weight, buoyancy and the vertical force of the lines",
+        Rounded(*.shift_m), Rounded(*.tilt_deg)
+    )]
+    UnstableAway {
+        /// The motion with the most negative stiffness.
+        motion: &'static str,
+        /// The distance from the reference position, m.
+        shift_m: f64,
+        /// The angle between the axis of the tower and the vertical, degrees.
+        tilt_deg: f64,
     },
     /// The tilt is too large for linear hydrostatics.
     #[error("the floating tower tilts by {} degrees until its forces are in balance, more than the {MOST_TILT_DEG} degrees for which the hydrostatic stiffness holds; check the horizontal positions of masses, buoyancy and fairleads", Rounded(*.tilt_deg))]

@@ -65,6 +65,30 @@ impl Frame {
         point(whole.mass_kg, whole.center_m)
     }
 
+    /// The same with growth and filling.
+    pub(crate) fn body_with_coats(&self) -> RigidBody {
+        let joints = &self.description().joints;
+        let mut all = vec![self.body()];
+        for member in &self.description().members {
+            let [from_m, to_m] = member.joints.map(|j| joints[j].position_m);
+            let length_m = self.length_m(member);
+            let solids = member
+                .coats
+                .iter()
+                .filter(|coat| match coat.kind.substance() {
+                    Substance::Filling | Substance::Growth => true,
+                    Substance::Water => false,
+                });
+            all.extend(solids.map(|coat| {
+                let middle = 0.5 * (coat.range[0] + coat.range[1]);
+                let at_m = |i: usize| from_m[i] + middle * (to_m[i] - from_m[i]);
+                point(coat.mass_kg(length_m), std::array::from_fn(at_m))
+            }));
+        }
+        let whole = RigidBody::combined(&all);
+        point(whole.mass_kg, whole.center_m)
+    }
+
     /// The mass of a member and its centre.
     fn body_of(&self, member: &FrameMember) -> RigidBody {
         let [from_m, to_m] = member

@@ -3,8 +3,9 @@
 use super::couplings::{self, Named};
 use super::usual::Usual;
 use super::{Given, bodies, frequency_hz};
-use crate::mooring::Pose;
+use crate::mooring::{MooringItem, Pose};
 use crate::space::SpatialMatrix;
+use crate::tower::frame::{CoatKind, FrameFoundation};
 use crate::tower::parts::floating_platform::{FloatingPlatform, ReferredMatrix};
 use crate::tower::validate::largest_asymmetry;
 use crate::tower::{Ineffective, Warning};
@@ -27,6 +28,8 @@ const ABOVE: f64 = 0.05;
 /// Half the difference of opposite entries of a matrix up to this fraction of their size changes no
 /// frequency that is printed: it is not worth a warning.
 const ROUNDING: f64 = 5e-5;
+/// Densities of sea water differ by 2 % at most.
+const SAME_WATER: f64 = 0.02;
 /// The vertical force that is left at the reference position is at most this fraction of the
 /// weight: published models have up to 0.8 %.
 const OUT_OF_BALANCE: f64 = 0.01;
@@ -90,6 +93,37 @@ pub(super) fn check(
     }
 }
 
+/// The rigid platform of a frame that floats has the mass of the members but for this fraction …
+const SAME_MASS: f64 = 0.1;
+/// … and their centre but for this fraction of the height of the frame.
+const SAME_CENTER: f64 = 0.05;
+
+/// A frame that floats and the rigid platform that stands for its weight.
+pub(super) fn of_members(foundation: &FrameFoundation, warnings: &mut Vec<Warning>) {
+    let Some(restoring) = &foundation.restoring else {
+        return;
+    };
+    let (platform, frame) = (&restoring.platform, &foundation.frame);
+    let members = frame.body_with_coats();
+    let heights = frame.description().joints.iter().map(|j| j.position_m[2]);
+    let [least_m, most_m] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], z| {
+        [a.min(z), b.max(z)]
+    });
+    let apart = (0..3).map(|i| (platform.center_m[i] - members.center_m[i]).abs());
+    let apart_m = apart.fold(0.0, f64::max);
+    let is_heavier = (platform.mass_kg / members.mass_kg - 1.0).abs() > SAME_MASS;
+    let key = if is_heavier { "mass" } else { "center" };
+    if is_heavier || apart_m > SAME_CENTER * (most_m - least_m) {
+        warnings.push(Warning::OtherMembers {
+            site: at(key),
+            mass_kg: platform.mass_kg,
+            center_m: platform.center_m,
+            members_kg: members.mass_kg,
+            members_m: members.center_m,
+        });
+    }
+}
+
 /// Mooring lines at rest, and the balance with weights and buoyancy.
 pub(super) fn at_rest(
     tower: &Tower,
@@ -147,6 +181,35 @@ fn lines(given: &Given<'_>, platform: &FloatingPlatform, warnings: &mut Vec<Warn
             warning,
         }
     }));
+    let lines_kg_per_m3 = mooring.description().water_density_kg_per_m3;
+    warnings.extend(other_water(given, lines_kg_per_m3));
+}
+
+/// Lines in another water than the tower or its members.
+fn other_water(given: &Given<'_>, lines_kg_per_m3: f64) -> Option<Warning> {
+    let around_tower = given.water.map(|water| water.density_kg_per_m3);
+    let around_tower = around_tower.map(|density| ("the tower is", density));
+    let frame = given.foundation.frame();
+    let members = frame
+        .into_iter()
+        .flat_map(|own| &own.frame.description().members);
+    let coats = members.flat_map(|member| &member.coats);
+    let around_members = coats.filter_map(|coat| match coat.kind {
+        CoatKind::AddedMass {
+            density_kg_per_m3, ..
+        } => Some(("its members are", density_kg_per_m3)),
+        CoatKind::Solid { .. } => None,
+    });
+    let is_other = |density: f64| (density / lines_kg_per_m3 - 1.0).abs() > SAME_WATER;
+    let mut waters = around_tower.into_iter().chain(around_members);
+    let (what, others_kg_per_m3) = waters.find(|(_, density)| is_other(*density))?;
+    let item = MooringItem::Site;
+    Some(Warning::OtherWater {
+        site: Site::at(Place::Mooring { item }),
+        what,
+        lines_kg_per_m3,
+        others_kg_per_m3,
+    })
 }
 
 fn at(key: &'static str) -> Site {

@@ -33,6 +33,7 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
             if let Some(restoring) = &foundation.restoring {
                 floating::at_rest(tower, given, &restoring.platform, warnings);
             }
+            floating::of_members(foundation, warnings);
         }
         Support::Form(form) => {
             if form.kind().contains_soil && has_soil(given) {

@@ -1,9 +1,7 @@
 //! The elements of a turbine.
 
 use super::super::error::TurbineError;
-
-/// The highest polynomial degree of an element.
-const MAX_DEGREE: usize = 60;
+use crate::beam::MAX_DEGREE;
 
 /// So many coordinates of each curvature are on the length of a blade, where its longest element
 /// is …

@@ -1,0 +1,72 @@
+//! The water of a model in the files that give it.
+
+use crate::diagnostic::line_and_column;
+use crate::error::ReadError;
+use crate::hydrodyn::{GivenWater, WaterDefaults, given_in, read_water, water_of_fst};
+use crate::note::Note;
+use crate::source::Source;
+
+/// Values of the water that differ by less than this fraction are one.
+const SAME: f64 = 1e-3;
+
+/// The files that give the water: that of the `.fst` file, of SeaState, of HydroDyn. A number in
+/// one of them goes before that in those before it.
+#[derive(Debug, Default)]
+pub(super) struct Sea {
+    files: Vec<Source>,
+}
+
+impl Sea {
+    pub(super) fn add(&mut self, file: Source) {
+        self.files.push(file);
+    }
+
+    /// What the files give for the next one.
+    pub(super) fn defaults(&self) -> Result<WaterDefaults, ReadError> {
+        let mut files = self.files.iter();
+        files.try_fold(WaterDefaults::default(), |before, file| {
+            read_water(file, before)
+        })
+    }
+
+    /// The number of the depth that is used, and its file.
+    pub(super) fn depth(&self) -> Option<(&Source, GivenWater)> {
+        let mut given = self.given().filter(|(_, given)| given.name == "WtrDpth");
+        given.next_back()
+    }
+
+    fn given(&self) -> impl DoubleEndedIterator<Item = (&Source, GivenWater)> {
+        let files = self.files.iter();
+        files.flat_map(|file| given_in(file).into_iter().map(move |given| (file, given)))
+    }
+
+    /// Numbers of one value that differ between the files.
+    pub(super) fn notes(&self) -> Vec<Note> {
+        let mut notes = Vec::new();
+        let all: Vec<_> = self.given().collect();
+        for (index, (file, own)) in all.iter().enumerate() {
+            let mut before = all[..index].iter().rev();
+            let Some((other_file, other)) = before.find(|(_, other)| other.name == own.name) else {
+                continue;
+            };
+            let largest = own.value.abs().max(other.value.abs());
+            if (own.value - other.value).abs() > SAME * largest {
+                let message = format!(
+                    "{} is {} here, but {} in {}: the value here is used; make both equal, or write \"default\" here",
+                    own.name,
+                    own.value,
+                    other.value,
+                    place(other_file, other.at)
+                );
+                notes.push(Note::suspicious(message).at(file, own.at));
+            }
+        }
+        notes
+    }
+}
+
+/// A file and the line of one of its bytes.
+pub(super) fn place(file: &Source, byte: usize) -> String {
+    let (line, _) = line_and_column(&file.text, byte);
+    format!("{}:{line}", file.name)
+}
