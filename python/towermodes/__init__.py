@@ -11,7 +11,7 @@ Each frequency has an error estimate, and a certificate proves that no mode is m
 True
 
 `read` reads towers from any file that the program reads, `Tower` makes them from numbers;
-`Tower.solve` computes the modes. Units are SI and stand in the names: `height_m`, `frequency_hz`.
+`Tower.solve` computes the modes. Units are part of the names: `height_m`, `frequency_hz`.
 x is fore-aft (downwind), y side-side, z up.
 """
 

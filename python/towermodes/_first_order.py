@@ -1,4 +1,4 @@
-"""How sure the frequencies of a tower are, from derivatives."""
+"""The uncertainty of the frequencies of a tower to first order, from derivatives."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ if TYPE_CHECKING:
 
 
 class FirstOrder(Tabular):
-    """Mean and standard deviation of frequencies to first order in what varies.
+    """Mean and standard deviation of frequencies to first order in the varied input values.
 
-    The frequencies are linear functions of the varied numbers, with the exact derivatives at their
-    mean values. `warnings` says where the curvature is too large for that.
+    The frequencies are linear functions of the varied input values, with the exact derivatives at
+    the mean values. `warnings` names the modes whose curvature is too large for this.
 
     >>> import towermodes as tm
     >>> tower = tm.read("examples/nrel-5mw.toml")
@@ -50,17 +50,17 @@ class FirstOrder(Tabular):
 
     @property
     def mean_shift_hz(self) -> dict[str, float]:
-        """By how much the curvature moves each mean, to second order, Hz.
+        """Estimated second-order shift of each mean by the curvature, Hz.
 
-        The first order neglects this. NaN where it is not known.
+        `mean_hz` does not include it. NaN where it is not known.
         """
         return self._of_modes("mean_shift_hz")
 
     def shares(self, mode: str) -> dict[str, float]:
-        """The share of each varied number in the variance of a mode, which add up to 1.
+        """The share of each varied input value in the variance of a mode; they add up to 1.
 
-        Of two correlated numbers each has half of what both do together, so a share may be
-        negative.
+        The joint contribution of two correlated values is divided equally between them, so a share
+        may be negative.
 
         Raises:
             KeyError: There is no such mode.

@@ -21,15 +21,17 @@ if TYPE_CHECKING:
 
 
 class Sensitivities:
-    """Derivatives of the mass and the natural frequencies of a tower with respect to its numbers.
+    """Derivatives of mass and natural frequencies of a tower with respect to its input values.
 
-    The frequencies are extrapolated, as those of a sweep. The derivatives are computed from the
-    modes themselves; they are no differences of solved towers. Where fewer than 60 segments leave a
-    derivative an error above 0.1 %, as in soil, all are computed on a finer mesh too, so that they
-    are good to some 0.1 %; `error_hz_per_unit` is a cautious estimate of their errors.
+    The frequencies are extrapolated, as in a sweep. The derivatives are computed from the mode
+    shapes, not as differences between the frequencies of two towers. If with fewer than 60 segments
+    the error of a derivative is above 0.1 %, as often in soil, all derivatives are computed on a
+    finer mesh, where their errors are about 0.1 %; `error_hz_per_unit` is a cautious estimate of
+    these errors.
 
     `polars.DataFrame(result)`, `pyarrow.table(result)` and other libraries with the Arrow
-    interface take it as a table; `pandas.DataFrame(result.to_dict())` does so without it.
+    interface convert the result to a table; without this interface use
+    `pandas.DataFrame(result.to_dict())`.
 
     >>> import towermodes as tm
     >>> tower = tm.read("examples/nrel-5mw.toml")
@@ -54,7 +56,7 @@ class Sensitivities:
     )
 
     missing: list[tuple[str, tuple[Family, int], str]]
-    """Derivatives that do not exist: the name of the number, the mode, and the reason."""
+    """Derivatives that do not exist: the name of the input value, the mode, and the reason."""
 
     def __init__(self, derived: tuple[Any, ...]) -> None:
         import numpy as np
@@ -81,17 +83,17 @@ class Sensitivities:
 
     @property
     def names(self) -> list[str]:
-        """The names of the numbers: the rows of the arrays."""
+        """The names of the input values: the rows of the arrays."""
         return [name for name, _, _ in self._varied]
 
     @property
     def units(self) -> list[str]:
-        """The units of the numbers; empty for a number without a unit and for a factor."""
+        """The units of the input values; empty for a value without a unit and for a factor."""
         return [unit for _, unit, _ in self._varied]
 
     @property
     def values(self) -> Array:
-        """The values of the numbers: (numbers,); 1 for a factor (`scale`), 0 for `add`."""
+        """The input values: (inputs,); 1 for a factor (`scale`), 0 for `add`."""
         return self._values
 
     @property
@@ -101,16 +103,16 @@ class Sensitivities:
 
     @property
     def frequency_hz(self) -> Array:
-        """Natural frequencies of the beam, extrapolated, Hz: (modes,).
+        """Natural frequencies, extrapolated to the continuous beam, Hz: (modes,).
 
-        Every station is a border of segments, so they may differ from those of a sweep within their
-        errors.
+        Every station is a segment border, so the frequencies may differ from those of a sweep, but
+        not by more than their errors.
         """
         return self._frequency_hz
 
     @property
     def hz_per_unit(self) -> Array:
-        """Derivatives of the frequencies, Hz per unit of the number: (numbers, modes).
+        """Derivatives of the frequencies, Hz per unit of the input value: (inputs, modes).
 
         NaN where a frequency has no derivative; `missing` says why.
         """
@@ -118,12 +120,12 @@ class Sensitivities:
 
     @property
     def error_hz_per_unit(self) -> Array:
-        """Estimated errors of `hz_per_unit`: (numbers, modes)."""
+        """Estimated errors of `hz_per_unit`, Hz per unit: (inputs, modes)."""
         return self._error
 
     @property
     def elasticity(self) -> Array:
-        """Percent of frequency per percent of the number: (numbers, modes).
+        """Percent of the frequency per percent of the input value: (inputs, modes).
 
         NaN without a derivative, and for `add`.
         """
@@ -131,11 +133,11 @@ class Sensitivities:
 
     @property
     def mass_kg_per_unit(self) -> Array:
-        """Derivatives of `Tower.structure_mass_kg`, kg per unit: (numbers,)."""
+        """Derivatives of `Tower.structure_mass_kg`, kg per unit: (inputs,)."""
         return self._mass
 
     def mode(self, family: Family | str, order: int | None = None) -> Array:
-        """The derivatives of a mode by its name, Hz per unit: (numbers,).
+        """The derivatives of a mode by its name, Hz per unit: (inputs,).
 
         Raises:
             KeyError: The mode is not among `modes`; the argument `modes` can name it.
@@ -143,7 +145,7 @@ class Sensitivities:
         return self._hz_per_unit[:, place_of(self.modes, family, order)]
 
     def to_dict(self) -> dict[str, Any]:
-        """The columns of the table: one row for each number."""
+        """The columns of the table, with one row for each input value."""
         return {"name": self.names, "unit": self.units, **self._numbers()}
 
     def _numbers(self) -> dict[str, Array]:

@@ -61,7 +61,7 @@ class Solution(ModeArrays, Computed):
 
     @property
     def error_hz(self) -> Array:
-        """Errors of `frequency_hz`, discretization and eigenvalue computation, Hz: (modes,)."""
+        """Errors of `frequency_hz`, discretization plus eigenvalue computation, Hz: (modes,)."""
         array: Array = self._core.error_hz
         return array
 
@@ -79,9 +79,9 @@ class Solution(ModeArrays, Computed):
 
     @property
     def effective_mass_shares(self) -> Array | None:
-        """Sums of the effective masses of these modes as fractions of the whole: (6,).
+        """Sums of the effective masses of these modes as fractions of the total masses: (6,).
 
-        None where each mode has the added mass of its own frequency: such masses do not add up.
+        None if each mode has the added mass at its own frequency: such masses do not add up.
         The columns `effective_mass_shares.x` and so on have the fractions of each mode.
         """
         array: Array | None = self._core.effective_mass_shares
@@ -140,8 +140,8 @@ class Solution(ModeArrays, Computed):
     def joint_shape(self) -> Array:
         """The motion of the joints of the substructure: (modes, joints, 6).
 
-        In the order of `Tower.joints` and on the scale of `shape`; without joints for a tower that
-        does not stand on members.
+        The order is that of `Tower.joints`, and the normalization that of `shape`. The axis of the
+        joints is empty for a tower without a substructure of members.
         """
         array: Array = self._core.joint_shape
         return array
@@ -150,9 +150,9 @@ class Solution(ModeArrays, Computed):
     def member_shape(self) -> Array:
         """The translation of points within the members of the substructure: (modes, members, 3, 3).
 
-        In the order of `Tower.members` and on the scale of `shape`. The third axis is the point, at
-        a quarter, a half and three quarters of the member from its first joint; the last is x, y,
-        z.
+        The order is that of `Tower.members`, and the normalization that of `shape`. The third axis
+        is the point, at a quarter, a half and three quarters of the member from its first joint;
+        the last axis is x, y, z.
         """
         points: Array = self._core.member_shape
         modes, rows, _ = points.shape
@@ -193,10 +193,10 @@ class Solution(ModeArrays, Computed):
     def certified(self) -> bool:
         """Whether the count of eigenvalues proves that no mode is missing.
 
-        It counts the modes below `complete_below_hz`: there are exactly `count`. A list that is not
-        complete is an error, except where the added mass of a floating platform depends on frequency
-        and leaves an interval uncertain: `uncertain_hz`. Where the number of modes cuts a
-        pair of equal frequencies, the other mode of the last pair is counted and not in the list.
+        The proof is that exactly `count` modes exist below `complete_below_hz`. An incomplete list
+        raises an exception, except if the added mass of a floating platform depends on frequency
+        and leaves an uncertain interval: `uncertain_hz`. If the number of modes cuts a pair of
+        equal frequencies, the other mode of the last pair is counted but not in the list.
         """
         return self._core.certificate[0]
 
@@ -204,7 +204,7 @@ class Solution(ModeArrays, Computed):
     def count(self) -> int:
         """The number of modes below `complete_below_hz`, counted without computing them.
 
-        It is larger than the number of modes in the list where this cuts a pair.
+        It is larger than the number of modes in the list if the list ends within a pair.
         """
         return self._core.certificate[1]
 
@@ -220,7 +220,10 @@ class Solution(ModeArrays, Computed):
 
     @property
     def buckling_load_factor(self) -> float | None:
-        """The factor on gravity at which the tower buckles; None without gravity or afloat."""
+        """The factor on gravity at which the tower buckles.
+
+        None without gravity, and for a floating tower.
+        """
         return self._core.buckling_load_factor
 
     @property
@@ -243,10 +246,10 @@ class Solution(ModeArrays, Computed):
         return [Mode(self, index) for index in range(len(self))]
 
     def mode(self, family: Family | str, order: int | None = None) -> Mode:
-        """The mode of a family and an order in it, from 1; also by one text: `"fore-aft 1"`.
+        """The mode with a family and an order in it, from 1, or with a name: `"fore-aft 1"`.
 
         Raises:
-            KeyError: The list has no such mode; more modes may have it.
+            KeyError: The list has no such mode; a longer list may contain it.
             ValueError: There is no such family.
 
         >>> import towermodes as tm
@@ -257,18 +260,18 @@ class Solution(ModeArrays, Computed):
         return Mode(self, place_of(self.names, family, order))
 
     def sensitivities(self, names: Iterable[str] | None = None) -> Sensitivities:
-        """Derivatives of the frequencies of these modes with respect to the numbers of the tower.
+        """Derivatives of the frequencies of these modes with respect to the input values.
 
-        They are those of `Tower.sensitivities` for the same modes, method, rotary inertia and,
-        if it was given, number of segments. Options of `Tower.solve` that it does not have have no
-        effect: `degree` and `hinge_position`.
+        The result is that of `Tower.sensitivities` for the same modes, method, rotary inertia and,
+        if it was given, number of segments. The options `degree` and `hinge_position` of
+        `Tower.solve` have no effect.
 
         Args:
-            names: As in `Tower.sensitivities`; by default each number of the tower.
+            names: As in `Tower.sensitivities`; by default each input value of the tower.
 
         Raises:
             ValueError: As in `Tower.sensitivities`.
-            SolveError: A neighbour of the tower cannot be solved.
+            SolveError: A slightly changed tower, from which a derivative follows, has no modes.
 
         >>> import towermodes as tm
         >>> solution = tm.read("examples/nrel-5mw.toml").solve(modes=2)
@@ -374,7 +377,7 @@ class Mode(ModeNumbers):
 
     @property
     def share(self) -> float:
-        """The share of its own family in its energy.
+        """The share of its family in the energy of the mode, 0 to 1.
 
         >>> import towermodes as tm
         >>> tower = tm.read("examples/nrel-5mw.toml")
@@ -386,7 +389,7 @@ class Mode(ModeNumbers):
 
     @property
     def second(self) -> tuple[Family, float] | None:
-        """The family with the largest share beside its own, and this share; None without one.
+        """The other family with the largest share of the energy, and this share, or None.
 
         >>> import towermodes as tm
         >>> tower = tm.read("examples/nrel-5mw.toml")
@@ -409,7 +412,7 @@ class Mode(ModeNumbers):
 
     @property
     def error_hz(self) -> float:
-        """Error of `frequency_hz`, discretization and eigenvalue computation, Hz."""
+        """Error of `frequency_hz`, discretization plus eigenvalue computation, Hz."""
         return float(self._solution.error_hz[self._index])
 
     @property

@@ -61,7 +61,7 @@ class SubstructureModes:
 
     @property
     def error_hz(self) -> Array:
-        """Errors of the frequencies, discretization and eigenvalue computation, Hz."""
+        """Errors of the frequencies, discretization plus eigenvalue computation, Hz."""
         return self._of_each("discretization_error_hz") + self._of_each("algebraic_error_hz")
 
     @property
@@ -90,13 +90,13 @@ class SubstructureModes:
 
     @property
     def masses_kg(self) -> dict[str, float]:
-        """The mass by what it is, kg: members, growth, filling, joints, soil, and added water."""
+        """The mass by kind, kg: members, growth, filling, joints, soil, and added mass of water."""
         masses = self._data["substructure"]["masses"]
         return {name.removesuffix("_kg"): mass for name, mass in masses.items()}
 
     @property
     def complete_below_hz(self) -> float:
-        """Up to this frequency no mode is missing, Hz: an eigenvalue count proves it."""
+        """The frequency below which no mode is missing, as an eigenvalue count proves, Hz."""
         return float(self._data["complete_below_hz"])
 
     @property

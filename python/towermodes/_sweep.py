@@ -128,7 +128,8 @@ class SweepResult:
     """The results of a sweep: one row for each tower, columns by the names of modes.
 
     `polars.DataFrame(result)`, `pyarrow.table(result)` and other libraries with the Arrow
-    interface take it as a table; `pandas.DataFrame(result.to_dict())` does so without it.
+    interface convert the result to a table; without this interface use
+    `pandas.DataFrame(result.to_dict())`.
 
     >>> import towermodes as tm
     >>> tower = tm.read("examples/nrel-5mw.toml")
@@ -158,13 +159,13 @@ class SweepResult:
     first_row: int
     """The number of the first row in the table or the study; 0 without the argument `rows`."""
     failures: Failures
-    """What failed or is missing: a list of the row, from 0, and the message."""
+    """Rows that failed or lack a mode: a list of row number, from 0, and message."""
     warned_rows: int
-    """Number of rows whose input is possible but probably a mistake, unlike that of the tower."""
+    """Number of rows with probable input mistakes that the tower itself does not have."""
     warnings: list[tuple[int, str]]
     """The first of these rows, up to five: the row, from 0, and the message."""
     shared_rows: int
-    """Number of rows where less than 60 % of a mode is the motion of its name: see `share`."""
+    """Number of rows in which the `share` of a mode is below 0.6."""
     shared: list[tuple[int, str]]
     """The first of these rows, up to five: the row, from 0, and which modes share their motion."""
 
@@ -200,7 +201,7 @@ class SweepResult:
 
     @property
     def frequency_hz(self) -> Array:
-        """Natural frequencies of the beam, extrapolated, Hz: (rows, modes).
+        """Natural frequencies, extrapolated to the continuous beam, Hz: (rows, modes).
 
         They correspond to `Solution.extrapolated_hz` for the same number of segments, not to
         `Solution.frequency_hz`.
@@ -221,8 +222,9 @@ class SweepResult:
     def share(self) -> Array:
         """The share of the family of each name in the energy of its mode: (rows, modes).
 
-        It is near 1 where the mode has one motion. Where it is below 0.6, modes share the motion,
-        and between such rows they may exchange their names; `shared` has the first of these rows.
+        It is near 1 for a mode with one type of motion. If it is below 0.6, several modes share the
+        motion, and from such a row to the next they may exchange their names; `shared` has the
+        first of these rows.
         """
         return self._share
 
@@ -239,13 +241,13 @@ class SweepResult:
     @property
     def inputs(self) -> dict[str, Array]:
         """The columns of the table of the sweep; they are copies."""
-        refusal = "the inputs of a sweep that is done do not change; dict(...) of them can be written"
+        refusal = "the inputs of a sweep do not change; dict(result.inputs) is a copy that can change"
         return Constant(dict(self._inputs), refusal)
 
     def mode(self, family: Family | str, order: int | None = None) -> Array:
         """The frequencies of a mode by its name, extrapolated, Hz: (rows,).
 
-        The name is `"fore-aft", 1` or `"fore-aft 1"`; without a number it is the first.
+        The name is `"fore-aft", 1` or `"fore-aft 1"`; without a number, the first mode is meant.
 
         Raises:
             KeyError: The sweep has no such mode; its argument `modes` can name it.

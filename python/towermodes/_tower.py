@@ -59,7 +59,7 @@ class Tower:
     """A tower. It never changes; `with_` makes another one.
 
     The arguments are the tables of the tower file and the keys of its table [tower], with the same
-    keys and units (m, kg, N, Pa).
+    keys and units.
 
     Args:
         stations: Rows of height, outer diameter and wall thickness, m, from the base to the top,
@@ -86,8 +86,8 @@ class Tower:
         drivetrain: `rotor_inertia` and others, for a rotor that turns freely.
         damping: Loss factors, and data of the blades: `tower_loss_factor` and others.
         missing_parts: Parts of the structure that the source of the tower has and this model lacks:
-            `"substructure"`, `"mooring-lines"` and others. Results are marked, and nothing is
-            checked for resonance.
+            `"substructure"`, `"mooring-lines"` and others. The results have a note on them, and
+            resonance is not checked.
 
     Raises:
         TowerError: The numbers do not describe a valid tower.
@@ -173,7 +173,7 @@ class Tower:
 
     @property
     def height_m(self) -> float:
-        """Base to top, m."""
+        """Height of the tower from its base to its top, m."""
         return self._core.height_m
 
     @property
@@ -193,7 +193,7 @@ class Tower:
 
     @property
     def structure_mass_kg(self) -> float:
-        """This mass and the mass of the members of a substructure, kg."""
+        """Mass of the tower (`mass_kg`) and of the members of a substructure, kg."""
         return self._core.structure_mass_kg
 
     @property
@@ -210,10 +210,11 @@ class Tower:
     def static_balance(self) -> dict[str, object] | None:
         """Weights, buoyancy and mooring lines of a floating tower at its reference position.
 
-        The keys are those of `static_balance` in the JSON of the program: forces in N, what is left
-        in x, y, z (`residual_force_n`, `residual_moment_n_m`), the `equilibrium` in m and degrees
-        (None if there is none), and whether the lines have their stiffness there. None if the tower
-        does not float, without gravity, or if the buoyancy of its platform is not known.
+        The keys are those of `static_balance` in the JSON of the program: weights and forces in N,
+        the remaining force and moment (`residual_force_n`, `residual_moment_n_m`, in x, y, z), the
+        `equilibrium` in m and degrees (None if no equilibrium is found), and whether the modes have
+        the stiffness of the lines at the equilibrium. The result is None for a tower that does not
+        float, without gravity, or if the buoyancy of the platform is not known.
 
         >>> import towermodes as tm
         >>> balance = tm.read("examples/floating-lines.toml").static_balance
@@ -261,11 +262,11 @@ class Tower:
 
     @property
     def substructure_masses_kg(self) -> dict[str, float]:
-        """The mass of the substructure by what it is, kg; empty without one.
+        """The mass of the substructure by kind, kg; empty without a substructure.
 
         Members, marine growth, filling (water in members), masses on joints, soil that moves with
-        the supports, transition piece, and the water around members that moves across them, which
-        has no weight.
+        the supports, transition piece, and the added mass of the water around members, which has no
+        weight.
         """
         return dict(self._core.substructure_masses_kg)
 
@@ -276,10 +277,10 @@ class Tower:
 
     @property
     def parameters(self) -> dict[str, float]:
-        """The numbers of the tower by the names that they have in the tower file.
+        """The input values of the tower by their names in the tower file.
 
         Indices count from 0. `with_` and `sweep` take these names. The tower does not change, so
-        the dict refuses to be written; `dict(tower.parameters)` can be written.
+        this dict cannot be changed; `dict(tower.parameters)` is a copy that can be changed.
 
         >>> import towermodes as tm
         >>> tower = tm.read("examples/nrel-5mw.toml")
@@ -291,25 +292,25 @@ class Tower:
 
     @property
     def parameter_units(self) -> dict[str, str]:
-        """The units of `parameters`; empty for a number without a unit."""
+        """The units of `parameters`; empty for a value without a unit."""
         units = {name: unit for name, _, unit, _ in self._core.parameters()}
         return Constant(units, NO_WRITING)
 
     @property
     def parameter_meanings(self) -> dict[str, str]:
-        """What each of `parameters` is, in a few words."""
+        """The meaning of each of `parameters` in a few words."""
         meanings = {name: meaning for name, _, _, meaning in self._core.parameters()}
         return Constant(meanings, NO_WRITING)
 
     def with_(self, changes: Mapping[str, SupportsFloat]) -> Self:
-        """This tower with other numbers; each change is one of its `notes`.
+        """A tower with changed input values; its `notes` list the changes.
 
         Args:
-            changes: Names and values. `rna.mass` sets a number, `stations[*].wall` sets each of
-                them, `scale(stations[*].wall)` multiplies, `add(stations[1].height)` adds.
+            changes: Names and values. `rna.mass` sets a value, `stations[*].wall` sets the value of
+                each station, `scale(stations[*].wall)` multiplies, `add(stations[1].height)` adds.
 
         Raises:
-            ValueError: The tower has no such number, or two changes contradict each other.
+            ValueError: The tower has no such input value, or two changes contradict each other.
             TowerError: The result is not a valid tower.
 
         >>> import towermodes as tm
@@ -325,7 +326,7 @@ class Tower:
         return type(self)._of(self._core.changed(pairs))
 
     def to_toml(self) -> str:
-        """The tower as the text of a tower file, which is read back number by number."""
+        """The tower as the text of a tower file; reading it gives exactly the same numbers."""
         return self.convert("toml").text
 
     def solve(
@@ -348,7 +349,7 @@ class Tower:
 
         Args:
             modes: Number of modes; by default 8, or the number in a BModes deck. Or names of modes,
-                as in `sweep`: as many of the lowest modes are computed as contain them.
+                as in `sweep`: then the list of lowest modes is long enough to contain these.
             method: The method; by default "rmje-exact", or "bmodes" for a BModes deck.
             segments: Number of segments or elements; by default about 100.
             degree: Polynomial degree of the elements of the method "spectral"; by default it is
@@ -358,9 +359,9 @@ class Tower:
             rotary_inertia: Whether sections have rotary inertia in bending.
             hinge_position: Position of the hinges of the method "cardanic": distance from each end
                 as a fraction of the segment length.
-            added_mass: Where the added mass of a floating platform depends on frequency: "own" (each
-                mode has that of its own frequency), "infinite" (as a linearization by OpenFAST),
-                "zero", or a frequency, Hz.
+            added_mass: Frequency-dependent added mass of a floating platform: "own" (each mode has
+                the added mass at its own frequency), "infinite" (at infinite frequency, as in a
+                linearization by OpenFAST), "zero" (at zero frequency), or a frequency, Hz.
             limits: Whether a computation that would need more than 4 GiB or ten minutes is refused.
 
         Raises:
@@ -405,12 +406,12 @@ class Tower:
         Args:
             table: A dict of arrays and numbers, a DataFrame of pandas or polars, or another table
                 with the Arrow interface. The names of the columns are those of `with_`:
-                `rna.mass` sets a number, `scale(stations[*].wall)` multiplies. A column whose name
-                begins with `#`, such as a number of the row, is left out. Or the path of a table in
+                `rna.mass` sets a value, `scale(stations[*].wall)` multiplies. A column whose name
+                begins with `#`, such as a number of the row, is ignored. Or the path of a table in
                 CSV or Parquet; or a study: the path of a TOML file with [sweep], whose `base` is
                 not read, or a dict with the same tables.
-            modes: Number of modes of this tower whose names are columns, 4 by default, or their
-                names: `[("fore-aft", 1), "torsion 1"]`.
+            modes: Number of lowest modes of this tower, 4 by default, whose names become columns;
+                or names of modes: `[("fore-aft", 1), "torsion 1"]`.
             segments: Number of segments; by default 20, except for the method "spectral", which
                 chooses its elements, and for a BModes deck, which has elements of its own. The
                 frequencies are extrapolated from several meshes and have five to seven correct
@@ -419,7 +420,7 @@ class Tower:
             rotary_inertia: As in `solve`.
             threads: Number of threads; by default all processors. The results do not depend on
                 it. With 1, the calling thread does the work.
-            ignore: Names of other columns that are left out.
+            ignore: Names of other columns that are ignored.
             rows: The rows that are solved, by default all: `range(0, 50_000)` for the first 50 000.
                 A table in a file that does not fit into memory is solved in several calls; `row`
                 and `failures` have the numbers of the rows in the table.
@@ -450,8 +451,8 @@ class Tower:
             study: As in `sweep`.
 
         Raises:
-            TowerError: The study has mistakes; of a file the exception has their places.
-            ValueError: The tower has no such number.
+            TowerError: The study has mistakes; for a file, the exception has their places.
+            ValueError: The tower has no such input value.
             OSError: The file cannot be read.
 
         >>> import towermodes as tm
@@ -474,25 +475,26 @@ class Tower:
         method: Method | None = None,
         rotary_inertia: bool = True,
     ) -> Sensitivities:
-        """Derivatives of the mass and the frequencies with respect to the numbers of this tower.
+        """Derivatives of the mass and the frequencies with respect to the input values.
 
-        They are computed from the modes without differences of solved towers, for every number and
-        every method, and belong to the frequencies of a sweep with the same arguments. Other Python
-        threads run meanwhile, and Ctrl-C ends it.
+        They are computed from the mode shapes, not as differences between the frequencies of two
+        towers, for every input value and every method. They are derivatives of the extrapolated
+        frequencies that a sweep with the same arguments has. Other Python threads run meanwhile,
+        and Ctrl-C ends the computation.
 
         Args:
-            names: Names of numbers, as those of `with_`: `rna.mass` for a number,
-                `scale(stations[*].wall)` for a factor on several, `add(rna.mass)` for an addition;
-                by default each number of the tower on which the frequencies can depend.
+            names: Names as in `with_`: `rna.mass` for an input value, `scale(stations[*].wall)` for
+                a factor on several values, `add(rna.mass)` for an addition; by default each input
+                value of the tower on which the frequencies can depend.
             modes: As in `sweep`.
             segments: As in `sweep`.
             method: As in `sweep`.
             rotary_inertia: Whether sections have rotary inertia in bending.
 
         Raises:
-            ValueError: The tower has no such number or no such mode, or a name sets several numbers
-                that are not equal, so that it has no value on this tower.
-            SolveError: The tower is not solved.
+            ValueError: The tower has no such input value or no such mode, or a name sets several
+                input values that are not equal, so that there is no single value to start from.
+            SolveError: The modes of the tower cannot be computed.
 
         >>> import towermodes as tm
         >>> tower = tm.read("examples/nrel-5mw.toml")
@@ -515,14 +517,14 @@ class Tower:
         rotary_inertia: bool = True,
         progress: Callable[[int], object] | None = None,
     ) -> FirstOrder:
-        """Mean and standard deviation of the frequencies, if numbers of this tower are uncertain.
+        """Mean and standard deviation of the frequencies for uncertain input values.
 
-        It is the `sweep --first-order` of the program: the frequencies are linear functions of the
-        varied numbers, with the exact derivatives at their means, and no rows are solved. Other
-        Python threads run meanwhile, and Ctrl-C ends it.
+        The result is that of `towermodes sweep --first-order`: the frequencies are linear functions
+        of the varied input values, with the exact derivatives at the mean values, and no rows are
+        solved. Other Python threads run meanwhile, and Ctrl-C ends the computation.
 
         Args:
-            study: The path of the study of a sweep with [sweep.vary], whose `base` is not read, or
+            study: The path of a sweep study with [sweep.vary], whose `base` is not read, or
                 a dict with the same tables, in which only the distributions are needed.
             modes: As in `sweep`; by default those of the study.
             segments: As in `sweep`; by default those of the study.
@@ -531,7 +533,7 @@ class Tower:
             progress: As in `design`.
 
         Raises:
-            TowerError: The study has mistakes; of a file the exception has their places.
+            TowerError: The study has mistakes; for a file, the exception has their places.
             ValueError: The study has no distributions, or they have no first order.
             SolveError: The tower at the mean values cannot be solved.
             OSError: The file cannot be read.
@@ -551,8 +553,8 @@ class Tower:
     ) -> Design:
         """Finds a light tower whose frequencies are in given bands.
 
-        A local minimum of the mass, found from exact derivatives; a lighter tower may exist elsewhere. Other Python
-        threads run meanwhile, and Ctrl-C ends it.
+        The tower is a local minimum of the mass, found from exact derivatives; a lighter tower may
+        exist elsewhere. Other Python threads run meanwhile, and Ctrl-C ends the search.
 
         Args:
             study: The path of a study, a TOML file with [design], or a dict with the same tables.
@@ -561,9 +563,9 @@ class Tower:
                 exception in it ends the search.
 
         Raises:
-            TowerError: The study has mistakes; of a file the exception has their places.
+            TowerError: The study has mistakes; for a file, the exception has their places.
             ValueError: The tower has no such mode, or the study contradicts itself.
-            SolveError: No tower meets the study; the message has the nearest one.
+            SolveError: No tower meets the goals of the study; the message describes the nearest.
             OSError: The file cannot be read.
 
         >>> import towermodes as tm
@@ -584,7 +586,7 @@ class Tower:
         rotary_inertia: bool = True,
         progress: Callable[[int], object] | None = None,
     ) -> Calibration:
-        """Fits numbers of this tower to measured frequencies.
+        """Fits input values of this tower to measured frequencies.
 
         The fit is a weighted least squares fit with exact derivatives. It explains the
         measurements; it does not validate the model. Other Python threads run meanwhile, and
@@ -593,16 +595,18 @@ class Tower:
         Args:
             measured: The path of a TOML file with [[measured]] and [calibrate.unknowns], or a dict
                 with the same tables.
-            free: Names of the numbers to be fitted; by default all unknowns of `measured`.
+            free: Names of the input values to be fitted; by default all unknowns of `measured`.
             method: As in `solve`.
             segments: As in `solve`.
             rotary_inertia: Whether sections have rotary inertia in bending.
             progress: As in `design`.
 
         Raises:
-            TowerError: The measurements have mistakes; of a file the exception has their places.
-            ValueError: The tower has no such number or mode, or there are too few measurements.
-            SolveError: The measurements do not determine the numbers, or cannot be reached.
+            TowerError: The measurements have mistakes; for a file, the exception has their places.
+            ValueError: The tower has no such input value or mode, or there are too few
+                measurements.
+            SolveError: The measurements do not determine the input values, or no input values give
+                the measured frequencies.
             OSError: The file cannot be read.
 
         >>> import towermodes as tm
@@ -634,7 +638,7 @@ class Tower:
                 of the file.
             blades: Number of blades; by default that of the file, otherwise 3.
             multiples: Multiples of the rotor speed; by default 1, B, 2B, 3B with B blades.
-            margin: Required distance as a fraction of the natural frequency.
+            margin: Required distance as a fraction of the natural frequency: 0.05 is 5 %.
             modes: Number of modes; by default 8, or up to 40 if the excitations need more.
             method: As in `solve`.
             segments: As in `solve`.
@@ -692,21 +696,22 @@ class Tower:
         method: Method | None = None,
         segments: SupportsIndex | None = None,
     ) -> Damping:
-        """Damping ratios of the modes, by the parts of the tower and by the rotor in the wind.
+        """Damping ratios of the modes: of the parts of the tower, and aerodynamic by the rotor.
 
-        A part contributes half its loss factor times its fraction of the strain energy of the mode;
-        water, of the kinetic energy. Nothing is assumed: parts without a loss factor contribute
-        nothing, and the notes name them.
+        The damping ratio of a part is half its loss factor times its fraction of the strain energy
+        of the mode (water: of the kinetic energy). There are no default loss factors: parts without
+        a loss factor contribute nothing, and the notes name them.
 
         Args:
             loss_factors: Loss factors (twice the damping ratio) by part: "tower", "substructure",
-                "foundation", "soil", "wires", "water" or the name of a material; by default those
-                of the file.
-            chord_moment_m3: Integral of chord times radius over one blade; by default that of the
-                file. Without it there is no aerodynamic damping.
-            lift_slope: Slope of the lift coefficient, per rad; by default that of the file,
+                "foundation", "soil", "wires", "water" or the name of a material; by default the
+                values of the file.
+            chord_moment_m3: Integral of chord times radius over one blade, m³; by default the value
+                of the file. Without it there is no aerodynamic damping.
+            lift_slope: Slope of the lift coefficient, per rad; by default the value of the file,
                 otherwise 2 pi.
-            air_density_kg_per_m3: By default that of the file, otherwise 1.225.
+            air_density_kg_per_m3: Density of air, kg/m³; by default the value of the file,
+                otherwise 1.225.
             rpm: As in `campbell`.
             blades: As in `campbell`.
             modes: Number of modes, from the lowest.
@@ -715,7 +720,7 @@ class Tower:
 
         Raises:
             ValueError: The tower has no such part, or a value is impossible.
-            SolveError: The tower is not solved.
+            SolveError: The modes of the tower cannot be computed.
 
         >>> import towermodes as tm
         >>> tower = tm.read("examples/nrel-5mw.toml")

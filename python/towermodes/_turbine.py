@@ -64,15 +64,15 @@ class Turbine:
 
     @property
     def notes(self) -> list[str]:
-        """Assumptions and omissions when the file was read, those on the turbine among them."""
+        """Assumptions and omissions when the file was read, including those on the turbine."""
         return self._tower._core.turbine_notes
 
     def modes(self, rpm: float, limit_hz: float) -> TurbineModes:
-        """All modes below a frequency at a rotor speed, with bounds that counts prove.
+        """All modes below a frequency at a rotor speed, with bounds from eigenvalue counts.
 
         Args:
             rpm: The rotor speed, rpm; 0 is standstill.
-            limit_hz: The frequency, Hz.
+            limit_hz: The upper limit of the frequencies, Hz.
 
         Raises:
             ValueError: Speed or limit is impossible.
@@ -103,12 +103,12 @@ class Turbine:
             rpm: Rotor speeds, rpm, at which the turbine is solved besides the operating speeds; by
                 default 25 from standstill to 1.2 times the highest operating speed. Where curves
                 come close to each other, speeds are added.
-            limit_hz: The frequency, Hz; by default what the excitations reach, and the second
-                bending modes of the tower.
+            limit_hz: The upper limit of the frequencies, Hz; by default above the highest
+                excitation and the second bending modes of the tower.
             operating_rpm: Lowest and highest operating speed; by default those of the file,
                 otherwise the lowest and the highest of `rpm`.
             multiples: Multiples of the rotor speed; by default 1, B, 2B, 3B with B blades.
-            margin: Required distance as a fraction of the natural frequency.
+            margin: Required distance as a fraction of the natural frequency: 0.05 is 5 %.
 
         Raises:
             ValueError: The rotor speed is not known, or a value is impossible.
@@ -160,7 +160,8 @@ class Turbine:
 class TurbineModes(Computed):
     """The modes of a turbine at a rotor speed, by rising frequency.
 
-    Arrays have one entry per mode. Frequencies are those in axes that do not turn.
+    Arrays have one entry per mode. Frequencies are those in the fixed frame, not in the rotating
+    frame.
 
     >>> import towermodes as tm
     >>> modes = tm.read("examples/nrel-5mw-turbine.toml").turbine.modes(12.1, 1.0)
@@ -187,36 +188,36 @@ class TurbineModes(Computed):
 
     @property
     def limit_hz(self) -> float:
-        """The frequency up to which all modes are here, Hz."""
+        """The frequency below which the list contains all modes, Hz."""
         return self._core.limit_hz
 
     @property
     def certified(self) -> bool:
-        """Whether counts prove that no mode is missing and that none is unstable."""
+        """Whether eigenvalue counts prove that no mode is missing and that none is unstable."""
         return self._core.certified
 
     @property
     def negative_energy(self) -> tuple[int, int]:
-        """How many modes of negative energy a stable turbine has here, and how many were found.
+        """Numbers of modes of negative energy: of a stable turbine at this speed, and found.
 
-        There are none unless the rotor turns faster than its blades vibrate.
+        Both are 0 unless the rotor turns faster than the lowest natural frequency of its blades.
         """
         return self._core.negative_energy
 
     @property
     def growing(self) -> int:
-        """How many modes grow without limit, at least; 0 if none does or if it is not known.
+        """Least number of unstable modes; 0 if there is none or if the number is not known.
 
-        `certified` tells whether none does.
+        `certified` is true only if no mode is unstable.
         """
         return self._core.growing
 
     @property
     def unresisted(self) -> int:
-        """How many motions are slower than 1.6e-6 Hz and not among the modes.
+        """Number of motions without stiffness, such as yaw of a platform without moorings.
 
-        Nothing resists them, as yaw of a platform without moorings. The rotation of a free shaft
-        is not counted.
+        They are slower than 1.6e-6 Hz and are not in the list. The rotation of a free shaft is not
+        counted.
         """
         return self._core.unresisted
 
@@ -228,35 +229,39 @@ class TurbineModes(Computed):
 
     @property
     def bounds_hz(self) -> Array:
-        """Lower and upper bounds of the frequencies of the model, proved by counts, Hz: (modes, 2)."""
+        """Lower and upper bounds of the frequencies, from eigenvalue counts, Hz: (modes, 2)."""
         array: Array = self._core.bounds_hz
         return array
 
     @property
     def error_hz(self) -> Array:
-        """Estimates of the errors of the mesh, Hz: (modes,); NaN where there is none."""
+        """Estimates of the discretization errors, Hz: (modes,); NaN where there is none."""
         array: Array = self._core.error_hz
         return array
 
     @property
     def names(self) -> list[str]:
-        """Their names, each of one mode: "1st flapwise backward whirl"."""
+        """Names of the modes, each given to one mode only: "1st flapwise backward whirl"."""
         return self._core.names
 
     @property
     def share(self) -> Array:
-        """Fractions of their elastic energy in the parts that name them: (modes,)."""
+        """Fractions of the elastic energy of the modes in the parts that name them: (modes,)."""
         array: Array = self._core.share
         return array
 
     @property
     def second(self) -> list[tuple[str, float] | None]:
-        """The parts with the most elastic energy besides, each with its fraction."""
+        """Of each mode the other part with the most elastic energy, and its fraction, or None."""
         return self._core.second
 
     @property
     def nodding(self) -> list[str | None]:
-        """What whirls whose waves are alike do to the nacelle, as at standstill: "tilt" or "yaw"."""
+        """For each mode "tilt" or "yaw", or None.
+
+        It is given for whirls whose backward and forward waves together mostly tilt or mostly yaw
+        the nacelle, as at standstill.
+        """
         return self._core.nodding
 
     @property
@@ -264,9 +269,10 @@ class TurbineModes(Computed):
         """Fractions of the elastic energy by part: each (modes,). For each mode they sum to 1.
 
         The parts are the motions of a floating platform (`platform_surge` to `platform_yaw`), the
-        frame below the tower by itself (`substructure`), `tower_fore_aft`, `tower_side_side`, `tower_torsion`, `tower_axial`, `yaw_drive`, `shaft`,
-        and `flapwise`, `edgewise`, `blade_torsion`, `blade_axial`, each with `_collective`,
-        `_forward` and `_backward`.
+        local motion of the frame below the tower (`substructure`), `tower_fore_aft`,
+        `tower_side_side`, `tower_torsion`, `tower_axial`, `yaw_drive`, `shaft`, and `flapwise`,
+        `edgewise`, `blade_torsion`, `blade_axial`, each with `_collective`, `_forward` and
+        `_backward`.
         """
         shares: Array = self._core.energy
         return {part: shares[:, k] for k, part in enumerate(self._core.energy_parts)}
@@ -305,8 +311,8 @@ class TurbineModes(Computed):
 class TurbineCampbell(Pictured):
     """Modes of a turbine followed over the rotor speed, and their distances from the excitations.
 
-    Frequencies are those in axes that do not turn. Arrays of numbers are (curves, speeds), NaN
-    where a curve has left the diagram.
+    Frequencies are those in the fixed frame, not in the rotating frame. Arrays of numbers are
+    (curves, speeds), NaN where a curve has left the diagram.
 
     >>> import towermodes as tm
     >>> turbine = tm.read("examples/nrel-5mw-turbine.toml").turbine
@@ -330,7 +336,8 @@ class TurbineCampbell(Pictured):
     def verdict(self) -> str:
         """The worst verdict: "pass", "warn", "fail" or "undecided".
 
-        At best "warn" where modes do not cover all excitations or are not certified in operation.
+        It is "warn" or "fail" if the modes do not cover all excitations or are not certified at the
+        operating speeds.
         It is "undecided" where nothing is checked: see `not_checked`.
         """
         return self._core.verdict
@@ -350,13 +357,13 @@ class TurbineCampbell(Pictured):
 
     @property
     def certified(self) -> bool:
-        """Whether counts prove at every speed that no mode is missing and that none is unstable."""
+        """Whether counts prove at all speeds that no mode is missing and that none is unstable."""
         is_certified: bool = self._json["is_certified"]
         return is_certified
 
     @property
     def certified_at(self) -> NDArray[np.bool_]:
-        """The same for each rotor speed: (speeds,)."""
+        """Whether counts prove this at each rotor speed: (speeds,)."""
         import numpy as np
 
         speeds = self._json["speeds"]
@@ -403,7 +410,7 @@ class TurbineCampbell(Pictured):
 
     @property
     def partners(self) -> list[int | None]:
-        """For each backward whirl the index of the forward whirl of the same motion, and reverse."""
+        """For each whirl, the index of the whirl of the same motion in the opposite direction."""
         return [curve["partner"] for curve in self._json["curves"]]
 
     @property
@@ -413,19 +420,20 @@ class TurbineCampbell(Pictured):
 
     @property
     def lower_hz(self) -> Array:
-        """Lower bounds of the frequencies of the model, proved by counts, Hz: (curves, speeds)."""
+        """Lower bounds of the frequencies, from eigenvalue counts, Hz: (curves, speeds)."""
         return self._numbers("lower_hz")
 
     @property
     def upper_hz(self) -> Array:
-        """Upper bounds, Hz: (curves, speeds)."""
+        """Upper bounds of the frequencies, from eigenvalue counts, Hz: (curves, speeds)."""
         return self._numbers("upper_hz")
 
     @property
     def error_hz(self) -> Array:
-        """Errors of the mesh, Hz: (curves, speeds).
+        """Discretization errors, Hz: (curves, speeds).
 
-        They are estimated at the ends of the diagram and of operation, and NaN between.
+        They are estimated at the lowest and highest speed of the diagram and of operation; at other
+        speeds they are NaN.
         """
         return self._numbers("error_hz")
 

@@ -184,8 +184,7 @@ fn a_sweep_that_cannot_begin_says_why() {
     assert!(matches!(twice, SweepError::RepeatedMode { .. }));
     let surge = refused(base(), mass.clone(), SweepModes::Named(names(&["surge"])));
     let sentence = surge.to_string();
-    let expected =
-        "`surge` is not among the lowest 64 modes of the base tower; these are fore-aft 1, side-side 1, ";
+    let expected = "`surge` is not among the lowest 64 modes of the base tower; these are fore-aft 1, side-side 1, ";
     sentence.begins(expected);
     let mut no_tower = base();
     no_tower.description.stations.clear();
