@@ -270,8 +270,9 @@ fn contradicting_correlations_are_refused_with_what_would_be_right() {
     assert_eq!(index, 1);
     let text = error.to_string();
     assert!(
-        text.contains("`scale(stations[*].wall)` and `material.density` have no coefficient, which means 0")
-            && text.contains("add a coefficient of these two inputs, or reduce the others"),
+        text.contains(
+            "`scale(stations[*].wall)` and `material.density` have no coefficient, which means 0"
+        ) && text.contains("add a coefficient of these two inputs, or reduce the others"),
         "{text}"
     );
 }

@@ -158,7 +158,7 @@ fn not_understood(
     });
     let (span, name) = first.unwrap_or((0..0, "Echo"));
     let found = format!(
-        "not a main file of ElastoDyn: only {named} of the {count} parameters of such a file are named on a line, and this line does not name the first missing one, {name}"
+        "not a main file of ElastoDyn: only {named} of the {count} parameters of such a file are named on their lines; {name} is expected on this line"
     );
     Diagnostic::new(span, DiagnosticKind::WrongFile { found }).with_hint(
         "main files of FAST 8 to OpenFAST 5 are read; each line is a value, its name and a description",
