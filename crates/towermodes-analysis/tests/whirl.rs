@@ -6,7 +6,8 @@ use towermodes::{Options, Rotor, solve};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{CampbellOptions, Remark, reach_hz};
 use towermodes_analysis::whirl::{
-    CoupledCampbell, CoupledError, CoupledOptions, RotorSpeeds, coupled_campbell, coupled_limit_hz,
+    CoupledCampbell, CoupledError, CoupledOptions, RotorSpeeds, coupled_campbell,
+    coupled_campbell_while, coupled_limit_hz,
 };
 use towermodes_testing::{Says, assert_matches, changed, rotor};
 use towermodes_verify::towers::{uniform_tower, uniform_turbine};
@@ -182,6 +183,22 @@ fn what_cannot_be_solved_is_refused() {
         let error = refused(&ROTOR, limit_hz);
         assert_matches!(error, CoupledError::Turbine(_));
     }
+}
+
+/// A diagram that is no longer wanted ends before the next speed is solved.
+#[test]
+fn a_diagram_is_given_up_between_two_speeds() {
+    let options = changed!(
+        CoupledOptions::up_to(3.9),
+        speeds = RotorSpeeds::Given(SPEEDS.to_vec())
+    );
+    let mut asked = Vec::new();
+    let given_up = coupled_campbell_while(&turbine(false), &ROTOR, &options, |rpm| {
+        asked.push(rpm);
+        asked.len() < 2
+    });
+    assert_eq!(given_up, Err(CoupledError::GivenUp));
+    assert_eq!(asked, SPEEDS[..2]);
 }
 
 /// A limit that asks for more modes than can be followed is refused before any is sought; the limit

@@ -6,7 +6,8 @@ use std::time::Instant;
 
 use towermodes::{Change, Options, Parameter, Solver, Tower, TowerDescription};
 use towermodes_design::design::{
-    Design, DesignError, DesignProblem, Goal, Limit, Side, Variable, design, window_hz,
+    Design, DesignError, DesignProblem, Goal, Limit, Side, Variable, design, design_while,
+    window_hz,
 };
 use towermodes_testing::{Close, Says, assert_matches, changed, rna, rotor, tube, with};
 use towers::{cans, dtu_10mw, nrel_5mw};
@@ -464,6 +465,31 @@ fn a_bare_tower_has_a_closed_form() {
     // m ∝ f²: 1 % of frequency costs 2 % of the mass.
     let percent = of.active[0].kg_per_percent.expect("a limit that is not 0");
     (percent / of.mass_kg[1] / 0.02).within(1.0, 1e-5);
+}
+
+/// A design that is no longer wanted ends before the next tower is solved, and says so.
+#[test]
+fn a_design_is_given_up_between_two_towers() {
+    let base = nrel_5mw();
+    let problem = DesignProblem {
+        variables: vec![variable("scale(stations[*].wall)", [0.5, 2.0], &base)],
+        goals: vec![at_least("fore-aft 1", 0.33)],
+        ..DesignProblem::default()
+    };
+    let mut solver = Solver::new(options());
+    let mut towers = 0;
+    let whole = design_while(&base, &problem, &mut solver, &mut || {
+        towers += 1;
+        true
+    });
+    let whole = whole.expect("a design");
+    assert!(towers > 3 && towers <= whole.solves, "{towers}");
+    let mut asked = 0;
+    let given_up = design_while(&base, &problem, &mut solver, &mut || {
+        asked += 1;
+        asked < 3
+    });
+    assert_eq!(given_up, Err(DesignError::GivenUp));
 }
 
 #[test]

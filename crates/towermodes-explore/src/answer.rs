@@ -3,15 +3,15 @@
 use serde::Serialize;
 use towermodes::number::{four_digits, with_error};
 use towermodes::{Mode, Solution, Tower, Warning};
-use towermodes_analysis::Verdict;
-use towermodes_analysis::resonance::{Assessment, Campbell, Excited, Margin};
+use towermodes_analysis::damping::{ModeDamping, damping};
+use towermodes_analysis::resonance::{Assessment, Campbell};
 use towermodes_files::TowerInput;
-use towermodes_report::figures::{self, AnimationData, animation_data};
-use towermodes_report::svg::Look;
+use towermodes_report::figures::{AnimationData, animation_data};
 use towermodes_report::wording::{buckling_load_factor, completeness, computed_by, mode_shape};
 
 use super::explorer::{Explorer, Solved};
 use super::refusal::{Refusal, names_at};
+use super::resonance::{Resonance, Verdicted, verdict_on};
 use super::sheet::numbers;
 use super::state::State;
 
@@ -32,8 +32,6 @@ pub struct Answer {
     pub warnings: Vec<Remark>,
     /// The resonance check; none if the rotor speed is unknown.
     pub resonance: Option<Resonance>,
-    /// Its diagram as SVG.
-    pub diagram: Option<String>,
     /// The tower with its surroundings and the shapes of its modes.
     pub scene: AnimationData,
     /// How long it took.
@@ -93,17 +91,20 @@ pub struct AnsweredMode {
     pub effective_mass: [Option<f64>; 6],
     /// Modal mass of the shape of the scene: kg, or kg m² for torsion and yaw.
     pub modal_mass: f64,
+    /// The damping ratio of the parts whose loss factors the file gives, and that with the rotor
+    /// in the wind at its operating speeds.
+    pub damping: Option<DampedMode>,
     /// The verdict on the closest excitation.
     pub verdict: Option<Verdicted>,
 }
 
-/// The verdict on a mode.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Verdicted {
-    /// The verdict: `pass`, `warn` or `fail`.
-    pub word: Verdict,
-    /// The excitation and its distance: "3P at 0.345 Hz, +7.3 %".
-    pub text: String,
+/// The damping of a mode, as fractions of critical damping.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DampedMode {
+    /// Of the parts of the tower; none if the file gives none of their loss factors.
+    pub ratio: Option<f64>,
+    /// Rotor speed (rpm) and damping ratio with that of the rotor in the wind.
+    pub running: Vec<[f64; 2]>,
 }
 
 /// A warning with the numbers that it is about.
@@ -113,15 +114,6 @@ pub struct Remark {
     pub text: String,
     /// The names of the numbers.
     pub parameters: Vec<String>,
-}
-
-/// The resonance check as a whole.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Resonance {
-    /// The worst verdict: `pass`, `warn`, `fail`, or `undecided` where nothing is checked.
-    pub word: Verdict,
-    /// The conclusion in sentences, then the remarks of the check.
-    pub conclusion: Vec<String>,
 }
 
 impl Explorer {
@@ -148,7 +140,11 @@ impl Answer {
         let description = &solved.input.description;
         let all = numbers(file).into_iter();
         let campbell = solved.assessment.as_ref().map(|of| &of.campbell);
-        let of_mode = |mode| AnsweredMode::new(mode, campbell);
+        let damped = damped(solved);
+        let of_mode = |mode: &Mode| AnsweredMode {
+            damping: damped.get(mode.number - 1).cloned(),
+            ..AnsweredMode::new(mode, campbell)
+        };
         let warnings = solution.warnings.iter();
         Self {
             values: all.map(|one| one.value(description)).collect(),
@@ -157,21 +153,37 @@ impl Answer {
             certificate: completeness(&solution.certificate, solution.modes.len()),
             method: method(solution, file),
             warnings: warnings.map(|one| Remark::new(one, solved)).collect(),
-            resonance: solved.assessment.as_ref().map(Resonance::new),
-            diagram: campbell.map(|of| figures::campbell(of).to_svg(Look::Inline)),
+            resonance: solved.assessment.as_ref().map(checked),
             scene: animation_data(description, tower, solution),
             time: Timed::default(),
         }
     }
 }
 
+fn checked(of: &Assessment) -> Resonance {
+    let remarks = of.remarks.iter().map(ToString::to_string);
+    Resonance::new(&of.campbell, of.campbell.verdict(), remarks)
+}
+
+/// The damping of all modes, if the file gives any.
+fn damped(solved: &Solved) -> Vec<DampedMode> {
+    let rotor = solved.assessment.as_ref().map(|of| &of.campbell.rotor);
+    let damping = damping(&solved.input.description, &solved.solution, rotor);
+    let of_mode = |mode: &ModeDamping| DampedMode {
+        ratio: mode.damping_ratio,
+        running: (0..mode.aerodynamic.len())
+            .filter_map(|speed| Some([mode.aerodynamic[speed].rotor_rpm, mode.running(speed)?]))
+            .collect(),
+    };
+    // Without loss factors the modes have no energy by parts.
+    damping.map_or_else(|_| Vec::new(), |of| of.modes.iter().map(of_mode).collect())
+}
+
 /// The solver of a page knows towers alone.
 fn method(solution: &Solution, file: &TowerInput) -> String {
     let computed = computed_by(solution);
     match file.turbine {
-        Some(_) => format!(
-            "{computed}; the rotor is a rigid body (with flexible blades: towermodes campbell, report)"
-        ),
+        Some(_) => format!("{computed}; in the list of the tower the rotor is a rigid body"),
         None => computed,
     }
 }
@@ -183,21 +195,6 @@ impl Remark {
         Self {
             text: warning.to_string(),
             parameters: parameters.unwrap_or_default(),
-        }
-    }
-}
-
-impl Resonance {
-    fn new(of: &Assessment) -> Self {
-        let remarks = of.remarks.iter().map(ToString::to_string);
-        Self {
-            word: of.campbell.verdict(),
-            conclusion: of
-                .campbell
-                .conclusion()
-                .into_iter()
-                .chain(remarks)
-                .collect(),
         }
     }
 }
@@ -220,39 +217,10 @@ impl AnsweredMode {
             period_s: (hz > 0.0).then(|| mode.period_s()),
             effective_mass: shares,
             modal_mass: mode.modal_mass,
-            verdict: campbell.and_then(|of| verdicted(of, mode.number)),
+            damping: None,
+            verdict: campbell.and_then(|of| verdict_on(of, mode.number)),
         }
     }
-}
-
-/// The verdict on a tower mode by its worst excitation, of equal ones the closest.
-fn verdicted(campbell: &Campbell, number: usize) -> Option<Verdicted> {
-    let is_own = |excited| matches!(excited, Excited::Tower { number: n, .. } if n == number);
-    if !campbell.not_checked.is_empty() {
-        return None;
-    }
-    let line = campbell.lines.iter().position(|line| is_own(line.of))?;
-    let margins = campbell.margins.iter().filter(|one| one.line == line);
-    let worst = margins.max_by(|a, b| {
-        let near = |of: &Margin| -of.distance.abs();
-        let by_verdict = a.verdict.cmp(&b.verdict);
-        by_verdict.then(near(a).total_cmp(&near(b)))
-    })?;
-    let multiple = worst.multiple;
-    let text = match (campbell.missing_from_rpm(worst), worst.distance) {
-        (Some(rpm), _) => format!("{multiple}P: no mode from {} rpm", four_digits(rpm)),
-        (None, 0.0) => format!(
-            "{multiple}P crosses at {} rpm",
-            four_digits(worst.nearest_rpm)
-        ),
-        (None, _) => {
-            let excitation = four_digits(worst.excitation_hz);
-            let distance = campbell.distance_percent(worst);
-            format!("{multiple}P at {excitation} Hz, {distance} %")
-        }
-    };
-    let word = worst.verdict;
-    Some(Verdicted { word, text })
 }
 
 fn facts(tower: &Tower, solution: &Solution) -> Vec<Fact> {

@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use towermodes::{Options, Solution, Solver, Tower};
+use towermodes::{Damping, Options, Solution, Solver, Tower};
 use towermodes_analysis::resonance::{
     Assessment, CampbellOptions, GivenRotor, assess, reach_hz, solve_to_reach,
 };
@@ -14,6 +14,9 @@ use super::state::State;
 /// Writes the report of an input: the page, or why there is none. The words are the command that
 /// writes the same report.
 pub type Reporter = Box<dyn Fn(TowerInput, &[String]) -> Result<String, String> + Send + Sync>;
+
+/// Whether a long answer is still wanted; otherwise it is given up.
+pub type Wanted<'a> = &'a dyn Fn() -> bool;
 
 /// Heights of the shapes: as many as the page draws.
 pub const POINTS: usize = 41;
@@ -38,6 +41,8 @@ pub struct Exploration {
     pub solving: Vec<String>,
     /// The options of the rotor, as words.
     pub rotating: Vec<String>,
+    /// Another tower that the page compares with, as its file describes it.
+    pub against: Option<Box<Exploration>>,
     /// Writes reports.
     pub report: Reporter,
     /// Milliseconds from any moment on, to measure times.
@@ -61,6 +66,7 @@ impl Exploration {
             reading: Vec::new(),
             solving: Vec::new(),
             rotating: Vec::new(),
+            against: None,
             report,
             clock,
         }
@@ -71,6 +77,7 @@ impl Exploration {
 pub struct Explorer {
     pub(crate) exploration: Exploration,
     solver: Mutex<Solver>,
+    against: Option<Box<Explorer>>,
 }
 
 /// A tower with changed numbers, solved.
@@ -85,11 +92,24 @@ pub(crate) struct Solved {
 
 impl Explorer {
     /// An explorer of a tower.
-    pub fn new(exploration: Exploration) -> Self {
+    pub fn new(mut exploration: Exploration) -> Self {
+        let against = exploration.against.take();
         Self {
+            against: against.map(|other| Box::new(Self::new(*other))),
             exploration,
             solver: Mutex::default(),
         }
+    }
+
+    /// The tower of a state: the other one if the state is one of it and there is one.
+    pub(crate) fn of(&self, state: &State) -> &Self {
+        let other = self.against.as_deref().filter(|_| state.is_of_other);
+        other.unwrap_or(self)
+    }
+
+    /// The tower that the page compares with.
+    pub(crate) fn other(&self) -> Option<&Self> {
+        self.against.as_deref()
     }
 
     /// The tower with changed numbers, and its description checked.
@@ -161,6 +181,7 @@ impl Explorer {
         options.borders_m = options
             .borders_m
             .filter(|_| input.prescribed.borders_m.is_some());
+        options.energy_parts |= input.description.damping != Damping::default();
         options
     }
 

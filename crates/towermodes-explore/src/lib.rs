@@ -7,26 +7,33 @@
 //! on this machine.
 
 mod answer;
+mod band;
 mod elasticity;
 mod explorer;
 mod page;
 mod question;
 mod refusal;
 mod reproduction;
+mod resonance;
 #[cfg(feature = "server")]
 pub mod server;
 mod sheet;
 mod slider;
 mod state;
 mod take;
+mod target;
+mod turbine;
 
-pub use answer::{Answer, AnsweredMode, Fact, Remark, Resonance, Timed, Verdicted};
+pub use answer::{Answer, AnsweredMode, Fact, Remark, Timed};
 pub use elasticity::{Elasticities, ElasticityQuestion};
-pub use explorer::{Exploration, Explorer, POINTS, Reporter};
+pub use explorer::{Exploration, Explorer, POINTS, Reporter, Wanted};
 pub use page::{PageFile, page_files};
 pub use question::{Question, Reply};
 pub use refusal::{Refusal, Refused};
 pub use reproduction::Reproduction;
-pub use sheet::{Dragged, Group, Sheet, SheetParameter};
+pub use resonance::{DiagramLine, DiagramRow, Resonance, Verdicted};
+pub use sheet::{Dragged, Group, OtherSheet, Sheet, SheetParameter};
 pub use state::State;
 pub use take::{PictureFormat, Take, TakeError, Taken, What};
+pub use target::{Found, TargetQuestion, TargetVariable};
+pub use turbine::{Coupled, SPEEDS, Whirl, WhirlMode, WhirlQuestion};

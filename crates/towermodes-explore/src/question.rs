@@ -3,9 +3,10 @@
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use super::explorer::Explorer;
+use super::explorer::{Explorer, Wanted};
 use super::refusal::Refusal;
 use super::take::{TakeError, Taken};
+use super::turbine::WhirlQuestion;
 
 /// What a page can ask.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -14,6 +15,14 @@ pub enum Question {
     Sheet,
     /// The modes for changed numbers.
     Solve,
+    /// The coupled diagram of a turbine.
+    Coupled,
+    /// The modes of a turbine at a rotor speed.
+    Whirl,
+    /// The frequencies in softer and stiffer soil.
+    Band,
+    /// A tower with a frequency in a band.
+    Target,
     /// The elasticities of a mode.
     Elasticities,
     /// The lines that reproduce a state.
@@ -39,9 +48,13 @@ pub enum Reply {
 
 impl Question {
     /// All questions.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 9] = [
         Self::Sheet,
         Self::Solve,
+        Self::Coupled,
+        Self::Whirl,
+        Self::Band,
+        Self::Target,
         Self::Elasticities,
         Self::Reproduce,
         Self::Take,
@@ -52,6 +65,10 @@ impl Question {
         match self {
             Self::Sheet => "sheet",
             Self::Solve => "solve",
+            Self::Coupled => "coupled",
+            Self::Whirl => "whirl",
+            Self::Band => "band",
+            Self::Target => "target",
             Self::Elasticities => "elasticities",
             Self::Reproduce => "reproduce",
             Self::Take => "take",
@@ -60,11 +77,18 @@ impl Question {
 }
 
 impl Explorer {
-    /// Answers a question, whose text is JSON; that for the sheet is not read.
-    pub fn reply(&self, question: Question, text: &[u8]) -> Reply {
+    /// Answers a question, whose text is JSON; that for the sheet is not read. A long answer is
+    /// given up when it is not `wanted`.
+    pub fn reply(&self, question: Question, text: &[u8], wanted: Wanted<'_>) -> Reply {
         match question {
             Question::Sheet => json(&self.sheet()),
-            Question::Solve => asked(text, |state| either(self.solve(state))),
+            Question::Solve => asked(text, |state| either(self.of(state).solve(state))),
+            Question::Coupled => asked(text, |state| either(self.of(state).coupled(state, wanted))),
+            Question::Whirl => asked(text, |of: &WhirlQuestion| {
+                either(self.of(&of.state).whirl(of))
+            }),
+            Question::Band => asked(text, |state| either(self.of(state).band(state))),
+            Question::Target => asked(text, |of| either(self.target(of, wanted))),
             Question::Elasticities => asked(text, |of| either(self.elasticities(of))),
             Question::Reproduce => asked(text, |state| json(&self.reproduce(state))),
             Question::Take => asked(text, |take| match self.take(take) {

@@ -69,6 +69,9 @@ impl Explorer {
         if name != "solve" {
             words.extend(of.rotating.iter().cloned());
         }
+        if let Some(other) = self.other().filter(|_| name == "explore") {
+            words.extend(["--against".to_owned(), other.exploration.file.clone()]);
+        }
         for setting in self.settings(state) {
             words.extend(["--set".to_owned(), setting.to_string()]);
         }

@@ -25,6 +25,23 @@ pub struct Sheet {
     pub parameters: Vec<SheetParameter>,
     /// Notes of the reader.
     pub notes: Vec<String>,
+    /// Whether the file describes a turbine with flexible blades, whose rotor can turn.
+    pub has_turbine: bool,
+    /// Whether its frequencies depend on soil or an elastic foundation.
+    pub has_soil: bool,
+    /// The tower that the page compares with.
+    pub against: Option<OtherSheet>,
+}
+
+/// A tower that a page compares with.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct OtherSheet {
+    /// The name of the file.
+    pub file: String,
+    /// The names of its numbers, in the order of the values of its answers.
+    pub names: Vec<String>,
+    /// Whether its rotor can turn.
+    pub has_turbine: bool,
 }
 
 impl Explorer {
@@ -40,6 +57,16 @@ impl Explorer {
             groups,
             parameters,
             notes: input.notes.iter().map(ToString::to_string).collect(),
+            has_turbine: input.turbine.is_some(),
+            has_soil: input.description.stands_in_soil(),
+            against: self.other().map(|other| OtherSheet {
+                file: other.exploration.file.clone(),
+                names: numbers(&other.exploration.input)
+                    .iter()
+                    .map(ToString::to_string)
+                    .collect(),
+                has_turbine: other.exploration.input.turbine.is_some(),
+            }),
         }
     }
 }

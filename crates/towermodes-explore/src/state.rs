@@ -14,6 +14,9 @@ const PAGE: &str = "the page";
 pub struct State {
     /// Name and value, in the units of the tower file.
     pub numbers: BTreeMap<String, f64>,
+    /// Whether they are those of the tower that the page compares with.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub is_of_other: bool,
 }
 
 impl State {
@@ -28,6 +31,7 @@ impl State {
         let numbers = different.map(|(one, [_, new])| (one.to_string(), new));
         Self {
             numbers: numbers.collect(),
+            is_of_other: false,
         }
     }
 

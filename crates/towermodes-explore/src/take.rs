@@ -109,7 +109,8 @@ impl Taken {
                 let file = rewritten(&explorer.exploration.input, &input.description);
                 let head = head(&explorer.exploration, &file);
                 Ok(Self {
-                    name: format!("{stem}.toml"),
+                    // The original may lie in the same folder.
+                    name: format!("{stem}-variant.toml"),
                     media_type: "application/toml",
                     content: (head + &file.text).into_bytes(),
                 })

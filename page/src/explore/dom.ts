@@ -36,6 +36,14 @@ export function setClass(element: Element, className: string): void {
   if (element.className !== className) element.className = className;
 }
 
+/** Colours; more series begin again as rings. */
+const COLOURS = 7;
+
+/** The class of the mark of a mode in its colour. */
+export function swatch(series: number): string {
+  return `swatch series${series % COLOURS}${series >= COLOURS ? " second" : ""}`;
+}
+
 /** Sets an attribute if it differs; null removes it. */
 export function setAttribute(element: Element, name: string, value: string | null): void {
   if (element.getAttribute(name) === value) return;

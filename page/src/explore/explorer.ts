@@ -10,17 +10,25 @@ import { notice, say, withdraw } from "./notices.js";
 import { fromAddress } from "./numbers/address.js";
 import { AddressBar } from "./numbers/bar.js";
 import { History, isSame } from "./numbers/history.js";
+import { BandPanel } from "./panels/band.js";
 import { ComparePanel } from "./panels/compare.js";
 import { Findings } from "./panels/findings.js";
 import { MassTable, ModeTable } from "./panels/modes.js";
 import { ParameterPanel } from "./panels/parameters.js";
+import { ResonancePanel, seriesAt, type Checked } from "./panels/resonance.js";
+import { stemOf } from "./panels/save.js";
 import { Stage } from "./panels/stage.js";
 import { sentences, showRefusal, showStale, showTools, spoken } from "./panels/status.js";
+import { offerTable } from "./panels/tables.js";
 import { TakeMenu } from "./panels/take.js";
-import { ProgramEnded, solve, take } from "./program/program.js";
+import { TargetPanel } from "./panels/target.js";
+import { verdictOf } from "./panels/turbine.js";
+import { Latest } from "./program/latest.js";
+import { band, ProgramEnded, solve, take } from "./program/program.js";
 import { SolveQueue, type Result } from "./program/queue.js";
 import { Timings } from "./program/timings.js";
-import type { Answer, Refusal, Sheet, State } from "./protocol.js";
+import type { Answer, Band, Mode, Refusal, Sheet, State } from "./protocol.js";
+import { Turning } from "./turning.js";
 import { describeDrag, draggedBy, handlesOf, valuesOf, type Dragged } from "./handles.js";
 import type { Drag } from "../view/scene.js";
 
@@ -59,6 +67,13 @@ export class Explorer {
   private masses = new MassTable();
   private findings = new Findings((name) => this.reveal(name));
   private comparison: ComparePanel;
+  private resonance: ResonancePanel;
+  /** The whole turbine, if the file has one. */
+  private turning: Turning | null;
+  private bands: Latest<State, Band | Refusal>;
+  private band: Band | null = null;
+  private bandPanel = new BandPanel();
+  private target: TargetPanel;
   private byName: Map<string, number>;
 
   constructor(private sheet: Sheet) {
@@ -79,6 +94,22 @@ export class Explorer {
     });
     this.influence = new Influence(this.numbers, (error) => this.failed(error), () => this.askElasticities());
     if (memory.open) this.numbers.unfold(memory.open);
+    const failed = (error: unknown): void => this.failed(error);
+    this.turning = sheet.has_turbine ? new Turning({ changed: () => this.show(), failed }) : null;
+    this.bands = new Latest(band, { done: (result) => this.banded(result), failed }, 0);
+    this.resonance = new ResonancePanel({
+      chooseMode: (number) => this.chooseNumber(number),
+      chooseWhirl: (name) => this.turning?.choose(name),
+    });
+    this.target = new TargetPanel({
+      state: () => this.history.present,
+      mode: () => this.mode,
+      resonance: () => this.turning?.diagram?.resonance ?? this.shown?.answer.resonance ?? null,
+      variables: () => this.numbers.marked(),
+      mark: (isOn) => this.numbers.mark(isOn),
+      found: (state) => this.set(state),
+      failed,
+    });
     this.stage = new Stage({
       isAwaited: () => performance.now() - this.askedAt < AWAITED_MS,
       drag: (drag) => this.drag(drag),
@@ -89,7 +120,8 @@ export class Explorer {
     this.listen();
     this.numbers.show(this.wanted());
     this.ask(performance.now());
-    if (memory.variant) void this.recallVariant(memory.variant);
+    const variant = memory.variant ?? (memory.steps || sheet.against === null ? null : { numbers: {}, is_of_other: true });
+    if (variant) void this.recallVariant(variant);
   }
 
   private listen(): void {
@@ -100,7 +132,9 @@ export class Explorer {
     listenToKeys({
       undo: () => this.undo(),
       redo: () => this.redo(),
-      choose: (number) => this.chooseNumber(number),
+      choose: (number) => {
+        if (this.turning?.chooseNumber(number) !== true) this.chooseNumber(number);
+      },
       toggle: () => this.stage.toggle(),
       tap: () => this.stage.tapTop(),
     });
@@ -112,9 +146,21 @@ export class Explorer {
     addEventListener("hashchange", () => this.set(this.fromAddress()));
     new TakeMenu({
       state: () => this.history.present,
-      png: () => this.stage.png(),
+      name: () => `${stemOf(this.sheet.file)}-${stemOf((byId("readout-name").textContent ?? "").replaceAll(".", "-"))}`,
+      png: () => this.stage.png(this.sheet.file),
+      film: () => this.stage.film(this.sheet.file),
       failed: (error) => this.failed(error),
     }, () => (this.shown?.answer.resonance ?? null) !== null);
+    this.offerTables();
+  }
+
+  private offerTables(): void {
+    const name = (): string => stemOf(this.sheet.file);
+    for (const host of document.querySelectorAll<HTMLElement>("[data-table]")) {
+      const table = byId(host.dataset["table"] ?? "").closest("table, details, section");
+      const found = table instanceof HTMLTableElement ? table : table?.querySelector("table");
+      if (found) offerTable(host, found, name, host.dataset["what"] ?? "table");
+    }
   }
 
   // What the user sets.
@@ -230,6 +276,7 @@ export class Explorer {
   private idle(): void {
     if (!this.history.isSettled) return;
     this.askElasticities();
+    this.askBand();
     if (this.refusal === null && this.shown !== null) say(spoken(this.shown, this.place()));
   }
 
@@ -239,6 +286,7 @@ export class Explorer {
     const isFirst = this.shown === null;
     this.shown = { state, answer, followed: this.follower.follow(answer.modes, answer.scene) };
     this.chosen ??= this.shown.followed[0]?.id ?? null;
+    this.turning?.ask(state, answer);
     this.show();
     if (isFirst) this.begin();
     if (this.history.isSettled) void this.stage.refreshFlat().catch((error: unknown) => this.failed(error));
@@ -295,12 +343,16 @@ export class Explorer {
     const { answer, followed } = shown;
     const others = variant && new Map(variant.followed.map(({ id }, index) => [id, variant.answer.modes[index] ?? never()]));
     this.stage.player.setting.chosen = chosen;
+    this.stage.turn(this.turning?.motion(answer.scene) ?? null);
     this.stage.show(shown, variant, handlesOf(this.sheet.parameters, answer.values));
     this.numbers.show(this.wanted());
-    this.modes.show(answer.modes, followed, chosen, others);
+    this.modes.show(answer.modes, followed, this.isTurning ? null : chosen, others, this.turning?.diagram != null);
     this.masses.show(answer.modes, followed);
     this.findings.show(answer, variant?.answer ?? null);
-    this.comparison.show(this.sheet.parameters, answer.values, variant?.answer.values ?? null);
+    this.comparison.show(this.sheet.parameters, answer.values, variant && this.valuesOf(variant), this.fileOf(variant));
+    const other = this.fileOf(variant);
+    setText(byId("beside"), `Left: this tower. Right, paler: A${other === null ? "" : `, ${other}`}.`);
+    this.showResonance(shown);
     setText(byId("method"), `${answer.method} · ${answer.certificate}`);
     this.showReadout(shown);
     this.showState();
@@ -313,7 +365,54 @@ export class Explorer {
     showStale(this.refusal !== null || (this.isUnanswered && isOther));
   }
 
+  /** Whether a mode of the whole turbine is shown. */
+  private get isTurning(): boolean {
+    return this.turning?.chosen != null;
+  }
+
+  /** The tower mode that is shown, or whose row was chosen last. */
+  private get mode(): Mode | null {
+    return this.shown?.answer.modes[this.place()] ?? null;
+  }
+
+  private showResonance({ answer, followed }: Solved): void {
+    const { turning, variant, chosen } = this;
+    const own: Checked = { resonance: answer.resonance, coupled: turning?.diagram ?? null, modes: answer.modes, followed };
+    const other: Checked | null = variant && {
+      resonance: own.coupled === null ? variant.answer.resonance : null,
+      coupled: turning?.diagramOfOther ?? null, modes: variant.answer.modes, followed: variant.followed,
+    };
+    const band = own.coupled === null ? this.band : null;
+    this.resonance.show(own, other, band, { id: chosen, whirl: turning?.chosen ?? null });
+    turning?.show();
+    const refused = turning?.refusal ? `The turbine cannot be solved: ${turning.refusal} The diagram is that of a rigid rotor.` : "";
+    const state = turning === null ? "" : turning.isDrawing ? "solving the turbine…" : refused;
+    setText(byId("resonance-state"), state);
+    byId("diagram").classList.toggle("waits", turning?.isDrawing ?? false);
+    this.target.showMode();
+  }
+
+  private banded(result: Band | Refusal): void {
+    this.band = result.refused === null ? result : null;
+    if (this.band !== null) this.bandPanel.show(this.band);
+    if (this.shown !== null) this.showResonance(this.shown);
+  }
+
+  private askBand(): void {
+    if (this.sheet.has_soil && this.shown !== null && this.refusal === null) this.bands.want(this.shown.state);
+  }
+
   private showReadout({ answer, followed }: Solved): void {
+    const { turning } = this;
+    const mode = turning?.mode ?? null;
+    if (turning !== null && this.isTurning) {
+      const resonance = turning.diagram?.resonance ?? null;
+      const verdict = mode === null || resonance === null ? null : verdictOf(resonance.rows, mode.name);
+      const label = mode?.name ?? `${turning.chosen ?? ""}: not at this rotor speed`;
+      const series = resonance === null || mode === null ? 0 : seriesAt(resonance, mode.name, turning.rpm);
+      this.stage.readout({ label, frequency: mode?.frequency ?? "–", verdict }, series);
+      return;
+    }
     const place = this.place();
     this.stage.readout(answer.modes[place], followed[place]?.series ?? 0);
   }
@@ -329,6 +428,7 @@ export class Explorer {
 
   private choose(id: number): void {
     this.chosen = id;
+    if (this.turning !== null) this.turning.chosen = null;
     this.stage.choose(id);
     this.show();
     this.askElasticities();
@@ -344,23 +444,41 @@ export class Explorer {
 
   // The second tower.
 
+  private take(variant: Solved | null): void {
+    this.variant = variant;
+    const hasTurbine = variant?.state.is_of_other ? this.sheet.against?.has_turbine : true;
+    this.turning?.askOther(variant !== null && hasTurbine ? variant.state : null);
+    this.show();
+  }
+
+  /** The values of A by the numbers of this tower; NaN of those that it does not have. */
+  private valuesOf({ state, answer }: Solved): number[] {
+    const { against, parameters } = this.sheet;
+    if (!state.is_of_other || against === null) return answer.values;
+    const values = new Map(against.names.map((name, index) => [name, answer.values[index] ?? NaN]));
+    return parameters.map(({ name }) => values.get(name) ?? NaN);
+  }
+
+  /** The file of A, if it is another one. */
+  private fileOf(variant: Solved | null): string | null {
+    return (variant?.state.is_of_other && this.sheet.against?.file) || null;
+  }
+
   private keep(): void {
     if (this.shown === null) return;
-    this.variant = this.shown;
+    this.take(this.shown);
     say("Kept as A");
-    this.show();
   }
 
   private swap(): void {
     if (this.shown === null || this.variant === null) return;
     const { state } = this.variant;
-    this.variant = this.shown;
+    this.take(this.shown);
     this.set(state);
   }
 
   private drop(): void {
-    this.variant = null;
-    this.show();
+    this.take(null);
     byId("keep").focus();
   }
 
@@ -371,8 +489,7 @@ export class Explorer {
       if (answer.refused !== null) return;
       // The present tower says which mode is which.
       while (this.shown === null && this.queue.pending) await new Promise(requestAnimationFrame);
-      this.variant = { state, answer, followed: this.follower.copy().follow(answer.modes, answer.scene) };
-      this.show();
+      this.take({ state, answer, followed: this.follower.copy().follow(answer.modes, answer.scene) });
     } catch (error) {
       this.failed(error);
     }
@@ -391,7 +508,10 @@ export class Explorer {
       get state() { return explorer.history.present; },
       get answer() { return explorer.shown?.answer ?? null; },
       get timings() { return explorer.timings.all(); },
-      get pending() { return explorer.queue.pending || explorer.influence.pending; },
+      get pending() {
+        return explorer.queue.pending || explorer.influence.pending || (explorer.turning?.pending ?? false) || explorer.bands.pending;
+      },
+      get turbine() { return explorer.turning?.diagram ?? null; },
       get isCurrent() { return explorer.shown !== null && isSame(explorer.shown.state, explorer.history.present); },
     };
   }

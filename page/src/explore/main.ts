@@ -5,7 +5,7 @@ import { Explorer } from "./explorer.js";
 import { notice } from "./notices.js";
 import { sheet } from "./program/program.js";
 import type { Timing } from "./program/timings.js";
-import type { Answer, Sheet, State } from "./protocol.js";
+import type { Answer, Coupled, Sheet, State } from "./protocol.js";
 import { offerThemes } from "./theme.js";
 
 declare global {
@@ -18,6 +18,8 @@ declare global {
       readonly timings: readonly Timing[];
       readonly pending: boolean;
       readonly isCurrent: boolean;
+      /** The coupled diagram of a turbine. */
+      readonly turbine: Coupled | null;
     };
   }
 }

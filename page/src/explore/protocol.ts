@@ -5,15 +5,22 @@
 //
 //   GET  sheet                             → Sheet
 //   POST solve          State              → Answer | Refusal
+//   POST coupled        State              → Coupled | Refusal
+//   POST whirl          WhirlQuestion      → Whirl | Refusal
+//   POST band           State              → Band | Refusal
+//   POST target         TargetQuestion     → Found | Refusal
 //   POST elasticities   ElasticityQuestion → Elasticities | Refusal
 //   POST reproduce      State              → Reproduction
 //   POST take           State & Take       → the file, with its name in Content-Disposition
 
 import type { TowerScene, Shape } from "../view/scene.js";
+import type { Turbine } from "../view/turbine.js";
 
 /** The numbers that differ from the file, by name. All others have the values of the file. */
 export interface State {
   numbers: Record<string, number>;
+  /** Whether they are those of the tower that the program was told to compare with. */
+  is_of_other?: boolean;
 }
 
 /** The tower as its file describes it. */
@@ -28,6 +35,12 @@ export interface Sheet {
   parameters: Parameter[];
   /** Notes of the reader. */
   notes: string[];
+  /** Whether the file has a turbine whose rotor can turn. */
+  has_turbine: boolean;
+  /** Whether its frequencies depend on soil. */
+  has_soil: boolean;
+  /** The tower to compare with: its file, the names of the values of its answers. */
+  against: { file: string; names: string[]; has_turbine: boolean } | null;
 }
 
 /** A part of the tower, or a column of a list of it. In the order of the tower file. */
@@ -80,8 +93,6 @@ export interface Answer {
   warnings: Remark[];
   /** Null without a rotor. */
   resonance: Resonance | null;
-  /** Pictures of the program, as SVG: the resonance diagram, null without a rotor. */
-  diagram: string | null;
   scene: TowerScene;
   /** Time of the solve and of the whole answer in the program, ms. */
   solve_ms: number;
@@ -119,11 +130,13 @@ export interface Mode {
   effective_mass: (number | null)[];
   /** uᵀMu of the shape of the scene. */
   modal_mass: number;
+  /** Damping ratios; null where the file gives no damping. */
+  damping?: { ratio: number | null; running: [number, number][] } | null;
   /**
    * "1P at 0.31 Hz: 4 % away", and the word of the verdict; null if no excitation is near or there
    * is no rotor.
    */
-  verdict: { word: "pass" | "warn" | "fail"; text: string } | null;
+  verdict: { word: Word; text: string } | null;
 }
 
 export interface Remark {
@@ -132,11 +145,115 @@ export interface Remark {
   parameters: string[];
 }
 
+export type Word = "pass" | "warn" | "fail" | "undecided";
+
 export interface Resonance {
   /** The worst verdict. */
-  word: "pass" | "warn" | "fail";
+  word: Word;
   /** The conclusion in sentences. */
   conclusion: string[];
+  is_checked: boolean;
+  /** The lowest and the highest operating speed, rpm; null if they are unknown. */
+  operation_rpm: [number, number] | null;
+  blades: number;
+  /** The required distance, as a fraction. */
+  margin: number;
+  multiples: number[];
+  lines: DiagramLine[];
+  rows: DiagramRow[];
+}
+
+/** A natural frequency against the rotor speed. */
+export interface DiagramLine {
+  label: string;
+  /** The number of a tower mode, from 1. */
+  mode: number | null;
+  /** Of a turbine the curve, from 0. */
+  curve: number | null;
+  class: string;
+  /** Rotor speed (rpm) and frequency (Hz). */
+  points: [number, number][];
+}
+
+/** The distance of an excitation from a natural frequency, as the command `campbell` lists it. */
+export interface DiagramRow {
+  label: string;
+  multiple: number;
+  nearest_rpm: number;
+  excitation_hz: number;
+  natural_hz: number;
+  frequency: string;
+  distance: number;
+  distance_text: string;
+  verdict: Word;
+  is_near: boolean;
+}
+
+/** The coupled diagram of a turbine. */
+export interface Coupled {
+  refused: null;
+  resonance: Resonance;
+  proof: string;
+  speeds: number;
+  answer_ms: number;
+}
+
+export interface WhirlQuestion extends State {
+  rpm: number;
+}
+
+/** The modes of a turbine at a rotor speed. */
+export interface Whirl {
+  refused: null;
+  modes: WhirlMode[];
+  scene: Turbine;
+  answer_ms: number;
+}
+
+export interface WhirlMode {
+  /** The name of a line of the diagram. */
+  name: string;
+  frequency_hz: number;
+  frequency: string;
+  remark: string;
+}
+
+/** Frequencies in softer and stiffer soil. */
+export interface Band {
+  refused: null;
+  factors: number[];
+  modes: BandMode[];
+  failed: { factor: number; reason: string }[];
+  shared: { factor: number; modes: string }[];
+}
+
+export interface BandMode {
+  label: string;
+  family: string;
+  order: number;
+  at: ({ frequency_hz: number; error_hz: number; verdict: Word | null } | null)[];
+}
+
+/** A question for a tower whose mode has a frequency in a band. */
+export interface TargetQuestion extends State {
+  /** `fore-aft 1`. */
+  mode: string;
+  min_hz: number | null;
+  max_hz: number | null;
+  variables: TargetVariable[];
+}
+
+/** A number, or a factor on a column: `scale(stations[*].wall)`. */
+export interface TargetVariable {
+  name: string;
+  low: number;
+  high: number;
+}
+
+export interface Found extends State {
+  refused: null;
+  sentences: string[];
+  solves: number;
 }
 
 /** A tower that cannot be, or cannot be solved. */

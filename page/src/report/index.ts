@@ -1,10 +1,11 @@
 // The script of a report.
 
 import type { TowerScene } from "../view/scene.js";
+import type { Turbine } from "../view/turbine.js";
 import { offerFiles } from "./files.js";
 import { preparePage } from "./page.js";
 import { animateTower } from "./tower.js";
-import { animateTurbine, type Turbine } from "./turbine.js";
+import { animateTurbine } from "./turbine.js";
 
 /** The data of an animation, if the page has it. */
 function dataOf<Data>(id: string): Data | null {

@@ -7,6 +7,7 @@ import type { Drag, Handle, Pose, TowerScene, ViewEvents } from "./scene.js";
 import { Stage } from "./stage.js";
 import { support } from "./support.js";
 import { TowerModel } from "./tower.js";
+import { Triad, drawTriad } from "./triad.js";
 
 const FIRST = { azimuth: 35, elevation: 20 };
 const PALER = 0.55;
@@ -28,6 +29,7 @@ export class TowerView {
   private readonly beside = new TowerModel(PALER);
   private isBeside = false;
   private readonly dots = new Handles();
+  private readonly triad = new Triad();
   private readonly hand: Hand;
   private readonly stop = new AbortController();
   private readonly observers: { disconnect(): void }[] = [];
@@ -107,14 +109,15 @@ export class TowerView {
     this.later();
   }
 
-  /** The picture as PNG. */
-  png(): Promise<Blob> {
-    // Read in the task that drew it: later the picture may be gone.
+  /** The canvas, drawn in this task: later its picture may be gone. */
+  get picture(): HTMLCanvasElement {
     this.draw();
-    return new Promise((resolve, reject) => this.stage.canvas.toBlob((blob) => {
-      if (blob === null) reject(new Error("the browser gives no picture"));
-      else resolve(blob);
-    }));
+    return this.stage.canvas;
+  }
+
+  /** Draws the directions of the view on another canvas, in its colours. */
+  drawAxes(on: CanvasRenderingContext2D, ink: string, font: string): void {
+    drawTriad(on, this.stage.eye, ink, font);
   }
 
   /** Frees everything. */
@@ -136,7 +139,7 @@ export class TowerView {
     canvas.setAttribute("aria-description", "Arrow keys turn the view, plus and minus zoom, 0 resets it.");
     Object.assign(canvas.style, { position: "absolute", inset: "0", width: "100%", height: "100%", touchAction: "pan-y" });
     if (getComputedStyle(this.host).position === "static") this.host.style.position = "relative";
-    this.host.append(canvas);
+    this.host.append(canvas, this.triad.element);
   }
 
   /** Follows the size of the element, the theme, the focus, and the loss of the graphics. */
@@ -185,6 +188,7 @@ export class TowerView {
     const items = this.tower.items(eye).concat(this.isBeside ? this.beside.items(eye) : []);
     const hasDots = this.isHovered || this.pull !== null || document.activeElement === canvas;
     if (hasDots) items.push(this.dots.item(eye, this.tower.sections, this.palette));
+    this.triad.show(eye);
     this.stage.draw(items, 10 * (this.tower.span + this.beside.span + this.distance()), SIZE);
   }
 

@@ -126,6 +126,22 @@ pub fn coupled_campbell(
     options: &CoupledOptions,
     mut watch: impl FnMut(f64),
 ) -> Result<CoupledCampbell, CoupledError> {
+    coupled_campbell_while(turbine, rotor, options, |rpm| {
+        watch(rpm);
+        true
+    })
+}
+
+/// The same, given up before the first solve at a rotor speed (rpm) for which `goes_on` is false.
+///
+/// # Errors
+/// As [`coupled_campbell`], and [`CoupledError::GivenUp`].
+pub fn coupled_campbell_while(
+    turbine: &Turbine,
+    rotor: &Rotor,
+    options: &CoupledOptions,
+    mut goes_on: impl FnMut(f64) -> bool,
+) -> Result<CoupledCampbell, CoupledError> {
     let blades = turbine.machine().blades;
     if rotor.blades != blades {
         let (rotor, turbine) = (rotor.blades, blades);
@@ -138,7 +154,9 @@ pub fn coupled_campbell(
     let headroom = Headroom::of(&options.speeds_rpm(rotor)?);
     check_modes(&mut model, check_limit(options.limit_hz)?, &headroom)?;
     let solved = diagram(rotor, options, |rpm, limit_hz, last| {
-        watch(rpm);
+        if !goes_on(rpm) {
+            return Err(CoupledError::GivenUp);
+        }
         let last = last.map_or(&[][..], std::slice::from_ref);
         let modes = model.modes_from(limit_hz, rpm, last);
         let mut modes = modes.map_err(|error| CoupledError::At {

@@ -21,7 +21,7 @@ mod tests;
 
 pub use compared::{AgainstRigid, Change};
 pub use curve::{CoupledCurve, CurvePoint, NameChange, NameRange};
-pub use diagram::{CoupledCampbell, coupled_campbell};
+pub use diagram::{CoupledCampbell, coupled_campbell, coupled_campbell_while};
 pub use meeting::{Meeting, MeetingKind};
 pub use options::{CoupledError, CoupledOptions, RotorSpeeds, coupled_limit_hz};
 pub use solved::SolvedSpeed;

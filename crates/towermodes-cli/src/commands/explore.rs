@@ -1,6 +1,7 @@
 //! `towermodes explore`.
 
 use std::io;
+use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::time::Instant;
 
@@ -23,6 +24,7 @@ const EXAMPLES: &str = "Examples:
   towermodes explore examples/monopile.toml
   towermodes explore turbine.yaml --part tower --rpm 5,7.56
   towermodes explore examples/nrel-5mw.toml --set rna.mass=360000
+  towermodes explore examples/monopile.toml --against examples/monopile-layers.toml
 
 The program opens a page in the browser and serves it until Ctrl-C ends it. On the page, input values are changed with sliders, and the tower is solved again after each change; the file is not changed. The page starts with the values of --set; they can be reset to the values of the file.
 
@@ -43,6 +45,11 @@ pub(crate) struct ExploreArguments {
     #[command(flatten)]
     rotor: RotorArguments,
 
+    /// Another tower, of a file in any format, shown beside this one and in the diagram: the page
+    /// lists the differences of all results
+    #[arg(long, value_name = "FILE")]
+    against: Option<PathBuf>,
+
     /// Port on this machine [default: any free port]
     #[arg(long, value_name = "PORT")]
     port: Option<u16>,
@@ -54,14 +61,24 @@ pub(crate) struct ExploreArguments {
 
 /// Reads the tower, opens the page, and serves it until the program is ended.
 pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
-    let file = file(arguments)?;
+    let given = &arguments.input.reading;
+    let file = unchanged(&arguments.input.file, given)?;
+    let against = arguments.against.as_ref();
+    let against = against.map(|path| unchanged(path, given)).transpose()?;
+    let formats = [Some(&file), against.as_ref()].into_iter().flatten();
+    given.check(&formats.map(|input| input.format).collect::<Vec<_>>())?;
     let mut changed = file.clone();
     set_numbers(&mut changed, &arguments.input.reading)?;
     let tower = changed.tower()?;
     let state = State::between(&file, &changed);
     note(&changed.notes);
     warn(tower.warnings(), &changed);
-    let explorer = Explorer::new(exploration(file, arguments)?);
+    let against = against.zip(arguments.against.as_deref());
+    let against = against.map(|(other, path)| exploration(other, path, arguments));
+    let explorer = Explorer::new(Exploration {
+        against: against.transpose()?.map(Box::new),
+        ..exploration(file, &arguments.input.file, arguments)?
+    });
     let failed = |error| not_served(arguments.port, &error);
     let server = Server::bind(arguments.port.unwrap_or(0)).map_err(failed)?;
     let address = server.address() + &state.fragment();
@@ -74,18 +91,19 @@ pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     server.run(explorer).map_err(failed)
 }
 
-/// The tower of the file, before any number is set: the page can put numbers back.
-fn file(arguments: &ExploreArguments) -> Result<TowerInput, Failure> {
-    let given = &arguments.input.reading;
-    let mut reading: ReadingArguments = given.clone();
+/// The tower of a file, before any number is set: the page can put numbers back.
+fn unchanged(path: &Path, given: &ReadingArguments) -> Result<TowerInput, Failure> {
+    let mut reading = given.clone();
     reading.settings.clear();
-    let file = input_of(&arguments.input.file, &reading)?;
-    given.check(&[file.format])?;
-    Ok(file)
+    input_of(path, &reading)
 }
 
 /// What the explorer needs to know.
-fn exploration(file: TowerInput, arguments: &ExploreArguments) -> Result<Exploration, Failure> {
+fn exploration(
+    file: TowerInput,
+    path: &Path,
+    arguments: &ExploreArguments,
+) -> Result<Exploration, Failure> {
     let options = Options {
         points: POINTS,
         ..arguments.solver.options(&file)?
@@ -96,10 +114,11 @@ fn exploration(file: TowerInput, arguments: &ExploreArguments) -> Result<Explora
         covers_excitations: !arguments.solver.has_modes(),
         rotor: arguments.rotor.given(),
         campbell: arguments.rotor.options(),
-        file: arguments.input.file.to_string_lossy().into_owned(),
+        file: path.to_string_lossy().into_owned(),
         reading: arguments.input.reading.words(),
         solving: arguments.solver.words(),
         rotating: arguments.rotor.words(),
+        against: None,
         report: reporter(),
         clock,
     })

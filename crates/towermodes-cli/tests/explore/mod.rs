@@ -3,5 +3,7 @@
 
 mod answers;
 mod page;
+mod seen;
 mod server;
 mod strangers;
+mod whole;

@@ -16,6 +16,9 @@ pub enum DesignError {
     /// There is nothing to change.
     #[error("the design has no variables")]
     NoVariables,
+    /// The design was given up before its end.
+    #[error("the design was given up, because it was no longer wanted")]
+    GivenUp,
     /// There is nothing to reach.
     #[error("the design has no goal for a frequency")]
     NoGoals,

@@ -26,6 +26,6 @@ pub use confirm::{OtherHolder, Reached};
 pub use error::DesignError;
 pub use limits::Limit;
 pub use problem::{DesignProblem, Goal, Side, Variable};
-pub use result::{ActiveLimit, Design, Steps, design};
+pub use result::{ActiveLimit, Design, Steps, design, design_while};
 pub use unmet::{Conflict, Infeasible};
 pub use window::{WindowError, window_hz};

@@ -115,12 +115,25 @@ pub fn design(
     problem: &DesignProblem,
     solver: &mut Solver,
 ) -> Result<Design, DesignError> {
+    design_while(base, problem, solver, &mut || true)
+}
+
+/// The same, given up before the first tower for which `goes_on` is false.
+///
+/// # Errors
+/// As [`design`], and [`DesignError::GivenUp`].
+pub fn design_while(
+    base: &TowerDescription,
+    problem: &DesignProblem,
+    solver: &mut Solver,
+    goes_on: &mut dyn FnMut() -> bool,
+) -> Result<Design, DesignError> {
     let options = solver.options.clone();
     problem.check()?;
     problem.check_widths(base)?;
     let variables = problem.variables.iter();
     let before: Vec<f64> = variables.map(|of| of.present(base)).collect();
-    let mut towers = Towers::new(problem, base, &options, solver);
+    let mut towers = Towers::new(problem, base, &options, (solver, goes_on));
     let present = towers.scaled(&before);
     let all: Vec<usize> = (0..before.len()).collect();
     let start = start(&mut towers, &present)?;

@@ -60,6 +60,8 @@ pub(super) struct Towers<'d> {
     pub(super) base: &'d TowerDescription,
     pub(super) options: &'d Options,
     solver: &'d mut Solver,
+    /// Whether the design is still wanted.
+    goes_on: &'d mut dyn FnMut() -> bool,
     rows: Vec<Row>,
     /// The ends of the bands of the goals, then the limits of the shape.
     pub(super) limits: Vec<Limit>,
@@ -82,7 +84,7 @@ impl<'d> Towers<'d> {
         problem: &'d DesignProblem,
         base: &'d TowerDescription,
         options: &'d Options,
-        solver: &'d mut Solver,
+        (solver, goes_on): (&'d mut Solver, &'d mut dyn FnMut() -> bool),
     ) -> Self {
         let rows = rows(problem, base);
         let mut limits = Vec::new();
@@ -107,6 +109,7 @@ impl<'d> Towers<'d> {
             base,
             options,
             solver,
+            goes_on,
             rows,
             limits,
         }
@@ -216,6 +219,9 @@ impl<'d> Towers<'d> {
     }
 
     fn compute(&mut self, scaled: &[f64], slopes: bool) -> Result<Point, DesignError> {
+        if !(self.goes_on)() {
+            return Err(DesignError::GivenUp);
+        }
         self.solves += 1;
         let values = self.values(scaled);
         let tower = self.problem.tower(self.base, &values);

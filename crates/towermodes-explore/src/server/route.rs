@@ -11,7 +11,7 @@ use hyper::{Method, Response, StatusCode};
 use super::SLOW_BODY;
 use super::gate::{Gate, Refused};
 use super::reply::{Body, file, plain, reply};
-use crate::explorer::Explorer;
+use crate::explorer::{Explorer, Wanted};
 use crate::page::{PageFile, page_files};
 use crate::question::{Question, Reply};
 
@@ -92,8 +92,15 @@ pub(super) async fn answer(routes: Arc<Routes>, route: Route, body: Incoming) ->
         Ok(body) => body,
         Err(response) => return response,
     };
-    let computed = move || computed(&routes.explorer, question, &body);
+    // Whoever closes the connection drops this answer, and with it the token.
+    let token = Arc::new(());
+    let held = Arc::downgrade(&token);
+    let computed = move || {
+        let wanted = || held.strong_count() > 0;
+        computed(&routes.explorer, question, &body, &wanted)
+    };
     let done = tokio::task::spawn_blocking(computed).await;
+    drop(token);
     done.unwrap_or_else(|_| {
         plain(
             StatusCode::INTERNAL_SERVER_ERROR,
@@ -119,8 +126,13 @@ async fn whole(body: Incoming) -> Result<Bytes, Response<Body>> {
     }
 }
 
-fn computed(explorer: &Explorer, question: Question, body: &[u8]) -> Response<Body> {
-    match explorer.reply(question, body) {
+fn computed(
+    explorer: &Explorer,
+    question: Question,
+    body: &[u8],
+    wanted: Wanted<'_>,
+) -> Response<Body> {
+    match explorer.reply(question, body, wanted) {
         Reply::Json(text) => reply(StatusCode::OK, JSON, text),
         Reply::File(taken) => file(taken),
         // An answer like any other: a browser prints every error status on its console.

@@ -10,7 +10,7 @@ export interface Identity {
   id: number;
   /** What the mode was called when it came into the list. */
   name: string;
-  /** Index of its colour, `--tm-series0` to `--tm-series6`. */
+  /** Index of its colour, `--tm-series0` to `--tm-series6`, from 7 on the same as rings. */
   series: number;
 }
 
@@ -26,7 +26,7 @@ interface Track extends Identity {
   mode: Mode;
 }
 
-const COLOURS = 7;
+const COLOURS = 14;
 /** Below this criterion two shapes are not the same mode. */
 const SIMILAR = 0.5;
 /** Modes whose frequencies differ by less, relatively, are a pair: any combination of their

@@ -2,14 +2,23 @@
 // of a tap.
 
 import type { Answer, Mode } from "../protocol.js";
-import type { Pose, Tap } from "../../view/scene.js";
+import type { Pose, Tap, TowerScene } from "../../view/scene.js";
 import type { Followed } from "./follow.js";
 import { heightOf, largest, scaleOf, staticParts, superposed } from "./motion.js";
+import { poseOf } from "./whirl.js";
+import type { Turbine, WhirlMode } from "../../view/turbine.js";
 
 /** A solved tower with the identities of its modes. */
 export interface Moving {
   answer: Answer;
   followed: Followed[];
+}
+
+/** A turbine in one of its modes, in place of the tower. */
+export interface Turning {
+  turbine: Turbine;
+  scene: TowerScene;
+  mode: WhirlMode;
 }
 
 /** What the user has set. */
@@ -23,6 +32,8 @@ export interface Setting {
   screen_hz: number;
   /** The tap that has released the tower; null shows one mode. */
   tap: Tap | null;
+  /** The turbine that is shown; null shows the tower. */
+  turning: Turning | null;
 }
 
 /** A mode with less than this part of the largest is not excited. */
@@ -31,7 +42,9 @@ const EXCITED = 1e-3;
 const LONGEST_STEP_S = 0.1;
 
 export class Player {
-  setting: Setting = { chosen: null, amplitude: 0.05, screen_hz: 0.5, tap: null };
+  setting: Setting = { chosen: null, amplitude: 0.05, screen_hz: 0.5, tap: null, turning: null };
+  /** Of the turbine; it goes on beyond a turn, so that the rotor turns steadily. */
+  private whirled = 0;
   private phases = new Map<number, number>();
   private phasesOfA = new Map<number, number>();
   private present: Moving | null = null;
@@ -86,9 +99,31 @@ export class Player {
 
   /** Draws where the motion is now. */
   paint(): void {
+    const { turning } = this.setting;
+    if (turning !== null) {
+      const { turbine, mode, scene } = turning;
+      this.draw(poseOf(turbine, mode, scene, this.whirled, this.setting.amplitude * heightOf(scene)), null);
+      return;
+    }
     this.pose = this.poseOf(this.present, this.parts, this.phases, this.pose);
     this.poseOfA = this.poseOf(this.other, this.partsOfA, this.phasesOfA, this.poseOfA);
     this.draw(this.pose, this.poseOfA);
+  }
+
+  /** How long a period takes on the screen, of a turbine a turn of its rotor if that is longer, s. */
+  period_s(): number {
+    const period = 1 / this.setting.screen_hz;
+    const rpm = this.setting.turning?.turbine.rotor_speed_rpm ?? 0;
+    return rpm > 0 ? Math.max(period, 60 / rpm / this.timeFactor()) : period;
+  }
+
+  /** Draws so many seconds after the largest deflection. */
+  paintAt(seconds: number): void {
+    this.phases.clear();
+    this.phasesOfA.clear();
+    this.whirled = 0;
+    this.advance(seconds * this.timeFactor());
+    this.paint();
   }
 
   private frame(now: number): void {
@@ -101,6 +136,7 @@ export class Player {
   }
 
   private advance(time_s: number): void {
+    this.whirled += 2 * Math.PI * (this.setting.turning?.mode.frequency_hz ?? 0) * time_s;
     step(this.phases, this.present, time_s);
     if (this.setting.tap !== null) step(this.phasesOfA, this.other, time_s);
     else this.phasesOfA = this.phases;
@@ -113,8 +149,9 @@ export class Player {
   }
 
   /** The mode whose frequency on the screen is set. */
-  private reference(): Mode | undefined {
+  private reference(): Pick<Mode, "frequency_hz"> | undefined {
     const { present, setting, parts } = this;
+    if (setting.turning !== null) return setting.turning.mode;
     if (setting.tap === null) return present?.answer.modes[indexOf(present.followed, setting.chosen)];
     const most = Math.max(...parts.map(Math.abs));
     return present?.answer.modes.find(({ frequency_hz }, index) => frequency_hz > 0 && Math.abs(parts[index] ?? 0) > EXCITED * most);

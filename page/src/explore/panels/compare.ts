@@ -19,25 +19,31 @@ export class ComparePanel {
   private body = make("tbody");
   private none = make("p", "remark", "The present tower and A have the same numbers.");
   private table: HTMLElement;
+  private swap = button("Swap", () => undefined);
+  private of = make("p", "remark");
 
   constructor(events: CompareEvents) {
     const title = make("h3", "", "Compared with A");
     title.id = "compare-title";
-    const buttons = make("div", "buttons", button("Swap", events.swap), button("Drop A", events.drop));
+    const buttons = make("div", "buttons", this.swap, button("Drop A", events.drop));
+    this.swap.addEventListener("click", () => events.swap());
     const heads = ["Number", "Now", "A", "File", "Unit"].map((text, index) => {
       const head = make("th", index > 0 && index < 4 ? "number" : "", text);
       head.scope = "col";
       return head;
     });
     this.table = make("div", "scroll", make("table", "", make("thead", "", make("tr", "", ...heads)), this.body));
-    byId("compare").append(make("div", "head", title, buttons), this.none, this.table);
+    byId("compare").append(make("div", "head", title, buttons), this.of, this.none, this.table);
   }
 
   /** Shows the differences; `others` are the values of A in the order of the parameters, null
-   * without A. */
-  show(parameters: Parameter[], values: number[], others: number[] | null): void {
+   * without A, and NaN where A has no such number. `file` is that of A, if it is another one. */
+  show(parameters: Parameter[], values: number[], others: number[] | null, file: string | null): void {
     setHidden(byId("compare"), others === null);
     if (others === null) return;
+    setHidden(this.swap, file !== null);
+    setHidden(this.of, file === null);
+    setText(this.of, `A is the tower of ${file ?? ""}.`);
     const changed = parameters.map((_, index) => index).filter((index) => values[index] !== others[index]);
     setHidden(this.none, changed.length > 0);
     setHidden(this.table, changed.length === 0);
@@ -45,7 +51,7 @@ export class ComparePanel {
     changed.forEach((index, place) => {
       const parameter = parameters[index];
       if (parameter === undefined) return;
-      const numbers = [values[index], others[index], parameter.value].map((value) => writeNumber(value ?? NaN));
+      const numbers = [values[index], others[index], parameter.value].map((value) => (value === undefined || Number.isNaN(value) ? "\u2013" : writeNumber(value)));
       [parameter.name, ...numbers, parameter.unit].forEach((text, cell) => {
         const element = this.lines[place]?.cells[cell];
         if (element) setText(element, text);

@@ -1,10 +1,9 @@
-// What the program finds beside the modes: facts, resonance, warnings.
+// What the program finds beside the modes: facts and warnings.
 
-import { byId, make, setClass, setCount, setHidden, setText } from "../dom.js";
-import type { Answer, Fact, Remark, Resonance } from "../protocol.js";
+import { byId, make, setCount, setHidden, setText } from "../dom.js";
+import type { Answer, Fact, Remark } from "../protocol.js";
 import { signed } from "./modes.js";
 import { showWithNames, type Reveal } from "./names.js";
-import { showSvg } from "./patch.js";
 
 interface FactRow {
   element: HTMLElement;
@@ -15,21 +14,13 @@ interface FactRow {
 
 export class Findings {
   private facts: FactRow[] = [];
-  private sentences: HTMLElement[] = [];
   private warnings: HTMLElement[] = [];
-  private diagram = byId("diagram");
-  private drawn: string | null = null;
 
-  constructor(private reveal: Reveal) {
-    const button = byId("enlarge");
-    button.addEventListener("click", () => button.setAttribute("aria-pressed", String(this.diagram.classList.toggle("large"))));
-  }
+  constructor(private reveal: Reveal) {}
 
   /** Shows an answer, and what A has instead. */
   show(answer: Answer, other: Answer | null): void {
     this.showFacts(answer.facts, other?.facts ?? null);
-    this.showResonance(answer.resonance);
-    this.showDiagram(answer.diagram);
     this.showWarnings(answer.warnings);
   }
 
@@ -50,28 +41,6 @@ export class Findings {
       setHidden(row.other, others === null);
       setText(row.other, other ? `A: ${other.text}${difference(fact, other)}` : "");
     });
-  }
-
-  private showResonance(resonance: Resonance | null): void {
-    setHidden(byId("resonance"), resonance === null);
-    const sentences = resonance?.conclusion ?? [];
-    setCount(this.sentences, sentences.length, () => {
-      const element = make("p");
-      byId("conclusion").append(element);
-      return element;
-    }, (element) => element.remove());
-    sentences.forEach((text, index) => {
-      const element = this.sentences[index];
-      if (element) setText(element, text);
-    });
-    setClass(byId("conclusion"), resonance?.word ?? "");
-  }
-
-  private showDiagram(svg: string | null): void {
-    if (svg === this.drawn) return;
-    this.drawn = svg;
-    if (svg === null) this.diagram.replaceChildren();
-    else showSvg(this.diagram, svg);
   }
 
   private showWarnings(remarks: Remark[]): void {

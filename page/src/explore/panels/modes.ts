@@ -1,10 +1,9 @@
 // The table of modes: frequencies with errors, verdicts, differences from A; a choice of the mode
 // that is shown.
 
-import { byId, make, setClass, setCount, setHidden, setText } from "../dom.js";
+import { byId, make, setClass, setCount, setHidden, setText, swatch } from "../dom.js";
 import type { Followed } from "../modes/follow.js";
 import type { Mode } from "../protocol.js";
-
 
 export class ModeTable {
   private rows: ModeRow[] = [];
@@ -18,18 +17,23 @@ export class ModeTable {
       return head;
     };
     const head = this.table.tHead?.rows[0];
-    head?.querySelector(".judged")?.after(cell("Diff. %"), cell("Diff. Hz"), cell("A Hz"));
+    const differs = cell("Diff. Hz");
+    differs.classList.add("diff-hz");
+    const ofA = cell("A Hz");
+    ofA.classList.add("a-hz");
+    head?.querySelector(".judged")?.after(cell("Diff. %"), differs, ofA);
   }
 
   /** Shows the modes; `others` are the modes of A by identity, null without A. */
-  show(modes: Mode[], followed: Followed[], chosen: number | null, others: Map<number, Mode> | null): void {
+  show(modes: Mode[], followed: Followed[], chosen: number | null, others: Map<number, Mode> | null, isJudgedElsewhere = false): void {
     this.table.classList.toggle("has-a", others !== null);
-    this.table.classList.toggle("no-rotor", modes.every(({ verdict }) => verdict === null));
+    this.table.classList.toggle("no-damping", modes.every(({ damping }) => !damping));
+    this.table.classList.toggle("no-rotor", isJudgedElsewhere || modes.every(({ verdict }) => verdict === null));
     setCount(this.rows, modes.length, (index) => this.row(index), (row) => row.element.remove());
     const decimals = Math.max(0, ...modes.map(({ frequency }) => decimalsOf(frequency)));
     modes.forEach((mode, index) => {
       const identity = followed[index];
-      if (identity) this.rows[index]?.show(mode, identity, identity.id === chosen, others?.get(identity.id) ?? null, decimals);
+      if (identity) this.rows[index]?.show(mode, identity, identity.id === chosen, others?.get(identity.id) ?? null, decimals, isJudgedElsewhere);
     });
   }
 
@@ -47,10 +51,11 @@ class ModeRow {
   private name = make("span", "mode-name");
   private remark = make("span", "mode-remark");
   private frequency = make("td", "number frequency");
-  private error = make("td", "number");
-  private ofA = ["", "", ""].map(() => make("td", "number of-a"));
+  private error = make("td", "number error");
+  private ofA = ["", " diff-hz", " a-hz"].map((more) => make("td", `number of-a${more}`));
   private verdict = make("span", "verdict");
-  private period = make("td", "number");
+  private damping = make("td", "number damping");
+  private period = make("td", "number period");
   private id = -1;
 
   constructor(index: number, choose: (id: number) => void) {
@@ -62,20 +67,24 @@ class ModeRow {
     const label = make("label", "", this.radio, make("span", "place", String(index + 1)), this.swatch, names);
     const head = make("th", "", label);
     head.scope = "row";
-    this.element.append(head, this.frequency, this.error, make("td", "judged", this.verdict), ...this.ofA, this.period);
+    this.element.append(head, this.frequency, this.error, make("td", "judged", this.verdict), ...this.ofA, this.damping, this.period);
   }
 
-  show(mode: Mode, identity: Followed, isChosen: boolean, other: Mode | null, decimals: number): void {
+  show(mode: Mode, identity: Followed, isChosen: boolean, other: Mode | null, decimals: number, isJudgedElsewhere: boolean): void {
     this.id = identity.id;
     if (this.radio.checked !== isChosen) this.radio.checked = isChosen;
     this.element.classList.toggle("chosen", isChosen);
-    setClass(this.swatch, `swatch series${identity.series}`);
+    setClass(this.swatch, swatch(identity.series));
     setText(this.name, mode.label);
-    const remark = remarkOn(mode, identity);
+    const remark = remarkOn(mode, identity, isJudgedElsewhere);
     setText(this.remark, remark);
     if (this.remark.title !== remark) this.remark.title = remark;
     setText(this.frequency, aligned(mode.frequency, decimals));
     setText(this.error, aligned(mode.error, decimals));
+    showDamping(this.damping, mode);
+    this.frequency.dataset["full"] = String(mode.frequency_hz);
+    this.error.dataset["full"] = String(mode.error_hz);
+    this.period.dataset["full"] = String(mode.period_s ?? "");
     setText(this.period, mode.period_s === null ? "" : mode.period_s.toPrecision(4));
     setText(this.verdict, mode.verdict?.word.toUpperCase() ?? "");
     setClass(this.verdict, `verdict ${mode.verdict?.word ?? ""}`);
@@ -95,11 +104,20 @@ class ModeRow {
   }
 }
 
+/** The damping ratio of the structure, and that of the running rotor beside it. */
+function showDamping(cell: HTMLElement, { damping }: Mode): void {
+  const percent = (ratio: number): string => (100 * ratio).toPrecision(3);
+  const running = damping?.running.map(([rpm, ratio]) => `${percent(ratio)} at ${rpm} rpm`) ?? [];
+  const ratio = damping?.ratio ?? null;
+  setText(cell, [ratio === null ? "" : percent(ratio), ...running].filter(Boolean).join("; "));
+  cell.dataset["full"] = ratio === null ? "" : String(100 * ratio);
+}
+
 /** The shares of a coupled mode, the name that its shape had at first, and the verdict. */
-function remarkOn(mode: Mode, identity: Followed): string {
+function remarkOn(mode: Mode, identity: Followed, isJudgedElsewhere: boolean): string {
   const shares = mode.shape.slice(mode.label.length).replace(/^,? /, "");
   const before = mode.label === identity.name ? "" : `was ${identity.name}`;
-  const verdict = (mode.verdict?.text ?? "").replace(" -", " \u2212");
+  const verdict = isJudgedElsewhere ? "" : (mode.verdict?.text ?? "").replace(" -", " \u2212");
   return [shares, before, verdict].filter((text) => text !== "").join(" · ");
 }
 
@@ -140,7 +158,7 @@ export class MassTable {
       const row = this.rows[index];
       if (row === undefined) return;
       setText(row.name, mode.label);
-      setClass(row.swatch, `swatch series${followed[index]?.series ?? 0}`);
+      setClass(row.swatch, swatch(followed[index]?.series ?? 0));
       row.cells.forEach((cell, axis) => {
         const share = mode.effective_mass[axis];
         setText(cell, share === null || share === undefined ? "–" : (100 * share).toFixed(1));

@@ -2,7 +2,7 @@
 
 import { byId, make, setClass, setHidden, setText } from "../dom.js";
 import { baseOf, isMultiplied, multiplied, type Base } from "../numbers/column.js";
-import type { Group, Parameter, Sheet } from "../protocol.js";
+import type { Group, Parameter, Sheet, TargetVariable } from "../protocol.js";
 import { Row } from "./row.js";
 
 export interface ParameterEvents {
@@ -87,9 +87,10 @@ export class ParameterPanel {
 
   private column(section: Section, name: string, id: string): Column {
     const key = name.slice(name.lastIndexOf(".") + 1);
+    const meaning = this.sheet.parameters.find((parameter) => parameter.column === name)?.meaning ?? key;
     const of = this.sheet.parameters.flatMap((parameter, index) => (parameter.column === name ? [index] : []));
-    const column: Column = { name, row: undefined as never, indices: of, base: null, words: `${name} ${section.group.title}`.toLowerCase() };
-    column.row = new Row({ id, name, label: `every ${key} ×`, meaning: "", unit: "" }, { low: 0.5, high: 1.5, home: 1 }, {
+    const column: Column = { name, row: undefined as never, indices: of, base: null, words: `${name} ${meaning} ${section.group.title}`.toLowerCase() };
+    column.row = new Row({ id, name, label: `every ${meaning} ×`, meaning: "", unit: "" }, { low: 0.5, high: 1.5, home: 1 }, {
       input: (factor) => this.multiply(column, factor),
       settle: () => {
         column.base = null;
@@ -171,6 +172,27 @@ export class ParameterPanel {
   /** Opens these groups. */
   unfold(names: string[]): void {
     for (const { group, element } of this.sections) if (names.includes(group.name)) element.open = true;
+  }
+
+  /** Shows the boxes that let a search change a number; at first all wall thicknesses, or else all
+   * bending stiffnesses, are marked. */
+  mark(isOn: boolean): void {
+    document.body.classList.toggle("is-marking", isOn);
+    if (!isOn || this.marked().length > 0) return;
+    const columns = this.sections.flatMap((section) => section.columns.map((column) => ({ section, column })));
+    const usual = /\.(wall|ei_fore_aft_n_m2|ei_side_side_n_m2)$/;
+    for (const { section, column } of columns.filter(({ column }) => usual.test(column.name))) {
+      column.row.isMarked = true;
+      section.element.open = true;
+    }
+  }
+
+  /** What a search may change, with the ends of the sliders. */
+  marked(): TargetVariable[] {
+    return this.sections.flatMap(({ columns, entries }) => [
+      ...columns.filter(({ row }) => row.isMarked).map(({ name, row }) => ({ name: `scale(${name})`, ...row.ends })),
+      ...entries.filter(({ row }) => row.isMarked).map(({ parameter, row }) => ({ name: parameter.name, ...row.ends })),
+    ]);
   }
 
   /** Leads to the field of a number, also if the search has hidden it. */

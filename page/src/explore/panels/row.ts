@@ -35,6 +35,8 @@ export class Row {
   private field = make("input", "field");
   private back: HTMLButtonElement;
   private message = make("p", "message");
+  /** Whether a search may change it. */
+  private mark = make("input", "pick");
   private bar = make("span", "bar");
   private elasticityText = make("span", "elasticity-text");
   private range: Range;
@@ -79,8 +81,10 @@ export class Row {
     }
     this.back.setAttribute("aria-label", `Put ${label} back to the value of the file`);
     this.listen();
+    this.mark.type = "checkbox";
+    this.mark.setAttribute("aria-label", `A search may change ${spoken}`);
     const elasticity = make("span", "elasticity", this.elasticityText, make("span", "scale", this.bar));
-    const element = make("div", "row", make("div", "top", name, elasticity), this.slider, this.field, make("span", "unit", unit), this.back, this.message);
+    const element = make("div", "row", make("div", "top", this.mark, name, elasticity), this.slider, this.field, make("span", "unit", unit), this.back, this.message);
     element.id = id;
     return element;
   }
@@ -141,6 +145,20 @@ export class Row {
     this.ask(this.given.home);
     this.events.settle();
     this.slider.focus();
+  }
+
+  /** Whether a search may change it. */
+  get isMarked(): boolean {
+    return this.mark.checked && !this.slider.disabled;
+  }
+
+  set isMarked(isOn: boolean) {
+    this.mark.checked = isOn;
+  }
+
+  /** The ends of the slider. */
+  get ends(): { low: number; high: number } {
+    return { low: this.range.low, high: this.range.high };
   }
 
   /** Nothing can be set where a factor would change no number. */

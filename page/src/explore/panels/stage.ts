@@ -2,9 +2,10 @@
 
 import { TowerView, isSupported } from "../../view/index.js";
 import type { Drag, Handle, Tap, TowerScene } from "../../view/scene.js";
-import { byId, make, setClass, setHidden, setText } from "../dom.js";
-import { Player, type Moving } from "../modes/player.js";
-import type { Mode } from "../protocol.js";
+import { byId, make, setClass, setHidden, setText, swatch } from "../dom.js";
+import { Player, type Moving, type Turning } from "../modes/player.js";
+import type { Word } from "../protocol.js";
+import { film, picture, type Axes, type Caption } from "./picture.js";
 
 /** From the pointer to the text above it, in pixels. */
 const ABOVE = 16;
@@ -87,8 +88,11 @@ export class Stage {
   /** Shows a solved tower, and A beside it. */
   show(present: Moving, other: Moving | null, handles: Handle[]): void {
     this.present = present;
-    this.view?.show(present.answer.scene, other?.answer.scene ?? null);
+    const { turning } = this.player.setting;
+    if (turning !== null) this.view?.show(turning.scene, null);
+    else this.view?.show(present.answer.scene, other?.answer.scene ?? null);
     this.view?.handles(handles);
+    setHidden(byId("beside"), other === null || turning !== null || this.view === null);
     this.player.show(present, other);
     if (this.view !== null && this.player.isPlaying) this.player.paint();
     this.showMotion();
@@ -104,7 +108,15 @@ export class Stage {
 
   choose(id: number): void {
     this.player.setting.chosen = id;
+    this.player.setting.turning = null;
     this.setTap(null);
+  }
+
+  /** The turbine in place of the tower, from the next `show` on; null is the tower. */
+  turn(turning: Turning | null): void {
+    this.player.setting.turning = turning;
+    if (turning !== null) this.player.setting.tap = null;
+    this.player.refresh();
   }
 
   toggle(): void {
@@ -155,6 +167,10 @@ export class Stage {
 
   private setTap(tap: Tap | null): void {
     this.player.setting.tap = tap;
+    if (tap !== null && this.player.setting.turning !== null && this.present !== null) {
+      this.player.setting.turning = null;
+      this.view?.show(this.present.answer.scene, null);
+    }
     this.player.restart();
     if (this.player.isPlaying) this.player.paint();
     this.showMotion();
@@ -174,17 +190,53 @@ export class Stage {
   }
 
   /** The mode that is shown, in large figures. */
-  readout(mode: Mode | undefined, series: number): void {
+  readout(mode: Readout | undefined, series: number): void {
     setText(byId("readout-name"), mode?.label ?? "");
-    setClass(byId("readout-swatch"), `swatch series${series}`);
+    setClass(byId("readout-swatch"), swatch(series));
     setText(byId("readout-frequency"), mode ? `${mode.frequency} Hz` : "");
     setText(byId("readout-verdict"), mode?.verdict?.word.toUpperCase() ?? "");
     setClass(byId("readout-verdict"), `verdict ${mode?.verdict?.word ?? ""}`);
   }
 
-  png(): Promise<Blob> {
-    return this.view?.png() ?? Promise.reject(new Error("This browser does not draw in three dimensions."));
+  /** The view with its words. */
+  png(file: string): Promise<Blob> {
+    const { view } = this;
+    if (view === null) return Promise.reject(new Error("This browser does not draw in three dimensions."));
+    return picture(view.picture, this.caption(file), (on, { ink, font }) => view.drawAxes(on, ink, font));
   }
+
+  /** The mode that is shown, for one period; a turbine until its rotor has turned once, at most
+   * twenty seconds. */
+  async film(file: string): Promise<Blob> {
+    const { view, player } = this;
+    if (view === null) throw new Error("This browser does not draw in three dimensions.");
+    const wasPlaying = player.isPlaying;
+    player.pause();
+    const seconds = Math.min(20, player.period_s());
+    try {
+      const axes: Axes = (on, { ink, font }) => view.drawAxes(on, ink, font);
+      return await film(view.picture, this.caption(file), axes, seconds, (moment) => player.paintAt(moment * seconds));
+    } finally {
+      player.restart();
+      if (wasPlaying) this.play();
+    }
+  }
+
+  private caption(file: string): Caption {
+    const text = (id: string): string => byId(id).textContent ?? "";
+    return {
+      file,
+      mode: `${text("readout-name")}, ${text("readout-frequency")}`,
+      amplitude: `Amplitude ${text("amplitude-text")}, ${text("speed-text")}`,
+    };
+  }
+}
+
+/** A mode in large figures. */
+export interface Readout {
+  label: string;
+  frequency: string;
+  verdict: { word: Word } | null;
 }
 
 /** How the motion on the screen relates to the real one. */

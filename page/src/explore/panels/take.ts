@@ -5,12 +5,18 @@ import { button, byId, make, setText } from "../dom.js";
 import { notice, withdraw } from "../notices.js";
 import { reproduce, take } from "../program/program.js";
 import type { State, Take } from "../protocol.js";
+import { filmFormat } from "./picture.js";
+import { save } from "./save.js";
 
 export interface TakeSource {
   /** The state that is shown. */
   state(): State;
+  /** What the names of files begin with: that of the tower and the mode. */
+  name(): string;
   /** The picture of the view. */
   png(): Promise<Blob>;
+  /** The mode in motion. */
+  film(): Promise<Blob>;
   failed(error: unknown): void;
 }
 
@@ -38,9 +44,9 @@ export class TakeMenu {
       });
       return make("div", "pictures", make("span", "", text), ...formats);
     });
-    const view = button("PNG", () => this.run(this.source.png().then((picture) => save("tower-3d.png", picture))));
+    const view = button("PNG", () => this.run(this.source.png().then((made) => save(`${this.source.name()}.png`, made))));
     view.setAttribute("aria-label", "View as PNG");
-    list.append(...pictures, make("div", "pictures", make("span", "", "View"), view));
+    list.append(...pictures, make("div", "pictures", make("span", "", "View"), ...this.film(), view));
     list.append(button("Shell and Python lines…", () => this.run(this.showLines())));
     this.menu.addEventListener("toggle", () => {
       const last = pictures.at(-1);
@@ -48,6 +54,19 @@ export class TakeMenu {
     });
     this.closeByItself();
     this.offerCopies();
+  }
+
+  /** The button of the film, where the browser makes one. */
+  private film(): HTMLButtonElement[] {
+    const format = filmFormat();
+    if (format === null) return [];
+    const ending = format.includes("webm") ? "webm" : "mp4";
+    const film = button("Film", () => {
+      notice("film", "The film is being recorded: one period of the mode.");
+      this.run(this.source.film().then((made) => save(`${this.source.name()}.${ending}`, made)).finally(() => withdraw("film")));
+    });
+    film.setAttribute("aria-label", "Mode in motion as a film");
+    return [film];
   }
 
   /** A menu closes by Escape, by a click elsewhere, and when the focus leaves it. */
@@ -109,12 +128,4 @@ async function copy(source: HTMLElement): Promise<void> {
     getSelection()?.selectAllChildren(source);
     setText(byId("copied"), "The browser does not allow to copy. The lines are selected: copy them by Ctrl-C.");
   }
-}
-
-function save(name: string, content: Blob): void {
-  const link = make("a");
-  link.href = URL.createObjectURL(content);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }

@@ -1,6 +1,8 @@
 // The program that answers the page, as functions.
 
-import type { Answer, Elasticities, Reproduction, Refusal, Sheet, State, Take } from "../protocol.js";
+import type {
+  Answer, Band, Coupled, Elasticities, Found, Reproduction, Refusal, Sheet, State, Take, TargetQuestion, Whirl, WhirlQuestion,
+} from "../protocol.js";
 
 /** The program does not answer: it has ended. */
 export class ProgramEnded extends Error {}
@@ -9,7 +11,7 @@ export class ProgramEnded extends Error {}
 export class Refused extends Error {}
 
 /** Answers a question with a status and a body, as the server of the page does. */
-export type Program = (question: string, body: object | null) => Promise<Reply>;
+export type Program = (question: string, body: object | null, signal?: AbortSignal) => Promise<Reply>;
 
 /** What the page reads of an answer. */
 export type Reply = Pick<Response, "ok" | "status" | "json" | "text" | "blob"> & {
@@ -33,6 +35,15 @@ export async function solve(state: State): Promise<Answer | Refusal> {
   const result = (await (await ask("solve", state)).json()) as Answer | Refusal;
   if (result.refused === null) result.values = result.values.map(orInfinite);
   return result;
+}
+
+export const coupled = (state: State, signal: AbortSignal): Promise<Coupled | Refusal> => answered("coupled", state, signal);
+export const whirl = (of: WhirlQuestion, signal: AbortSignal): Promise<Whirl | Refusal> => answered("whirl", of, signal);
+export const band = (state: State, signal: AbortSignal): Promise<Band | Refusal> => answered("band", state, signal);
+export const target = (of: TargetQuestion, signal: AbortSignal): Promise<Found | Refusal> => answered("target", of, signal);
+
+async function answered<T>(question: string, body: object, signal: AbortSignal): Promise<T> {
+  return (await (await ask(question, body, signal)).json()) as T;
 }
 
 /** JSON has no infinity: the program writes null for the stiffness of what is rigid. */
@@ -59,17 +70,18 @@ export async function take(state: State, what: Take): Promise<{ name: string; co
   return { name, content: await response.blob() };
 }
 
-async function ask(question: string, body: object | null): Promise<Reply> {
-  const response = await program(question, body);
+async function ask(question: string, body: object | null, signal?: AbortSignal): Promise<Reply> {
+  const response = await program(question, body, signal);
   if (!response.ok) throw new Refused((await response.text()).trim() || `The program answers with status ${response.status}.`);
   return response;
 }
 
 /** The program that serves this page. */
-function served(question: string, body: object | null): Promise<Response> {
+function served(question: string, body: object | null, signal?: AbortSignal): Promise<Response> {
   return fetch(question, body === null ? {} : {
-    method: "POST", body: JSON.stringify(body), headers: { "Content-Type": "application/json" },
-  }).catch(() => {
+    method: "POST", body: JSON.stringify(body), headers: { "Content-Type": "application/json" }, signal: signal ?? null,
+  }).catch((error: unknown) => {
+    if (signal?.aborted) throw error;
     throw new ProgramEnded();
   });
 }

@@ -1,0 +1,203 @@
+//! The whole turbine, with its turning rotor: the coupled Campbell diagram as `campbell` computes
+//! it, and the modes at one rotor speed in motion.
+
+use serde::{Deserialize, Serialize};
+use towermodes::number::four_digits;
+use towermodes::turbine::{Turbine, TurbineError, TurbineMode, TurbineModel};
+use towermodes::{Options, Solution, Tower};
+use towermodes_analysis::resonance::{ChosenRotor, reach_hz, solve_to_reach};
+use towermodes_analysis::whirl::{
+    CoupledCampbell, CoupledError, CoupledOptions, RotorSpeeds, coupled_campbell_while,
+    coupled_limit_hz,
+};
+use towermodes_files::TowerInput;
+use towermodes_report::figures::{WhirlAnimation, whirl_animation};
+use towermodes_report::wording::{STRUCTURE_ONLY, proved};
+
+use super::explorer::{Explorer, Wanted};
+use super::refusal::Refusal;
+use super::resonance::Resonance;
+use super::state::State;
+
+/// The equally spaced rotor speeds of the diagram: `campbell --speeds 15`.
+pub const SPEEDS: usize = 15;
+
+/// A rotor speed at which a page shows the modes of a turbine.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct WhirlQuestion {
+    /// The changed numbers.
+    #[serde(flatten)]
+    pub state: State,
+    /// The rotor speed, rpm.
+    pub rpm: f64,
+}
+
+/// The coupled diagram of a turbine.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Coupled {
+    /// Verdict, conclusion, lines and rows, as `campbell` gives them.
+    pub resonance: Resonance,
+    /// The proof that no mode is missing, and what the diagram does not contain.
+    pub proof: String,
+    /// The number of rotor speeds at which the turbine was solved.
+    pub speeds: usize,
+    /// How long it took, ms.
+    pub answer_ms: f64,
+}
+
+/// The modes of a turbine at a rotor speed.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Whirl {
+    /// The modes by frequency.
+    pub modes: Vec<WhirlMode>,
+    /// Their shapes.
+    pub scene: WhirlAnimation,
+    /// How long it took, ms.
+    pub answer_ms: f64,
+}
+
+/// A mode of a turbine at a rotor speed.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WhirlMode {
+    /// Its name: that of a line of the diagram.
+    pub name: String,
+    /// Frequency in axes that do not turn, Hz.
+    pub frequency_hz: f64,
+    /// The same with four digits.
+    pub frequency: String,
+    /// Where less than 60 % of the energy is in the part of the name: the shares.
+    pub remark: String,
+}
+
+/// A turbine with the machine as a rigid body solved, and the rotor of its diagram.
+struct Prepared {
+    turbine: Turbine,
+    chosen: ChosenRotor,
+    limit_hz: f64,
+}
+
+impl Explorer {
+    /// The coupled diagram of the turbine with changed numbers, given up when it is not `wanted`.
+    ///
+    /// # Errors
+    /// [`Refusal`]: there is no such turbine, or it cannot be solved.
+    pub fn coupled(&self, state: &State, wanted: Wanted<'_>) -> Result<Coupled, Refusal> {
+        let started = self.now_ms();
+        let of = self.prepared(state)?;
+        let given = &self.exploration.campbell;
+        let options = CoupledOptions {
+            margin: given.margin,
+            multiples: given.multiples.clone(),
+            speeds: RotorSpeeds::Equal(SPEEDS),
+            speeds_are_known: of.chosen.speeds_are_known,
+            ..CoupledOptions::up_to(of.limit_hz)
+        };
+        let (turbine, rotor) = (&of.turbine, &of.chosen.rotor);
+        let diagram = coupled_campbell_while(turbine, rotor, &options, |_| wanted());
+        let diagram = diagram.map_err(|error| refused(&error))?;
+        Ok(Coupled {
+            answer_ms: self.now_ms() - started,
+            ..Coupled::new(&diagram, turbine)
+        })
+    }
+
+    /// The modes of the turbine at a rotor speed, with their shapes.
+    ///
+    /// # Errors
+    /// [`Refusal`].
+    pub fn whirl(&self, question: &WhirlQuestion) -> Result<Whirl, Refusal> {
+        let started = self.now_ms();
+        let Prepared {
+            turbine, limit_hz, ..
+        } = self.prepared(&question.state)?;
+        let modes = TurbineModel::new(&turbine, &turbine.mesh())
+            .and_then(|mut model| model.modes(limit_hz, question.rpm));
+        let modes = modes.map_err(|error| of_turbine(&error))?;
+        Ok(Whirl {
+            modes: modes.modes.iter().map(WhirlMode::new).collect(),
+            scene: whirl_animation(&turbine, &modes),
+            answer_ms: self.now_ms() - started,
+        })
+    }
+
+    /// The turbine, its rotor and the limit of its diagram, all as `campbell` has them.
+    fn prepared(&self, state: &State) -> Result<Prepared, Refusal> {
+        let (input, tower) = self.changed(state)?;
+        let turbine = turbine_of(&input)?;
+        let (rigid, chosen) = self.rigid(&input, &tower)?;
+        let campbell = &self.exploration.campbell;
+        Ok(Prepared {
+            limit_hz: coupled_limit_hz(&chosen.rotor, campbell, &rigid, &turbine),
+            turbine,
+            chosen,
+        })
+    }
+
+    /// The tower with the machine as a rigid body, up to the excitations of the rotor.
+    fn rigid(&self, input: &TowerInput, tower: &Tower) -> Result<(Solution, ChosenRotor), Refusal> {
+        let given = &self.exploration.rotor;
+        let chosen = given.in_place_of(input.description.rotor, input.blades);
+        let solved = self.solver().with(Options::default(), |solver| {
+            let chosen = match chosen {
+                Some(chosen) => chosen,
+                None => {
+                    let solution = solver.solve_certain(tower)?;
+                    given.without_speeds(input.blades, &solution, input.tip_radius_m())
+                }
+            };
+            let reach_hz = reach_hz(&chosen.rotor, &self.exploration.campbell);
+            Ok((solve_to_reach(solver, tower, reach_hz)?, chosen))
+        });
+        solved.map_err(|error| Refusal::of_solve(&error))
+    }
+}
+
+fn turbine_of(input: &TowerInput) -> Result<Turbine, Refusal> {
+    let Some(machine) = &input.turbine else {
+        let message = "the file has no turbine with flexible blades".to_owned();
+        return Err(Refusal::new(message, None, Vec::new()));
+    };
+    let turbine = Turbine::in_place_of_rna(input.description.clone(), machine.clone());
+    turbine.map_err(|error| match &error {
+        TurbineError::Tower(error) => Refusal::of_tower(error, &input.description),
+        error => of_turbine(error),
+    })
+}
+
+fn of_turbine(error: &TurbineError) -> Refusal {
+    Refusal::new(error.to_string(), None, Vec::new())
+}
+
+fn refused(error: &CoupledError) -> Refusal {
+    Refusal::new(error.to_string(), None, Vec::new())
+}
+
+impl Coupled {
+    fn new(diagram: &CoupledCampbell, turbine: &Turbine) -> Self {
+        let remarks = diagram.remarks(turbine).into_iter();
+        let remarks = remarks.map(|remark| remark.to_string());
+        Self {
+            resonance: Resonance::new(&diagram.campbell, diagram.verdict(), remarks),
+            proof: format!("{} {STRUCTURE_ONLY}", proved(diagram)),
+            speeds: diagram.speeds.len(),
+            answer_ms: 0.0,
+        }
+    }
+}
+
+impl WhirlMode {
+    fn new(mode: &TurbineMode) -> Self {
+        /// A mode with less of its energy in its name shares it with another part.
+        const SHARED: f64 = 0.6;
+        let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+        let second = mode.second.filter(|_| mode.share < SHARED);
+        let remark = second
+            .map(|(part, share)| format!("{}; {} {part}", percent(mode.share), percent(share)));
+        Self {
+            name: mode.name.to_string(),
+            frequency_hz: mode.frequency.frequency_hz,
+            frequency: four_digits(mode.frequency.frequency_hz),
+            remark: remark.unwrap_or_default(),
+        }
+    }
+}
