@@ -18,6 +18,7 @@ use crate::pages::root;
 use crate::sandbox::PROGRAM;
 
 const MONOPILE: &str = "examples/monopile.toml";
+const TURBINE: &str = "examples/nrel-5mw-turbine.toml";
 /// The names of the modes in the table, with their colours.
 const NAMES: &str = "[...document.querySelectorAll('#modes tbody tr')].filter(row => !row.hidden).map(row => \
      [row.querySelector('.mode-name').textContent, row.querySelector('.swatch').className])";
@@ -612,7 +613,8 @@ fn it_fits_every_window() {
 fn it_measures_how_long_a_move_takes() {
     let peer = std::env::var("TOWERMODES_PEER_DATA").ok();
     let turbine = peer.map(|folder| format!("{folder}/{IEA_15}"));
-    for file in [Some(MONOPILE.to_owned()), turbine].into_iter().flatten() {
+    let own = [MONOPILE, TURBINE].map(str::to_owned);
+    for file in own.into_iter().chain(turbine) {
         let Some(of) = Explored::open(
             &[&file],
             View {
@@ -622,7 +624,12 @@ fn it_measures_how_long_a_move_takes() {
         ) else {
             return;
         };
-        let row = of.row("rna.mass");
+        // The assembly of a turbine has no sliders.
+        let name = match file == TURBINE {
+            true => "stations[0].wall",
+            false => "rna.mass",
+        };
+        let row = of.row(name);
         for round in 0..ROUNDS {
             of.page.value(&format!(
                 "(async () => {{ window.movesDone = false; const slider = {row}.querySelector('input[type=range]'); \
@@ -664,12 +671,24 @@ const IEA_15: &str = "windio/v2/IEA-15-240-RWT.yaml";
 /// what `solve` computes for the same numbers.
 #[test]
 fn random_moves_leave_no_trace() {
-    let moves = std::env::var("TOWERMODES_MOVES")
-        .ok()
-        .and_then(|text| text.parse().ok())
-        .unwrap_or(1000_usize);
+    random_moves(MONOPILE, moves());
+}
+
+/// The same on a turbine, a tenth as many: each ends the diagram that is being solved.
+#[test]
+fn random_moves_of_a_turbine_leave_no_trace() {
+    random_moves(TURBINE, moves().div_ceil(10));
+}
+
+fn moves() -> usize {
+    let given = std::env::var("TOWERMODES_MOVES").ok();
+    let given = given.and_then(|text| text.parse().ok());
+    given.unwrap_or(1000)
+}
+
+fn random_moves(file: &str, moves: usize) {
     let Some(of) = Explored::open(
-        &[MONOPILE],
+        &[file],
         View {
             width: 1000,
             is_dark: false,
@@ -704,7 +723,7 @@ fn random_moves_leave_no_trace() {
         of.page.wait_for("window.movesDone === true");
         // What is shown is what `solve` computes, where the last move was no refusal.
         if round % 8 == 0 && of.page.value("window.towermodes.isCurrent") == Value::Bool(true) {
-            same_digits(&of.frequencies_hz(), &of.solved_hz(MONOPILE));
+            same_digits(&of.frequencies_hz(), &of.solved_hz(file));
         }
         // The first rounds fill what is kept on purpose: steps of undo, measured times.
         if round == moves.div_ceil(batch) / 4 {
@@ -713,7 +732,7 @@ fn random_moves_leave_no_trace() {
     }
     let after = heap();
     eprintln!(
-        "{moves} moves: heap {:.1} MB, then {:.1} MB",
+        "{file}, {moves} moves: heap {:.1} MB, then {:.1} MB",
         warm / 1e6,
         after / 1e6
     );

@@ -212,6 +212,42 @@ fn a_turbine_is_shown_whole() {
     of.page.was_quiet();
 }
 
+/// From a move of a slider to the diagram of the turbine. It is printed, not judged: machines
+/// differ. `--nocapture` shows it.
+#[test]
+fn it_measures_how_long_a_diagram_takes() {
+    let Some(of) = Explored::open(&[TURBINE], WIDE) else {
+        return;
+    };
+    of.page
+        .wait_for("window.towermodes.turbine !== null && !window.towermodes.pending");
+    let row = of.row("stations[0].wall");
+    of.page.value(&format!(
+        "(async () => {{ window.times = null; const times = []; const slider = {row}.querySelector('input[type=range]'); \
+         const until = async (is) => {{ while (!is()) await new Promise(next => setTimeout(next, 1)); }}; \
+         for (let k = 0; k < 15; k++) {{ const before = window.towermodes.turbine; const begun = performance.now(); \
+         slider.value = Number(slider.min) + (Number(slider.max) - Number(slider.min)) * ((k * 0.37 + 0.1) % 1); \
+         slider.dispatchEvent(new Event('input', {{ bubbles: true }})); \
+         await until(() => window.towermodes.turbine !== before); const drawn = performance.now() - begun; \
+         await until(() => !window.towermodes.pending); times.push([drawn, window.towermodes.turbine.answer_ms]); }} \
+         window.times = times; }})() && 0"
+    ));
+    of.page.wait_for("window.times !== null");
+    let times = of.page.value("window.times");
+    let times = times.as_array().expect("times");
+    for (place, what) in [(0, "event to diagram"), (1, "in the program")] {
+        let all = times.iter().filter_map(|pair| pair[place].as_f64());
+        let mut all: Vec<f64> = all.collect();
+        all.sort_by(f64::total_cmp);
+        assert_eq!(all.len(), 15);
+        eprintln!(
+            "{TURBINE}: {what}, median {:.0} ms, most {:.0} ms",
+            all[7], all[14]
+        );
+    }
+    of.page.was_quiet();
+}
+
 /// A target moves the sliders, undo leads back, and what no tower can reach is said in words.
 #[test]
 fn a_target_moves_the_sliders() {
