@@ -27,7 +27,7 @@ impl Campbell {
         if !self.not_checked.is_empty() {
             return self.unchecked();
         }
-        let mut sentences = standing(self);
+        let mut sentences = self.placement();
         let kinds = [Kind::Fail, Kind::Strong, Kind::Other, Kind::Blade];
         let remarks = kinds.into_iter().filter_map(|kind| remark(self, kind));
         let remarks: Vec<String> = remarks.collect();
@@ -35,15 +35,29 @@ impl Campbell {
             sentences.push("No warnings.".to_owned());
         }
         sentences.extend(remarks);
-        sentences.extend(unjudged(self));
-        sentences.extend(self.uncovered_range_hz().map(|[from_hz, to_hz]| {
+        sentences.extend(self.omissions());
+        sentences
+    }
+
+    /// The sentences of the [conclusion](Self::conclusion) on the first bending frequencies: their
+    /// place relative to 1P and the blade passing frequency, the smallest distance, and the class.
+    #[must_use]
+    pub fn placement(&self) -> Vec<String> {
+        standing(self)
+    }
+
+    /// The sentences of the [conclusion](Self::conclusion) on modes without verdict: those that are
+    /// not judged, and the range in which modes are not covered.
+    #[must_use]
+    pub fn omissions(&self) -> Vec<String> {
+        let uncovered = self.uncovered_range_hz().map(|[from_hz, to_hz]| {
             format!(
                 "Modes between {} and {} Hz are not in the list and were not checked.",
                 four_digits(from_hz),
                 four_digits(to_hz)
             )
-        }));
-        sentences
+        });
+        unjudged(self).into_iter().chain(uncovered).collect()
     }
 }
 

@@ -26,6 +26,7 @@ mod whirl;
 
 pub use animation::{AnimatedFrame, AnimatedMember, AnimatedMode, AnimationData, animation_data};
 pub use campbell::{campbell, coupled_campbell};
+pub(crate) use campbell::{campbell_beside_conclusion, coupled_campbell_beside_conclusion};
 pub use convergence::convergence;
 pub use design::{DesignedMode, design};
 pub use error::error;

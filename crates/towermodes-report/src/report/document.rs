@@ -21,7 +21,7 @@ pub(super) struct Section {
     /// Its id in links: a word in small letters.
     pub id: &'static str,
     /// The heading.
-    pub title: &'static str,
+    pub title: String,
     /// Whether it is an appendix; appendices have letters in place of numbers.
     pub is_appendix: bool,
     /// Its content.

@@ -8,16 +8,15 @@ mod kind;
 mod layout;
 mod lines;
 mod marks;
+mod numbers;
 mod rays;
 mod shades;
 
-use towermodes::Rotor;
-use towermodes::tower::Rpm;
 use towermodes_analysis::resonance::Campbell;
 use towermodes_analysis::whirl::CoupledCampbell;
 
 use crate::number::digits;
-use crate::svg::{DataTable, Figure};
+use crate::svg::Figure;
 use crate::wording::{STRUCTURE_ONLY, operation_of, proved};
 
 use above::{above_text, unresisted_text};
@@ -27,6 +26,11 @@ use lines::{Shown, shown};
 /// The Campbell diagram of tower and blade: natural frequencies and excitations against the rotor
 /// speed, with the crossings and the required margin in operation.
 pub fn campbell(campbell: &Campbell) -> Figure {
+    with_conclusion(campbell, campbell_beside_conclusion(campbell))
+}
+
+/// The same for a place that states the conclusion itself.
+pub fn campbell_beside_conclusion(campbell: &Campbell) -> Figure {
     let shown = shown(campbell);
     Figure {
         name: "campbell".to_owned(),
@@ -34,7 +38,7 @@ pub fn campbell(campbell: &Campbell) -> Figure {
             .to_owned(),
         description: description(campbell, &shown),
         drawing: drawing(campbell, &shown),
-        table: table(campbell),
+        table: numbers::table(campbell),
     }
 }
 
@@ -42,20 +46,35 @@ pub fn campbell(campbell: &Campbell) -> Figure {
 /// motion in one colour with the backward ones dashed, and the excitations, against the rotor
 /// speed.
 pub fn coupled_campbell(coupled: &CoupledCampbell) -> Figure {
-    let figure = campbell(&coupled.campbell);
+    let figure = coupled_campbell_beside_conclusion(coupled);
     let proof = proved(coupled);
+    let figure = with_conclusion(&coupled.campbell, figure);
+    Figure {
+        description: format!("{} {STRUCTURE_ONLY} {proof}", figure.description),
+        ..figure
+    }
+}
+
+/// The same for a place that states the conclusion and the certificate itself.
+pub fn coupled_campbell_beside_conclusion(coupled: &CoupledCampbell) -> Figure {
     Figure {
         title: "Campbell diagram of the operating turbine: natural frequencies and excitations against rotor speed"
             .to_owned(),
-        description: format!("{} {STRUCTURE_ONLY} {proof}", figure.description),
+        ..campbell_beside_conclusion(&coupled.campbell)
+    }
+}
+
+fn with_conclusion(campbell: &Campbell, figure: Figure) -> Figure {
+    let conclusion = campbell.conclusion().join(" ");
+    Figure {
+        description: format!("{conclusion} {}", figure.description),
         ..figure
     }
 }
 
 fn description(campbell: &Campbell, shown: &Shown) -> String {
     let mut text = format!(
-        "{} The diagram shows natural frequencies up to {} Hz and rotor speeds up to {} rpm, with the excitations {}. Operation: {}.",
-        campbell.conclusion().join(" "),
+        "The diagram shows natural frequencies up to {} Hz and rotor speeds up to {} rpm, with the excitations {}. Operation: {}.",
         digits(shown.highest_hz(), 3),
         digits(shown.last_rpm, 3),
         excitations(&shown.multiples),
@@ -80,38 +99,4 @@ fn excitations(multiples: &[usize]) -> String {
             names.join(", ")
         }
     }
-}
-
-/// The lines with their points, then the excitations in operation. The frequency of a tower mode is
-/// the same at every speed.
-fn table(campbell: &Campbell) -> DataTable {
-    let header = ["line", "rotor speed (rpm)", "frequency (Hz)"];
-    let row = |name: &str, rpm: String, hz: f64| vec![name.to_owned(), rpm, format!("{hz:.4}")];
-    let mut rows = Vec::new();
-    for line in &campbell.lines {
-        let is_level = line.points.windows(2).all(|pair| pair[0][1] == pair[1][1]);
-        match line.points.first() {
-            Some([_, hz]) if is_level => rows.push(row(&line.label, "any".to_owned(), *hz)),
-            _ => rows.extend(
-                line.points
-                    .iter()
-                    .map(|[rpm, hz]| row(&line.label, Rpm(*rpm).to_string(), *hz)),
-            ),
-        }
-    }
-    let Rotor {
-        lowest_rpm,
-        highest_rpm,
-        ..
-    } = campbell.rotor;
-    let mut ends = vec![lowest_rpm, highest_rpm];
-    ends.dedup();
-    for multiple in &campbell.multiples {
-        let hz = |rpm: f64| *multiple as f64 * rpm / 60.0;
-        rows.extend(
-            ends.iter()
-                .map(|rpm| row(&format!("{multiple}P"), Rpm(*rpm).to_string(), hz(*rpm))),
-        );
-    }
-    DataTable::new(header, rows)
 }

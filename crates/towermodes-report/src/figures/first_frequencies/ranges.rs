@@ -66,7 +66,7 @@ pub(super) fn ranges(campbell: &Campbell) -> Vec<Range> {
     multiples.into_iter().map(range).collect()
 }
 
-/// The first fore-aft and side-side modes.
+/// The first fore-aft and side-side modes; of a turbine at its highest operating speed.
 pub(super) fn lanes(campbell: &Campbell) -> Vec<Lane> {
     let lines = || campbell.lines.iter().enumerate();
     let is_first_of = |line: &FrequencyLine, wanted: Family| match line.of {
@@ -77,15 +77,25 @@ pub(super) fn lanes(campbell: &Campbell) -> Vec<Lane> {
     let first = bending
         .into_iter()
         .filter_map(|family| lines().find(|(_, line)| is_first_of(line, family)));
-    first
-        .filter_map(|(index, line)| lane(campbell, index, line))
-        .collect()
+    let of_turbine = campbell.first_bending.iter().map(|line| &campbell.lines[*line]);
+    let of_turbine = of_turbine.filter(|line| matches!(line.of, Excited::Turbine { .. }));
+    let first = first.map(|(_, line)| line).chain(of_turbine);
+    first.filter_map(|line| lane(campbell, line)).collect()
 }
 
-fn lane(campbell: &Campbell, index: usize, line: &FrequencyLine) -> Option<Lane> {
-    let [_, frequency_hz] = *line.points.first()?;
+fn lane(campbell: &Campbell, line: &FrequencyLine) -> Option<Lane> {
+    let highest_rpm = campbell.rotor.highest_rpm;
+    let from_highest = |point: &&[f64; 2]| (point[0] - highest_rpm).abs();
+    let mut points = line.points.iter();
+    let first = points.next()?;
+    let nearest = |best, point| match from_highest(&point) < from_highest(&best) {
+        true => point,
+        false => best,
+    };
+    let [_, frequency_hz] = *points.fold(first, nearest);
     let on_bar = |margin: &&Margin| {
-        margin.line == index && [1, campbell.rotor.blades].contains(&margin.multiple)
+        let is_own = campbell.lines[margin.line].is_of_same_mode(line);
+        is_own && [1, campbell.rotor.blades].contains(&margin.multiple)
     };
     let margins: Vec<Margin> = campbell.margins.iter().filter(on_bar).copied().collect();
     let percents = margins

@@ -98,7 +98,7 @@ fn list(open: &str, elements: impl Iterator<Item = String>, close: &str) -> Stri
 /// `3. Modes`, or `Appendix A. Files`.
 fn heading(mark: &str, section: &Section) -> String {
     let kind = if section.is_appendix { "Appendix " } else { "" };
-    format!("{kind}{mark}. {}", text(section.title))
+    format!("{kind}{mark}. {}", text(&section.title))
 }
 
 fn of_section(mark: &str, section: &Section) -> Result<String, ReportError> {

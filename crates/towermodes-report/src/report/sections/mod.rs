@@ -20,11 +20,15 @@ mod substructure;
 mod summary;
 mod surroundings;
 mod turbine;
+mod verdicts;
 
 use super::content::ReportContent;
 use super::document::{Block, Document, Picture, Section};
 use super::table::Table;
 use crate::svg::Figure;
+
+/// What headings of the model with a rigid rotor add where a model with a flexible one governs.
+const RIGID: &str = " (rigid rotor)";
 
 /// The whole report: the results that decide, then what they are based on, and at the end the
 /// details for a checker.
@@ -44,68 +48,78 @@ pub(super) fn document(content: &ReportContent) -> Document {
 }
 
 fn body(content: &ReportContent) -> Vec<Section> {
-    let section = |id, title, blocks| Section {
-        id,
-        title,
-        is_appendix: false,
-        blocks,
-    };
-    let influences = sensitivities::blocks(content);
-    let influences = section("sensitivities", "Sensitivities", influences);
+    let section = |id, title, blocks| section(id, title.to_owned(), blocks);
+    let of_rigid = |id, title, blocks| of_rigid(content, id, title, blocks);
     let mut sections = vec![
         section("summary", "Summary", summary::blocks(content)),
         section("input", "Input", input::blocks(content)),
         section("assumptions", "Assumptions", assumptions::blocks(content)),
-        section(
-            "frequencies",
-            "Natural frequencies",
-            frequencies::blocks(content),
-        ),
-        section("resonance", "Resonance", resonance::blocks(content)),
-        section("modes", "Mode shapes", modes::blocks(content)),
-        section(
-            "elastodyn",
-            "Shapes for ElastoDyn (OpenFAST)",
-            elastodyn::blocks(content),
-        ),
+    ];
+    // The model that governs is the first of the results.
+    if let Some(whole) = &content.turbine {
+        let blocks = turbine::blocks(whole);
+        sections.push(section("turbine", "Turbine with rotating rotor", blocks));
+    }
+    let frequencies = frequencies::blocks(content);
+    sections.push(of_rigid("frequencies", "Natural frequencies", frequencies));
+    sections.push(of_rigid("resonance", "Resonance", resonance::blocks(content)));
+    // After the resonance that they explain.
+    if let Some(band) = &content.soil_band {
+        sections.push(of_rigid("soil", "Soil stiffness", soil_band::blocks(band)));
+    }
+    if content.influences.is_some() {
+        let influences = sensitivities::blocks(content);
+        sections.push(of_rigid("sensitivities", "Sensitivities", influences));
+    }
+    let elastodyn = elastodyn::blocks(content);
+    sections.extend([
+        of_rigid("modes", "Mode shapes", modes::blocks(content)),
+        section("elastodyn", "Shapes for ElastoDyn (OpenFAST)", elastodyn),
         section("notes", "Notes and warnings", notes::blocks(content)),
         section(
             "reproduction",
             "Reproduction",
             reproduction::blocks(content),
         ),
-    ];
-    // After the resonance that they explain.
-    let mut explaining = Vec::new();
-    if let Some(whole) = &content.turbine {
-        let blocks = turbine::blocks(whole);
-        explaining.push(section("turbine", "Turbine with rotating rotor", blocks));
-    }
-    if let Some(band) = &content.soil_band {
-        let blocks = soil_band::blocks(band);
-        explaining.push(section("soil", "Soil stiffness", blocks));
-    }
-    if content.influences.is_some() {
-        explaining.push(influences);
-    }
-    let mut places = sections.iter();
-    let resonance = places.position(|section| section.id == "resonance");
-    let after = resonance.map_or(0, |at| at + 1);
-    sections.splice(after..after, explaining);
+    ]);
     sections
 }
 
 fn appendices(content: &ReportContent) -> Vec<Section> {
-    let appendix = |id, title, blocks| Section {
+    let appendix = |section: Section| Section {
+        is_appendix: true,
+        ..section
+    };
+    let methods = methods::blocks(content);
+    let files = section("files", "Input files".to_owned(), files::blocks(content));
+    vec![
+        appendix(of_rigid(content, "methods", "Methods compared", methods)),
+        appendix(files),
+    ]
+}
+
+fn section(id: &'static str, title: String, blocks: Vec<Block>) -> Section {
+    Section {
         id,
         title,
-        is_appendix: true,
+        is_appendix: false,
         blocks,
+    }
+}
+
+/// A section on the tower with the rotor-nacelle assembly as a rigid body, which its title says
+/// where another section has the turbine with its flexible rotor.
+fn of_rigid(
+    content: &ReportContent,
+    id: &'static str,
+    title: &str,
+    blocks: Vec<Block>,
+) -> Section {
+    let model = match &content.turbine {
+        Some(Ok(_)) => RIGID,
+        Some(Err(_)) | None => "",
     };
-    vec![
-        appendix("methods", "Methods compared", methods::blocks(content)),
-        appendix("files", "Input files", files::blocks(content)),
-    ]
+    section(id, format!("{title}{model}"), blocks)
 }
 
 fn paragraph(text: impl Into<String>) -> Block {

@@ -4,11 +4,13 @@ use towermodes::Family;
 use towermodes_analysis::resonance::{Campbell, FrequencyLine, Margin, StiffnessClass};
 
 use super::super::content::ReportContent;
-use super::super::document::Block;
+use super::super::document::{Block, Statement};
+use super::super::mark::Mark;
 use super::super::table::{Cell, Table};
-use super::{paragraph, picture, table};
+use super::{RIGID, paragraph, picture, table};
 use crate::figures;
 use crate::number::{four_digits, margin_percent, typeset};
+use crate::svg::Figure;
 use crate::wording::{operation, operation_of, verdict_counts};
 
 /// The lines of a tower file that this section needs.
@@ -25,15 +27,23 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         }
         Some(Ok(campbell)) => campbell,
     };
+    let has_turbine = matches!(content.turbine, Some(Ok(_)));
+    let model = if has_turbine { RIGID } else { "" };
+    let figure = figures::campbell_beside_conclusion(campbell);
+    let figure = Figure {
+        title: figure.title.replacen("diagram", &format!("diagram{model}"), 1),
+        ..figure
+    };
     let mut blocks = vec![
         paragraph(question(campbell)),
-        picture(figures::campbell(campbell), "campbell"),
+        Block::Statements(vec![conclusion(campbell, "Conclusion")]),
+        picture(figure, "campbell"),
     ];
     if !campbell.classes.is_empty() {
         blocks.push(paragraph(classes(campbell)));
     }
-    let caption = "Distance of every excitation from every natural frequency";
-    blocks.push(table(margins(campbell, caption)));
+    let caption = format!("Distance of every excitation from every natural frequency{model}");
+    blocks.push(table(margins(campbell, &caption)));
     blocks.extend(meaning(campbell));
     if !has_blade(campbell) {
         blocks.push(paragraph("Blade modes were not checked."));
@@ -48,8 +58,18 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     blocks
 }
 
+/// The conclusion of a diagram with its verdict.
+pub(super) fn conclusion(campbell: &Campbell, lead: &'static str) -> Statement {
+    let is_checked = campbell.not_checked.is_empty();
+    Statement {
+        lead,
+        text: campbell.conclusion().join(" "),
+        verdict: is_checked.then(|| Mark::of(campbell.verdict())),
+    }
+}
+
 /// Whether the diagram has blade modes.
-fn has_blade(campbell: &Campbell) -> bool {
+pub(super) fn has_blade(campbell: &Campbell) -> bool {
     campbell.lines.iter().any(FrequencyLine::is_of_blade)
 }
 
@@ -107,27 +127,26 @@ pub(super) fn margins(campbell: &Campbell, caption: &str) -> Table {
     let mut table = Table::new(
         caption,
         [
-            "natural frequency",
+            "mode",
             "#excitation",
+            "verdict",
+            "#distance (%)",
             "#rotor speed (rpm)",
             "#f (Hz)",
             "#excitation (Hz)",
-            "#distance (%)",
-            "verdict",
         ],
     );
     for margin in &campbell.margins {
         let label = campbell.lines.get(margin.line).map(|line| &line.label);
-        let texts = [
-            label.cloned().unwrap_or_default(),
-            format!("{}P", margin.multiple),
-            four_digits(margin.nearest_rpm),
-            four_digits(margin.natural_hz),
-            four_digits(margin.excitation_hz),
-            distance(campbell, margin),
+        let row: [Cell; 7] = [
+            label.cloned().unwrap_or_default().into(),
+            format!("{}P", margin.multiple).into(),
+            margin.verdict.into(),
+            distance(campbell, margin).into(),
+            four_digits(margin.nearest_rpm).into(),
+            four_digits(margin.natural_hz).into(),
+            four_digits(margin.excitation_hz).into(),
         ];
-        let mut row: Vec<Cell> = texts.into_iter().map(Cell::from).collect();
-        row.push(margin.verdict.into());
         table.push(row);
     }
     let which = "pairs whose frequencies differ by at most a factor of 2";
@@ -136,7 +155,7 @@ pub(super) fn margins(campbell: &Campbell, caption: &str) -> Table {
 
 /// In percent; 0 if the excitation crosses the natural frequency. A pair that warns because its
 /// mode is missing at higher speeds says so.
-fn distance(campbell: &Campbell, margin: &Margin) -> String {
+pub(super) fn distance(campbell: &Campbell, margin: &Margin) -> String {
     if let Some(rpm) = campbell.missing_from_rpm(margin) {
         return format!("no mode from {} rpm", four_digits(rpm));
     }
@@ -146,17 +165,16 @@ fn distance(campbell: &Campbell, margin: &Margin) -> String {
     }
 }
 
-/// The meaning of the verdicts, or why there are none.
+/// The meaning of the verdicts, or what they need.
 pub(super) fn meaning(campbell: &Campbell) -> Vec<Block> {
     if campbell.not_checked.is_empty() {
         return vec![Block::List(verdicts(campbell))];
     }
-    let mut blocks = vec![paragraph(campbell.conclusion().join(" "))];
-    if !campbell.speeds_are_known() {
-        let how = "With --rpm LOWEST,HIGHEST, or with these lines in a tower file, each pair has a verdict:";
-        blocks.extend([paragraph(how), Block::Code(ROTOR.to_owned())]);
+    if campbell.speeds_are_known() {
+        return Vec::new();
     }
-    blocks
+    let how = "With --rpm LOWEST,HIGHEST, or with these lines in a tower file, each pair has a verdict:";
+    vec![paragraph(how), Block::Code(ROTOR.to_owned())]
 }
 
 /// The meaning of each verdict, with the number of pairs. Blade modes are named only if they were

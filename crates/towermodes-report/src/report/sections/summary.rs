@@ -1,45 +1,62 @@
 //! The most important results in a few lines.
 
-use towermodes::{Family, Mode};
-use towermodes_analysis::resonance::{Campbell, FrequencyLine};
+use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine};
 
-use super::super::content::ReportContent;
+use super::super::content::{ReportContent, TurbineResults};
 use super::super::document::{Block, Statement};
 use super::super::mark::Mark;
-use super::{own_picture, turbine};
+use super::super::table::Table;
+use super::resonance::has_blade;
+use super::{own_picture, table, verdicts};
 use crate::figures;
 use crate::number::{digits, four_digits, margin_percent};
-use crate::wording::{completeness, counted, verdict_counts};
+use crate::wording::{completeness, counted, verdict_counts, verdict_word};
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
-    let mut blocks = Vec::new();
-    let missing = content
-        .circumstances
-        .model_notes
-        .iter()
-        .map(|note| missing_part(note));
-    let missing: Vec<Statement> = missing.collect();
-    if !missing.is_empty() {
-        blocks.push(Block::Statements(missing));
-    }
+    let missing = content.circumstances.model_notes.iter();
+    let missing: Vec<Statement> = missing.map(|note| missing_part(note)).collect();
     let turbine = content.turbine.as_ref().and_then(|of| of.as_ref().ok());
-    let mut statements: Vec<Statement> = turbine.map(turbine::resonance).into_iter().collect();
-    let lead = match turbine {
-        Some(_) => "Resonance with a rigid rotor",
-        None => "Resonance",
-    };
-    statements.push(resonance(content, lead));
-    let lead = match turbine {
-        Some(_) => "Frequencies with a rigid rotor",
-        None => "Frequencies",
-    };
-    statements.push(frequencies(content, lead));
+    let governing = turbine.map(|of| &of.coupled.campbell);
+    let rigid = content.campbell.as_ref().and_then(|of| of.as_ref().ok());
+    let mut statements = vec![resonance(content, governing.or(rigid))];
+    statements.extend(turbine.map(|_| models(rigid)));
     statements.push(verification(content));
-    blocks.push(Block::Statements(statements));
-    let diagram = content.campbell.as_ref().and_then(|of| of.as_ref().ok());
-    let bar = diagram.and_then(figures::first_frequencies);
+    let mut blocks = vec![Block::Statements(statements)];
+    if !missing.is_empty() {
+        blocks.insert(0, Block::Statements(missing));
+    }
+    blocks.push(table(verdict_table(content, turbine, rigid)));
+    let bar = governing.or(rigid).and_then(figures::first_frequencies);
     blocks.extend(bar.map(own_picture));
     blocks
+}
+
+/// The table of the governing model.
+fn verdict_table(
+    content: &ReportContent,
+    turbine: Option<&TurbineResults>,
+    rigid: Option<&Campbell>,
+) -> Table {
+    let first = verdicts::first(&content.solution);
+    let is_checked = |campbell: &&Campbell| campbell.not_checked.is_empty();
+    let coupled = turbine.map(|of| &of.coupled.campbell);
+    if let Some(campbell) = coupled.filter(is_checked) {
+        let caption = "Verdicts on the turbine with rotating rotor";
+        return verdicts::of_diagram(campbell, caption, verdicts::is_first_of_turbine);
+    }
+    if let Some(campbell) = rigid.filter(is_checked) {
+        let is_first = |line: &FrequencyLine| match line.of {
+            Excited::Tower { number, .. } => first.iter().any(|mode| mode.number == number),
+            Excited::Blade { .. } | Excited::Turbine { .. } => false,
+        };
+        return verdicts::of_diagram(campbell, "Verdicts", is_first);
+    }
+    let caption = match (turbine.is_some(), has_rna(content)) {
+        (true, _) => "First modes of the tower with a rigid rotor",
+        (false, true) => "First modes",
+        (false, false) => "First modes of the tower without rotor-nacelle assembly",
+    };
+    verdicts::without_verdicts(&first, caption)
 }
 
 /// A part of the turbine that the model lacks; the summary begins with it.
@@ -59,17 +76,19 @@ fn has_rna(content: &ReportContent) -> bool {
         || masses.any(|mass| mass.height_m == tower.top_m() && mass.mass_kg > 0.0)
 }
 
-/// The conclusion of the resonance check, and the number of verdicts.
-fn resonance(content: &ReportContent, lead: &'static str) -> Statement {
-    let not_checked = |why: &str| Statement {
-        lead,
-        text: format!("Not checked: {why}."),
-        verdict: None,
-    };
-    let campbell = match &content.campbell {
-        None => return not_checked("the input gives no rotor speed"),
-        Some(Err(_)) => return not_checked("the rotor blade could not be solved"),
-        Some(Ok(campbell)) => campbell,
+/// The result of the resonance check by the governing model: class, verdict and number of pairs.
+fn resonance(content: &ReportContent, campbell: Option<&Campbell>) -> Statement {
+    let lead = "Resonance";
+    let Some(campbell) = campbell else {
+        let why = match &content.campbell {
+            None => "the input gives no rotor speed",
+            Some(_) => "the rotor blade could not be solved",
+        };
+        return Statement {
+            lead,
+            text: format!("Not checked: {why}."),
+            verdict: None,
+        };
     };
     if !campbell.not_checked.is_empty() {
         return Statement {
@@ -78,22 +97,50 @@ fn resonance(content: &ReportContent, lead: &'static str) -> Statement {
             verdict: None,
         };
     }
+    let sentences = campbell.placement().into_iter();
+    let sentences: Vec<String> = sentences.chain(campbell.omissions()).collect();
     Statement {
         lead,
         text: format!(
             "{} {}{}",
-            campbell.conclusion().join(" "),
+            sentences.join(" "),
             caveat(content),
-            verdicts(campbell)
+            counts(campbell)
         ),
         verdict: Some(Mark::of(campbell.verdict())),
     }
 }
 
+/// Which of two models governs, and the verdict of the other.
+fn models(rigid: Option<&Campbell>) -> Statement {
+    let other = rigid.filter(|campbell| campbell.not_checked.is_empty());
+    let other = other.map(|campbell| {
+        let verdict = verdict_word(campbell.verdict());
+        let hz = campbell.first_bending.iter().filter_map(|line| {
+            let point = campbell.lines[*line].points.first();
+            point.map(|[_, hz]| format!("{} Hz", four_digits(*hz)))
+        });
+        let hz: Vec<String> = hz.collect();
+        let first = match hz.is_empty() {
+            true => String::new(),
+            false => format!(", first bending frequencies {}", hz.join(" and ")),
+        };
+        format!(" With a rigid rotor: {verdict}{first}.")
+    });
+    Statement {
+        lead: "Governing model",
+        text: format!(
+            "The coupled turbine with its flexible, rotating rotor. Sections with the remark \"rigid rotor\" model the rotor-nacelle assembly as a rigid body; their verdicts are for comparison.{}",
+            other.unwrap_or_default()
+        ),
+        verdict: None,
+    }
+}
+
 /// How many pairs were checked, and how many of them pass, warn and fail.
-fn verdicts(campbell: &Campbell) -> String {
+fn counts(campbell: &Campbell) -> String {
     let [pass, warn, fail] = verdict_counts(campbell);
-    let (modes, unchecked) = match campbell.lines.iter().any(FrequencyLine::is_of_blade) {
+    let (modes, unchecked) = match has_blade(campbell) {
         true => ("mode", ""),
         false => ("tower mode", " Blade modes were not checked."),
     };
@@ -118,54 +165,6 @@ fn caveat(content: &ReportContent) -> &'static str {
         }
         (true, true) => "",
     }
-}
-
-/// The first mode of each family, and the first of all.
-fn frequencies(content: &ReportContent, lead: &'static str) -> Statement {
-    let solution = &content.solution;
-    let families = [
-        Family::Surge,
-        Family::Sway,
-        Family::Heave,
-        Family::Roll,
-        Family::Pitch,
-        Family::Yaw,
-        Family::ForeAft,
-        Family::SideSide,
-        Family::Torsion,
-    ];
-    let first = families
-        .into_iter()
-        .filter_map(|family| solution.mode(family, 1));
-    let mut first: Vec<&Mode> = first.collect();
-    if let Some(lowest) = solution.modes.first()
-        && !first.iter().any(|mode| mode.number == lowest.number)
-    {
-        first.push(lowest);
-    }
-    first.sort_by_key(|mode| mode.number);
-    let texts: Vec<String> = first.into_iter().map(with_period).collect();
-    let bare = match has_rna(content) {
-        true => "",
-        false => "Tower without rotor-nacelle assembly: ",
-    };
-    Statement {
-        lead,
-        text: format!("{bare}{}.", texts.join("; ")),
-        verdict: None,
-    }
-}
-
-fn with_period(mode: &Mode) -> String {
-    if mode.frequency_hz == 0.0 {
-        return format!("{} 0 Hz (free motion)", mode.label());
-    }
-    format!(
-        "{} {} Hz (period {} s)",
-        mode.label(),
-        four_digits(mode.frequency_hz),
-        four_digits(mode.period_s())
-    )
 }
 
 /// The certificate, the largest numerical error, and the number of messages.

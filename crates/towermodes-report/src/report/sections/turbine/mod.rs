@@ -3,14 +3,12 @@
 
 mod tables;
 
-use towermodes_analysis::whirl::CoupledError;
+use towermodes_analysis::whirl::{CoupledCampbell, CoupledError};
 
 use super::super::content::TurbineResults;
 use super::super::document::{Block, Statement};
-use super::super::mark::Mark;
 use super::super::plot_command::COUPLED;
-use super::resonance::{margins, meaning};
-use super::{own_picture, paragraph, picture, table};
+use super::{own_picture, paragraph, picture, resonance, table};
 use crate::figures;
 use crate::svg::Figure;
 use crate::wording::{STRUCTURE_ONLY, proved};
@@ -47,11 +45,14 @@ fn diagram(results: &TurbineResults) -> Vec<Block> {
     let campbell = &coupled.campbell;
     let figure = Figure {
         name: COUPLED.to_owned(),
-        ..figures::coupled_campbell(coupled)
+        ..figures::coupled_campbell_beside_conclusion(coupled)
     };
     let mut blocks = vec![
         paragraph(what(results)),
-        Block::Statements(conclusion(results)),
+        Block::Statements(vec![
+            resonance::conclusion(campbell, "Conclusion"),
+            certificate(coupled),
+        ]),
         picture(figure, COUPLED),
         paragraph(FRAME),
         table(tables::names(coupled)),
@@ -69,8 +70,8 @@ fn diagram(results: &TurbineResults) -> Vec<Block> {
         ));
     }
     let caption = "Distance of every excitation from every coupled mode";
-    blocks.push(table(margins(campbell, caption)));
-    blocks.extend(meaning(campbell));
+    blocks.push(table(resonance::margins(campbell, caption)));
+    blocks.extend(resonance::meaning(campbell));
     blocks
 }
 
@@ -82,33 +83,17 @@ fn what(results: &TurbineResults) -> String {
     };
     format!(
         "In this section the rotor is flexible and rotates: tower, nacelle, drivetrain and {} blades vibrate together; frequencies are given in the non-rotating (fixed) frame. The \
-         generator {generator}. {STRUCTURE_ONLY} The other sections model the rotor-nacelle assembly as a rigid body.",
+         generator {generator}. {STRUCTURE_ONLY} Sections with the remark \"rigid rotor\" model the rotor-nacelle assembly as a rigid body.",
         machine.blades
     )
 }
 
-/// The conclusion of the coupled diagram.
-pub(super) fn resonance(results: &TurbineResults) -> Statement {
-    let coupled = &results.coupled;
+fn certificate(coupled: &CoupledCampbell) -> Statement {
     Statement {
-        lead: "Resonance of the turbine",
-        text: coupled.campbell.conclusion().join(" "),
-        verdict: Some(coupled.verdict())
-            .filter(|_| coupled.campbell.not_checked.is_empty())
-            .map(Mark::of),
+        lead: "Certificate",
+        text: proved(coupled),
+        verdict: None,
     }
-}
-
-fn conclusion(results: &TurbineResults) -> Vec<Statement> {
-    let coupled = &results.coupled;
-    vec![
-        resonance(results),
-        Statement {
-            lead: "Certificate",
-            text: proved(coupled),
-            verdict: None,
-        },
-    ]
 }
 
 /// The modes at the highest operating speed, as a table, as stills and animated.

@@ -3,7 +3,7 @@
 use towermodes::Rotor;
 use towermodes::number::with_error;
 use towermodes::tower::Rpm;
-use towermodes::turbine::{TurbineEnergy, TurbineModeName, TurbineModes};
+use towermodes::turbine::{Nodding, TurbineEnergy, TurbineModeName, TurbineModes};
 use towermodes_analysis::whirl::{AgainstRigid, Change, CoupledCampbell};
 
 use super::super::super::table::Table;
@@ -13,7 +13,7 @@ use crate::number::{NOTHING, digits, four_digits, frequency, percent, signed_per
 const NOTABLE: f64 = 0.02;
 
 /// The modes by name with their frequencies at the lowest speed of the diagram and at both ends of
-/// operation, and the other mode of each whirl pair.
+/// operation, the other mode of each whirl pair, and what changes along the rotor speed.
 pub(super) fn names(coupled: &CoupledCampbell) -> Table {
     let rotor = &coupled.campbell.rotor;
     let first_rpm = coupled.speeds.first().map_or(0.0, |of| of.rotor_speed_rpm);
@@ -21,29 +21,54 @@ pub(super) fn names(coupled: &CoupledCampbell) -> Table {
     speeds.dedup();
     let heads = speeds.iter().map(|rpm| format!("#Hz at {} rpm", Rpm(*rpm)));
     let heads: Vec<String> = heads.collect();
-    let columns = ["#no.", "coupled mode"].into_iter();
+    let columns = ["mode"].into_iter();
     let columns = columns.chain(heads.iter().map(String::as_str));
-    let columns = columns.chain(["whirl partner"]);
+    let columns = columns.chain(["whirl partner", "along the rotor speed"]);
     let mut table = Table::new("Coupled modes against the rotor speed", columns);
-    let is_shown = |name: &TurbineModeName| {
+    let is_shown = |name: &&TurbineModeName| {
         let mut speeds = speeds.iter();
-        speeds.any(|rpm| coupled.at_rpm(*name, *rpm).is_some())
+        speeds.any(|rpm| coupled.at_rpm(**name, *rpm).is_some())
     };
-    let names: Vec<TurbineModeName> = coupled.names.iter().copied().filter(is_shown).collect();
-    for (index, name) in names.iter().enumerate() {
+    for name in coupled.names.iter().filter(is_shown) {
         let sign = match coupled.has_negative_energy(*name) {
             true => " (negative energy)",
             false => "",
         };
-        let other = coupled.whirls_with(*name);
-        let other = other.and_then(|other| names.iter().position(|name| *name == other));
-        let other = other.map(|of| format!("no. {}", of + 1));
-        let mut row = vec![(index + 1).to_string(), format!("{name}{sign}")];
+        let partner = coupled.whirls_with(*name).map(|other| other.to_string());
+        let mut row = vec![format!("{name}{sign}")];
         row.extend(speeds.iter().map(|rpm| at(coupled, *name, *rpm)));
-        row.push(other.unwrap_or_else(|| NOTHING.to_owned()));
+        row.push(partner.unwrap_or_else(|| NOTHING.to_owned()));
+        row.push(character(coupled, *name));
         table.push(row);
     }
     table
+}
+
+/// What changes along the rotor speed: "yaw at 0 to 8.3 rpm; on another curve from 11.95 rpm".
+fn character(coupled: &CoupledCampbell, name: TurbineModeName) -> String {
+    let speeds = coupled.speeds.iter().map(|speed| speed.rotor_speed_rpm);
+    let points = speeds.filter_map(|rpm| Some((rpm, coupled.at_rpm(name, rpm)?.nodding())));
+    let points: Vec<(f64, Option<Nodding>)> = points.collect();
+    let runs = points.chunk_by(|a, b| a.1 == b.1);
+    let nodding = runs.filter_map(|run| {
+        let (from, to) = (Rpm(run[0].0), Rpm(run[run.len() - 1].0));
+        let nodding = run[0].1?;
+        Some(match run.len() == points.len() {
+            true => nodding.to_string(),
+            false => format!("{nodding} at {from} to {to} rpm"),
+        })
+    });
+    let changes = coupled.changes().into_iter();
+    let changes = changes.filter(|change| change.after == name);
+    let changes = changes.map(|change| {
+        let rpm = four_digits(change.rotor_speed_rpm);
+        format!("from {rpm} rpm on the curve of {}", change.before)
+    });
+    let texts: Vec<String> = nodding.chain(changes).collect();
+    match texts.is_empty() {
+        true => NOTHING.to_owned(),
+        false => texts.join("; "),
+    }
 }
 
 /// The frequency of a name at a speed.

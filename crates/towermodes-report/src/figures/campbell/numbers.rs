@@ -1,0 +1,78 @@
+//! The numbers of a Campbell diagram: a row for each rotor speed, a column for each mode.
+
+use towermodes::tower::Rpm;
+use towermodes_analysis::resonance::{Campbell, FrequencyLine};
+
+use crate::svg::DataTable;
+
+/// The largest number of excitations with a column; any other is a multiple of the first.
+const EXCITATIONS: usize = 12;
+
+/// The frequencies at each rotor speed: modes, then excitations. Where a mode takes the name of
+/// another, the cell has the frequencies of both.
+pub(super) fn table(campbell: &Campbell) -> DataTable {
+    let modes = modes(campbell);
+    let multiples = campbell.multiples.iter().take(EXCITATIONS);
+    let multiples: Vec<usize> = multiples.copied().collect();
+    let names = modes.iter().map(|lines| format!("{} (Hz)", lines[0].label));
+    let excitations = multiples.iter().map(|multiple| format!("{multiple}P (Hz)"));
+    let header = std::iter::once("rotor speed (rpm)".to_owned());
+    let row = |rpm: f64| {
+        let of_modes = modes.iter().map(|lines| at(lines, rpm));
+        let of_excitations = multiples.iter().map(|n| four(*n as f64 * rpm / 60.0));
+        let cells = std::iter::once(Rpm(rpm).to_string());
+        cells.chain(of_modes).chain(of_excitations).collect()
+    };
+    DataTable {
+        header: header.chain(names).chain(excitations).collect(),
+        rows: speeds(campbell).into_iter().map(row).collect(),
+    }
+}
+
+/// The lines of each mode: a mode of a turbine has one for each curve with its name.
+fn modes(campbell: &Campbell) -> Vec<Vec<&FrequencyLine>> {
+    let mut modes: Vec<Vec<&FrequencyLine>> = Vec::new();
+    for line in campbell.lines.iter().filter(|line| !line.points.is_empty()) {
+        let mut known = modes.iter_mut();
+        match known.find(|lines| lines[0].is_of_same_mode(line)) {
+            Some(lines) => lines.push(line),
+            None => modes.push(vec![line]),
+        }
+    }
+    modes
+}
+
+/// The rotor speeds of the points, and those at the ends of operation, rpm.
+fn speeds(campbell: &Campbell) -> Vec<f64> {
+    let lines = campbell.lines.iter().filter(|line| !is_level(line));
+    let points = lines.flat_map(|line| line.points.iter().map(|[rpm, _]| *rpm));
+    let rotor = &campbell.rotor;
+    let mut speeds: Vec<f64> = points.chain([rotor.lowest_rpm, rotor.highest_rpm]).collect();
+    speeds.sort_by(f64::total_cmp);
+    speeds.dedup();
+    speeds
+}
+
+/// Whether the frequency is the same at every speed.
+fn is_level(line: &FrequencyLine) -> bool {
+    line.points.windows(2).all(|pair| pair[0][1] == pair[1][1])
+}
+
+/// The frequency of a mode at a speed; both where its lines meet; empty where it has none.
+fn at(lines: &[&FrequencyLine], rpm: f64) -> String {
+    let of_line = |line: &&FrequencyLine| {
+        let mut points = line.points.iter();
+        let point = match is_level(line) {
+            true => points.next(),
+            false => points.find(|point| point[0] == rpm),
+        };
+        point.map(|[_, hz]| four(*hz))
+    };
+    let mut texts: Vec<String> = lines.iter().filter_map(of_line).collect();
+    texts.dedup();
+    texts.join(" \u{2192} ")
+}
+
+fn four(hz: f64) -> String {
+    format!("{hz:.4}")
+}
