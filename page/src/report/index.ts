@@ -1,6 +1,7 @@
 // The script of a report.
 
 import type { TowerScene } from "../view/scene.js";
+import { offerExports } from "./exports.js";
 import { offerFiles } from "./files.js";
 import { preparePage } from "./page.js";
 import { animateTower } from "./tower.js";
@@ -14,6 +15,7 @@ function dataOf<Data>(id: string): Data | null {
 
 preparePage();
 offerFiles();
+offerExports();
 const tower = dataOf<TowerScene>("animation");
 if (tower !== null) animateTower(tower);
 const turbine = dataOf<Turbine>("whirl");

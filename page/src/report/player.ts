@@ -223,7 +223,7 @@ class Player<Mode extends Named> {
     if (isPlaying === this.isPlaying) return;
     this.isPlaying = isPlaying;
     this.time = null;
-    this.element("play").setAttribute("aria-pressed", String(isPlaying));
+    this.element("play").textContent = isPlaying ? "Pause" : "Play";
     this.input("phase").disabled = isPlaying;
     if (isPlaying) requestAnimationFrame((now) => this.step(now));
   }

@@ -4,7 +4,7 @@ use super::embedded::EmbeddedFile;
 use super::mark::Mark;
 use super::table::Table;
 use crate::figures::{AnimationData, WhirlAnimation};
-use crate::svg::Figure;
+use crate::svg::{DataTable, Figure};
 
 /// A report.
 pub(super) struct Document {
@@ -46,6 +46,8 @@ pub(super) enum Block {
     Table(Table),
     /// A picture.
     Picture(Box<Picture>),
+    /// The numbers of a picture of another section.
+    Numbers(Numbers),
     /// The animated mode shapes.
     Animation(AnimationData),
     /// The animated modes of a turbine.
@@ -72,6 +74,16 @@ pub(super) struct Picture {
     pub what: Option<&'static str>,
     /// Whether the tables of the section have its numbers.
     pub is_tabulated: bool,
+}
+
+/// The numbers of a picture.
+pub(super) struct Numbers {
+    /// The number of the picture.
+    pub picture: usize,
+    /// Its title.
+    pub title: String,
+    /// The numbers.
+    pub table: DataTable,
 }
 
 impl Document {
@@ -106,5 +118,19 @@ impl Document {
             }
         }
         self
+    }
+    /// The numbers of the pictures that no table of their section has.
+    pub(super) fn numbers(&self) -> Vec<Numbers> {
+        let blocks = self.sections.iter().flat_map(|section| &section.blocks);
+        let pictures = blocks.filter_map(|block| match block {
+            Block::Picture(picture) if !picture.is_tabulated => Some(picture),
+            _ => None,
+        });
+        let numbers = pictures.map(|picture| Numbers {
+            picture: picture.number,
+            title: picture.figure.title.clone(),
+            table: picture.figure.table.clone(),
+        });
+        numbers.collect()
     }
 }

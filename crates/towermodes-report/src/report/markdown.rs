@@ -23,13 +23,14 @@ pub fn markdown(content: &ReportContent) -> String {
         text.push_str(&format!("\n{}\n", list(fields)));
     }
     for (mark, section) in document.marked_sections() {
+        let blocks = section.blocks.iter();
+        let blocks: Vec<String> = blocks.filter_map(|block| of_block(block, content)).collect();
+        if blocks.is_empty() {
+            continue;
+        }
         let kind = if section.is_appendix { "Appendix " } else { "" };
         text.push_str(&format!("\n## {kind}{mark}. {}\n", section.title));
-        for block in section
-            .blocks
-            .iter()
-            .filter_map(|block| of_block(block, content))
-        {
+        for block in blocks {
             text.push_str(&format!("\n{block}\n"));
         }
     }
@@ -47,7 +48,8 @@ fn of_block(block: &Block, content: &ReportContent) -> Option<String> {
         Block::File(file) => of_file(file),
         Block::Table(table) => of_table(table),
         Block::Picture(picture) => of_picture(picture, content),
-        Block::Animation(_) | Block::Whirl(_) => return None,
+        // The numbers are below the picture, or its command is.
+        Block::Animation(_) | Block::Whirl(_) | Block::Numbers(_) => return None,
     })
 }
 

@@ -101,7 +101,7 @@ impl Colour {
             Self::Near => ["#fdeebf", "#40350f"],
             Self::TooNear => ["#fbd9d5", "#4e1f1f"],
             Self::Series(index) => SERIES[index % SERIES.len()],
-            Self::Pass => ["#1a7f37", "#4ac26b"],
+            Self::Pass => ["#187632", "#4ac26b"],
             Self::Warn => ["#8f5f00", "#e3b341"],
             Self::Fail => ["#cf222e", "#ff7b72"],
         };
@@ -213,10 +213,13 @@ mod tests {
                 }
             }
             for verdict in [Colour::Pass, Colour::Warn, Colour::Fail] {
-                assert!(
-                    on(verdict, Colour::Paper) >= 4.5,
-                    "{verdict:?} in {theme:?}"
-                );
+                // The row of a chosen mode is shaded.
+                for ground in [Colour::Paper, Colour::Band] {
+                    assert!(
+                        on(verdict, ground) >= 4.5,
+                        "{verdict:?} on {ground:?} in {theme:?}"
+                    );
+                }
             }
         }
     }

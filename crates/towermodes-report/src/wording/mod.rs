@@ -19,5 +19,5 @@ pub use model::{
 };
 pub use remedy::remedy;
 pub use rotor::{operation, operation_of, speed_range, verdict_counts, verdict_word};
-pub use text::{counted, listed, printable};
+pub use text::{counted, listed, printable, sentence};
 pub use turbine::{STRUCTURE_ONLY, proved};

@@ -19,6 +19,19 @@ pub fn listed(items: &[String]) -> String {
     }
 }
 
+/// A message as a sentence of a document: its first word with a capital unless it is a name (of a
+/// file, of a value), without the marks of code.
+pub fn sentence(message: &str) -> String {
+    let message = message.replace('`', "");
+    let word = message.split([' ', ',', ':']).next().unwrap_or_default();
+    let is_word = word.chars().all(|c| c.is_ascii_lowercase() || c == '-');
+    let mut letters = message.chars();
+    match letters.next() {
+        Some(first) if is_word => first.to_ascii_uppercase().to_string() + letters.as_str(),
+        _ => message,
+    }
+}
+
 /// A text in which `replacement` replaces every control character, every mark that changes the
 /// writing direction, and both noncharacters U+FFFE and U+FFFF. Line feeds and tabs stay.
 ///
@@ -39,7 +52,16 @@ fn disturbs(c: char) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{listed, printable};
+    use super::{listed, printable, sentence};
+
+    #[test]
+    fn messages_become_sentences() {
+        assert_eq!(sentence("the mass is zero"), "The mass is zero");
+        for name in ["a.dat:34: no speed", "wall_thickness is 0", "/a/b: no"] {
+            assert_eq!(sentence(name), name);
+        }
+        assert_eq!(sentence("`PtfmRefzt` is read"), "PtfmRefzt is read");
+    }
 
     #[test]
     fn lists_end_with_and() {

@@ -65,7 +65,7 @@ pub fn coupled_campbell_beside_conclusion(coupled: &CoupledCampbell) -> Figure {
 }
 
 fn with_conclusion(campbell: &Campbell, figure: Figure) -> Figure {
-    let conclusion = campbell.conclusion().join(" ");
+    let conclusion = campbell.conclusion().join(" ").replace("(-", "(\u{2212}");
     Figure {
         description: format!("{conclusion} {}", figure.description),
         ..figure

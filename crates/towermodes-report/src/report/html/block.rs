@@ -3,7 +3,7 @@
 use super::animation::{of_tower, of_turbine};
 use super::table::{of_data, of_table};
 use super::{definition, list, text, verdict};
-use crate::report::document::{Block, Picture, Statement};
+use crate::report::document::{Block, Numbers, Picture, Statement};
 use crate::report::embedded::EmbeddedFile;
 use crate::report::error::ReportError;
 use crate::svg::Look;
@@ -38,6 +38,7 @@ fn of_block(block: &Block, file: usize) -> Result<String, ReportError> {
         Block::File(embedded) => of_file(embedded, file),
         Block::Table(table) => of_table(table),
         Block::Picture(picture) => of_picture(picture),
+        Block::Numbers(numbers) => of_numbers(numbers),
         Block::Animation(data) => of_tower(data)?,
         Block::Whirl(data) => of_turbine(data)?,
     })
@@ -74,27 +75,31 @@ fn saved_name(name: &str) -> &str {
     }
 }
 
-/// A picture, and its numbers unless a table of the section has them.
+/// A picture with a reference to its numbers.
 fn of_picture(picture: &Picture) -> String {
     let Picture { figure, number, .. } = picture;
     let (title, description) = (text(&figure.title), text(&figure.description));
     let svg = figure.to_svg(Look::Inline);
-    let (hint, numbers) = match picture.is_tabulated {
-        true => (
-            " Its numbers are in the tables of this section.",
-            String::new(),
-        ),
-        false => {
-            let table = of_data(*number, &figure.title, &figure.table);
-            let summary = format!("<summary>Numbers of figure {number}</summary>");
-            ("", format!("<details>\n{summary}\n{table}</details>\n"))
-        }
+    let numbers = match picture.is_tabulated {
+        true => "Its numbers are in the tables of this section.".to_owned(),
+        false => format!("<a href=\"#numbers-{number}\">Numbers of figure {number}</a>."),
     };
     format!(
         "<figure>\n\
          <div class=\"scroll picture\" tabindex=\"0\" role=\"region\" aria-label=\"Figure {number}. {title}\">\n\
          {svg}</div>\n\
-         <figcaption><strong>Figure {number}.</strong> {title}. {description}{hint}</figcaption>\n\
-         {numbers}</figure>\n"
+         <figcaption><strong>Figure {number}.</strong> {title}. {description} {numbers}</figcaption>\n\
+         </figure>\n"
     )
+}
+
+/// The numbers of a picture.
+fn of_numbers(numbers: &Numbers) -> String {
+    let Numbers {
+        picture,
+        title,
+        table,
+    } = numbers;
+    let tables = of_data(*picture, title, table);
+    format!("<div id=\"numbers-{picture}\">\n{tables}</div>\n")
 }

@@ -10,6 +10,10 @@ const SHORT: usize = 24;
 const LONG_NUMBER: usize = 24;
 /// Texts with more characters have a width of their own.
 const LONG_TEXT: usize = 40;
+/// Numbers of pictures with more columns are several tables: paper has no room for one.
+const WIDE: usize = 12;
+/// Units with at most this number of characters are not broken across lines.
+const UNIT: usize = 12;
 
 /// A table of a section; a long one is shown in brief, with all of its rows folded away.
 pub(super) fn of_table(table: &Table) -> String {
@@ -36,7 +40,7 @@ pub(super) fn of_table(table: &Table) -> String {
     )
 }
 
-/// The numbers of a picture.
+/// The numbers of a picture; many columns in tables below each other, each with the first column.
 pub(super) fn of_data(number: usize, title: &str, data: &DataTable) -> String {
     let is_number = |index: usize| data.rows.iter().all(|row| is_number(row.get(index)));
     let column = |(index, name): (usize, &String)| Column {
@@ -44,15 +48,45 @@ pub(super) fn of_data(number: usize, title: &str, data: &DataTable) -> String {
         is_number: is_number(index),
     };
     let columns: Vec<Column> = data.header.iter().enumerate().map(column).collect();
-    let cells = |row: &Vec<String>| -> Vec<Cell> { row.iter().map(|c| c.clone().into()).collect() };
-    let rows = data.rows.iter().take(MOST_ROWS);
-    let rows: String = rows.map(|row| of_row(&columns, &cells(row))).collect();
     let note = match data.rows.len().saturating_sub(MOST_ROWS) {
         0 => String::new(),
         left_out => format!(" ({left_out} more rows are left out)"),
     };
-    let caption = format!("Numbers of figure {number}. {title}{note}.");
-    scrolling(&caption, &columns, &rows, data.rows.len())
+    let caption = format!("Numbers of figure {number}. {title}{note}");
+    let Some((first, others)) = columns.split_first().filter(|_| columns.len() > WIDE) else {
+        return of_columns(&format!("{caption}."), &columns, |row| row.to_vec(), data);
+    };
+    let parts = others.chunks(WIDE - 1).enumerate();
+    let part = |(part, own): (usize, &[Column])| {
+        let from = 1 + part * (WIDE - 1);
+        let to = from + own.len();
+        let caption = format!(
+            "{caption}, columns {} to {to} of {}.",
+            from + 1,
+            columns.len()
+        );
+        let own: Vec<Column> = std::iter::once(first).chain(own).cloned().collect();
+        let cells = |row: &[String]| {
+            let own = row.get(from..to.min(row.len())).unwrap_or_default();
+            row.iter().take(1).chain(own).cloned().collect()
+        };
+        of_columns(&caption, &own, cells, data)
+    };
+    parts.map(part).collect()
+}
+
+/// Columns of the numbers of a picture; `cells` picks theirs from a row.
+fn of_columns(
+    caption: &str,
+    columns: &[Column],
+    cells: impl Fn(&[String]) -> Vec<String>,
+    data: &DataTable,
+) -> String {
+    let rows = data.rows.iter().take(MOST_ROWS).map(|row| {
+        let cells = cells(row).into_iter().map(Cell::from);
+        of_row(columns, &cells.collect::<Vec<Cell>>())
+    });
+    scrolling(caption, columns, &rows.collect::<String>(), data.rows.len())
 }
 
 /// A table that can be scrolled sideways; its rows are HTML already.
@@ -65,7 +99,8 @@ fn scrolling(caption: &str, columns: &[Column], rows: &str, count: usize) -> Str
         } else {
             ""
         };
-        format!("<th scope=\"col\"{class}>{}</th>", text(&column.name))
+        let name = unbroken_units(&column.name);
+        format!("<th scope=\"col\"{class}>{}</th>", text(&name))
     });
     let head: String = head.collect();
     format!(
@@ -73,6 +108,18 @@ fn scrolling(caption: &str, columns: &[Column], rows: &str, count: usize) -> Str
          <table>\n<caption><span>{caption}</span></caption>\n\
          <thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>\n</div>\n"
     )
+}
+
+/// The name of a column with spaces within its units that do not break lines: "inertia (kg m²)".
+fn unbroken_units(name: &str) -> String {
+    let parts = name.split_inclusive(')').map(|part| match part.rfind('(') {
+        Some(at) if part[at..].chars().count() <= UNIT => {
+            let (before, unit) = part.split_at(at);
+            before.to_owned() + &unit.replace(' ', "\u{a0}")
+        }
+        _ => part.to_owned(),
+    });
+    parts.collect()
 }
 
 /// A row; its first cell is its heading.
@@ -93,6 +140,7 @@ fn of_cell(column: &Column, cell: &Cell, is_first: bool) -> String {
     let class = match column.is_number {
         true if length > LONG_NUMBER => " class=\"number long\"",
         true => " class=\"number\"",
+        false if cell.verdict.is_some() => " class=\"mark\"",
         false if length > LONG_TEXT && !is_first => " class=\"words\"",
         false => "",
     };

@@ -44,7 +44,19 @@ pub(super) fn document(content: &ReportContent) -> Document {
             .chain(appendices(content))
             .collect(),
     };
-    document.numbered()
+    with_numbers(document.numbered())
+}
+
+/// The document with the numbers of its pictures in an appendix.
+fn with_numbers(mut document: Document) -> Document {
+    let blocks: Vec<Block> = document.numbers().into_iter().map(Block::Numbers).collect();
+    if !blocks.is_empty() {
+        document.sections.push(Section {
+            is_appendix: true,
+            ..section("numbers", "Numbers of the figures".to_owned(), blocks)
+        });
+    }
+    document
 }
 
 fn body(content: &ReportContent) -> Vec<Section> {

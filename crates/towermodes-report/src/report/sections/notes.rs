@@ -3,6 +3,7 @@
 use super::super::content::ReportContent;
 use super::super::document::Block;
 use super::paragraph;
+use crate::wording::sentence;
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let mut blocks = Vec::new();
@@ -11,14 +12,16 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         blocks.push(paragraph(
             "Notes on the input: assumptions, and data that were omitted or could not be imported:",
         ));
-        blocks.push(Block::List(content.circumstances.notes.clone()));
+        let notes = content.circumstances.notes.iter();
+        blocks.push(Block::List(notes.map(|note| sentence(note)).collect()));
     }
     if !warnings.is_empty() {
         blocks.push(paragraph(
             "Warnings on the computation: possible input errors, and limits of the results:",
         ));
         let warnings = warnings.iter();
-        blocks.push(Block::List(warnings.map(ToString::to_string).collect()));
+        let sentences = warnings.map(|warning| sentence(&warning.to_string()));
+        blocks.push(Block::List(sentences.collect()));
     }
     if blocks.is_empty() {
         blocks.push(paragraph(

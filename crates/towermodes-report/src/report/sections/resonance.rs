@@ -63,7 +63,7 @@ pub(super) fn conclusion(campbell: &Campbell, lead: &'static str) -> Statement {
     let is_checked = campbell.not_checked.is_empty();
     Statement {
         lead,
-        text: campbell.conclusion().join(" "),
+        text: campbell.conclusion().join(" ").replace("(-", "(\u{2212}"),
         verdict: is_checked.then(|| Mark::of(campbell.verdict())),
     }
 }

@@ -10,7 +10,7 @@ use super::resonance::has_blade;
 use super::{own_picture, table, verdicts};
 use crate::figures;
 use crate::number::{digits, four_digits, margin_percent};
-use crate::wording::{completeness, counted, verdict_counts, verdict_word};
+use crate::wording::{completeness, counted, sentence, verdict_counts, verdict_word};
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let missing = content.circumstances.model_notes.iter();
@@ -63,7 +63,7 @@ fn verdict_table(
 fn missing_part(note: &str) -> Statement {
     Statement {
         lead: "Not in the model",
-        text: note.to_owned(),
+        text: sentence(note),
         verdict: None,
     }
 }
