@@ -73,7 +73,7 @@ fn chart(convergence: &Convergence) -> Chart {
         .filter_map(|s| last_order(convergence, s.index));
     Chart {
         x: x_axis(convergence),
-        y: errors.axis("relative error |f / f∞ − 1| (–)"),
+        y: errors.axis("relative error against the reference (−)"),
         orders: orders.filter(|_| !spectral).collect(),
         note: hidden_text(convergence.modes.len() - series.len()),
         series,

@@ -119,7 +119,7 @@ fn drawing(comparison: &Comparison, methods: &[&Column]) -> Drawing {
             .filter_map(move |column| difference(column, mode))
     });
     let errors = ErrorAxis::of(differences);
-    let y = errors.axis("relative difference |f/f_ref − 1| (–)");
+    let y = errors.axis("relative difference from the reference (−)");
     let frame = Frame {
         left: y.left_margin(),
         top: TOP,

@@ -35,7 +35,7 @@ pub(crate) use lines::{LinesAtRest, lines_at_rest};
 pub use mooring::mooring;
 pub use scene::{Body, Form, Substance};
 pub use shapes::shapes;
-pub use soil::{scour, soil};
+pub use soil::{Excitations, scour, soil};
 pub use structure::structure;
 pub use sweep::{
     ModeColumn, SweepBand, SweepBands, SweepColumns, VariedColumn, ViolatedShare, sweep,

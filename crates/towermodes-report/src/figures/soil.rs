@@ -1,20 +1,27 @@
 //! The first bending frequencies against the stiffness of the soil, or against the depth of scour.
 
-use towermodes::number::Plain;
+use towermodes::number::{Plain, percent};
 use towermodes::{Family, Rotor};
 use towermodes_analysis::soil_band::{BandMode, ScourCurve, SoilBand};
 
-use super::chart::{Axis, Chart, Series};
-use crate::svg::{Figure, Numbers, extent};
+use super::chart::{Axis, Band, Chart, Series};
+use crate::number::four_digits;
+use crate::svg::{Colour, Figure, Numbers, extent};
 
 const HEIGHT: f64 = 420.0;
 /// Room above the highest and below the lowest frequency, as a fraction of their difference.
 const ROOM: f64 = 0.25;
 /// The axis covers at least this fraction of the frequency, so that a line looks flat if it is.
 const LEAST_RANGE: f64 = 0.02;
+/// The axis is extended to a forbidden range that is not farther away than this fraction of the
+/// frequency.
+const NEAR: f64 = 0.3;
+
+/// The rotor whose excitations are drawn, and the required distance from them (a fraction).
+pub type Excitations<'a> = Option<(&'a Rotor, f64)>;
 
 /// The first bending frequencies against the factor of the soil stiffness.
-pub fn soil(band: &SoilBand, rotor: Option<&Rotor>) -> Figure {
+pub fn soil(band: &SoilBand, rotor: Excitations<'_>) -> Figure {
     let factors = band
         .factors
         .iter()
@@ -24,7 +31,7 @@ pub fn soil(band: &SoilBand, rotor: Option<&Rotor>) -> Figure {
         is_logarithmic: true,
         numbers: Numbers::At(numbers.collect()),
         ..Axis::linear(
-            "factor on the stiffness of the soil (–)",
+            "factor on the stiffness of the soil (\u{2212})",
             ends(&band.factors),
         )
     };
@@ -36,7 +43,7 @@ pub fn soil(band: &SoilBand, rotor: Option<&Rotor>) -> Figure {
 }
 
 /// The first bending frequencies against the depth of local scour.
-pub fn scour(curve: &ScourCurve, rotor: Option<&Rotor>) -> Figure {
+pub fn scour(curve: &ScourCurve, rotor: Excitations<'_>) -> Figure {
     let x = Axis {
         numbers: Numbers::About(7),
         ..Axis::linear("depth of local scour (m)", ends(&curve.depths_m))
@@ -64,17 +71,23 @@ fn figure([name, title]: [&str; 2], chart: &Chart) -> Figure {
         ))
     });
     let each: Vec<String> = each.collect();
+    let bands = chart.bands.iter().map(|band| format!(" {}.", band.name));
     Figure {
         name: name.to_owned(),
         title: title.to_owned(),
-        description: format!("Frequencies against {}: {}.", chart.x.name, each.join("; ")),
+        description: format!(
+            "Frequencies against {}: {}.{}",
+            chart.x.name,
+            each.join("; "),
+            bands.collect::<String>()
+        ),
         drawing: chart.drawing(HEIGHT),
         table: chart.table("Hz"),
     }
 }
 
-/// The first bending modes, with the ranges of 1P and of the blade passing frequency in operation.
-fn chart(x: Axis, values: &[f64], modes: &[BandMode], rotor: Option<&Rotor>) -> Chart {
+/// The first bending modes, with the frequencies that 1P and the blade passing frequency forbid.
+fn chart(x: Axis, values: &[f64], modes: &[BandMode], rotor: Excitations<'_>) -> Chart {
     let bends = |mode: &&BandMode| {
         let families = [Family::ForeAft, Family::SideSide];
         mode.order == 1 && families.contains(&mode.family)
@@ -89,23 +102,50 @@ fn chart(x: Axis, values: &[f64], modes: &[BandMode], rotor: Option<&Rotor>) -> 
             .collect(),
     };
     let series: Vec<Series> = modes.iter().filter(bends).enumerate().map(series).collect();
-    let operation = |rotor: &Rotor, multiple: usize| {
-        let hz = [rotor.lowest_rpm, rotor.highest_rpm].map(|rpm| multiple as f64 * rpm / 60.0);
-        (hz, format!("{multiple}P in operation"))
-    };
-    let bands = rotor.map(|rotor| [1, rotor.blades].map(|multiple| operation(rotor, multiple)));
+    let bands = rotor.map(|(rotor, margin)| {
+        let mut multiples = vec![1, rotor.blades];
+        multiples.dedup();
+        let bands = multiples.into_iter();
+        bands.map(|multiple| forbidden(rotor, margin, multiple)).collect()
+    });
+    let bands: Vec<Band> = bands.unwrap_or_default();
     Chart {
         x,
-        y: Axis::linear("natural frequency (Hz)", range_hz(&series)),
-        bands: bands.into_iter().flatten().collect(),
+        y: Axis::linear("natural frequency (Hz)", range_hz(&series, &bands)),
+        bands,
         series,
         ..Chart::default()
     }
 }
 
-fn range_hz(series: &[Series]) -> [f64; 2] {
+/// The natural frequencies that are closer to a multiple of the rotor speed in operation than the
+/// margin; the ends of the multiple itself are marked.
+fn forbidden(rotor: &Rotor, margin: f64, multiple: usize) -> Band {
+    let operation_hz =
+        [rotor.lowest_rpm, rotor.highest_rpm].map(|rpm| multiple as f64 * rpm / 60.0);
+    let range = [
+        operation_hz[0] / (1.0 + margin),
+        operation_hz[1] / (1.0 - margin),
+    ];
+    let [low, high] = range.map(four_digits);
+    Band {
+        range,
+        name: format!(
+            "within {} % of {multiple}P in operation: {low} to {high} Hz",
+            percent(margin)
+        ),
+        colour: Colour::TooNear,
+        marked: operation_hz.to_vec(),
+    }
+}
+
+/// The frequencies, and the edges of forbidden ranges near them.
+fn range_hz(series: &[Series], bands: &[Band]) -> [f64; 2] {
     let points = series.iter().flat_map(Series::finite);
     let [low, high] = extent(points.map(|[_, hz]| hz)).unwrap_or([0.0; 2]);
+    let near = |hz: &f64| (1.0 - NEAR) * low <= *hz && *hz <= (1.0 + NEAR) * high;
+    let edges = bands.iter().flat_map(|band| band.range).filter(near);
+    let [low, high] = extent(edges.chain([low, high])).unwrap_or([0.0; 2]);
     let room = (ROOM * (high - low)).max(LEAST_RANGE * high).max(1e-9);
     [(low - room).max(0.0), high + room]
 }

@@ -39,7 +39,8 @@ pub(super) fn stiffness(
     let each = |tower: &Tower| solve(tower, &options);
     let band = soil_band(description, &solution, &factors(), None, each);
     let band = band.map_err(Failure::failed)?;
-    let figure = figures::soil(&band, rotor(input, arguments).as_ref());
+    let (rotor, margin) = rotor(input, arguments);
+    let figure = figures::soil(&band, rotor.as_ref().map(|rotor| (rotor, margin)));
     let failed = band.failed.iter();
     let failed = failed.map(|at| format!("with soil x {:.3}: {}", at.factor, at.reason));
     Ok(drawn(figure, &solution, failed))
@@ -67,15 +68,17 @@ pub(super) fn scour(
             "the tower has no soil in layers".to_owned(),
         ));
     };
-    let figure = figures::scour(&curve, rotor(input, arguments).as_ref());
+    let (rotor, margin) = rotor(input, arguments);
+    let figure = figures::scour(&curve, rotor.as_ref().map(|rotor| (rotor, margin)));
     let failed = curve.failed.iter();
     let failed = failed.map(|(depth_m, why)| format!("with scour of {depth_m:.2} m: {why}"));
     Ok(drawn(figure, &solution, failed))
 }
 
-/// The rotor whose excitations are drawn; none if it is unknown.
-fn rotor(input: &TowerInput, arguments: &PlotArguments) -> Option<Rotor> {
-    arguments.rotor.rotor(input).map(|chosen| chosen.rotor)
+/// The rotor whose excitations are drawn, none if it is unknown, and the required margin.
+fn rotor(input: &TowerInput, arguments: &PlotArguments) -> (Option<Rotor>, f64) {
+    let rotor = arguments.rotor.rotor(input).map(|chosen| chosen.rotor);
+    (rotor, arguments.rotor.options().margin)
 }
 
 fn drawn(

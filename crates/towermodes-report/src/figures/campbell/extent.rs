@@ -3,6 +3,8 @@
 
 use towermodes_analysis::resonance::{BEYOND_OPERATION, Campbell, StiffnessClass};
 
+use crate::svg::extent;
+
 /// The number of tower modes that are shown even if they are above the excitations …
 const TOWER_MODES: usize = 5;
 /// … up to this multiple of the highest excitation in operation.
@@ -15,6 +17,10 @@ const ABOVE: f64 = 1.06;
 const ABOVE_FIRST: f64 = 1.3;
 /// … and at this multiple of the end of the ray of the blade passing frequency.
 const ABOVE_RAY: f64 = 1.03;
+/// The main field ends at most at this multiple of that so that its end cuts no curve …
+const MOVED: f64 = 2.2;
+/// … and keeps this relative distance from them.
+const BESIDE: f64 = 0.015;
 /// Higher modes get the upper field if they would take more than this fraction of the height.
 const SQUEEZED: f64 = 1.35;
 
@@ -36,8 +42,8 @@ pub(super) fn last_rpm(campbell: &Campbell) -> f64 {
 
 /// The upper ends of the fields, Hz: one field, or the main field and the upper one.
 pub(super) fn ends_hz(campbell: &Campbell, multiples: &[usize], last_rpm: f64) -> Vec<f64> {
-    let decisive_hz = decisive_hz(campbell, last_rpm);
     let highest_hz = highest_hz(campbell, multiples, last_rpm);
+    let decisive_hz = beside_curves(campbell, decisive_hz(campbell, last_rpm));
     let is_drawn = |hz: f64| decisive_hz < hz && hz <= highest_hz;
     let mut lines = campbell.lines.iter();
     let is_higher = lines.any(|line| line.points.iter().any(|[_, hz]| is_drawn(*hz)));
@@ -46,6 +52,25 @@ pub(super) fn ends_hz(campbell: &Campbell, multiples: &[usize], last_rpm: f64) -
         hz if !is_higher => vec![hz],
         hz if highest_hz <= SQUEEZED * hz => vec![highest_hz],
         hz => vec![hz, highest_hz],
+    }
+}
+
+/// The next frequency that no curve crosses or touches, Hz; the same if that is far above.
+fn beside_curves(campbell: &Campbell, from_hz: f64) -> f64 {
+    let ranges = campbell.lines.iter().filter_map(|line| {
+        let hz = line.points.iter().map(|[_, hz]| *hz);
+        let [low, high] = extent(hz)?;
+        Some([low * (1.0 - BESIDE), high * (1.0 + BESIDE)])
+    });
+    let mut ranges: Vec<[f64; 2]> = ranges.collect();
+    ranges.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let above = |end_hz: f64, [low, high]: [f64; 2]| match low < end_hz && end_hz < high {
+        true => high,
+        false => end_hz,
+    };
+    match ranges.into_iter().fold(from_hz, above) {
+        end_hz if end_hz <= MOVED * from_hz => end_hz,
+        _ => from_hz,
     }
 }
 

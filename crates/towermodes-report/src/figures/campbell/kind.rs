@@ -36,13 +36,19 @@ impl Kind {
         match self {
             Self::Tower => Stroke::new(TOWER, 2.0),
             Self::Blade => Stroke::new(BLADE, 1.8).dashed(Dash::Dashed),
-            Self::Turbine(TurbinePart::Blades(motion, harmonic)) => {
-                Stroke::new(colour(motion), 1.8).dashed(dash(harmonic))
+            Self::Turbine(part) => {
+                let (width, dash) = match part {
+                    TurbinePart::Blades(_, harmonic) => (1.8, dash(harmonic)),
+                    TurbinePart::Shaft | TurbinePart::YawDrive => (1.8, Dash::DashDot),
+                    TurbinePart::Platform(_)
+                    | TurbinePart::Substructure
+                    | TurbinePart::TowerForeAft
+                    | TurbinePart::TowerSideSide
+                    | TurbinePart::TowerTorsion
+                    | TurbinePart::TowerAxial => (2.0, Dash::Whole),
+                };
+                Stroke::new(part_colour(part), width).dashed(dash)
             }
-            Self::Turbine(TurbinePart::Shaft | TurbinePart::YawDrive) => {
-                Stroke::new(Colour::Series(5), 1.8).dashed(Dash::DashDot)
-            }
-            Self::Turbine(_) => Stroke::new(TOWER, 2.0),
         }
     }
 
@@ -62,6 +68,20 @@ impl Kind {
             Self::Turbine(TurbinePart::Shaft | TurbinePart::YawDrive) => "drivetrain".to_owned(),
             Self::Turbine(_) => "tower".to_owned(),
         }
+    }
+}
+
+/// The colour of the modes that are named after a part of a turbine.
+pub(in crate::figures) fn part_colour(part: TurbinePart) -> Colour {
+    match part {
+        TurbinePart::Blades(motion, _) => colour(motion),
+        TurbinePart::Shaft | TurbinePart::YawDrive => Colour::Series(5),
+        TurbinePart::Platform(_)
+        | TurbinePart::Substructure
+        | TurbinePart::TowerForeAft
+        | TurbinePart::TowerSideSide
+        | TurbinePart::TowerTorsion
+        | TurbinePart::TowerAxial => TOWER,
     }
 }
 

@@ -21,6 +21,7 @@ use crate::wording::{STRUCTURE_ONLY, operation_of, proved};
 
 use above::{above_text, unresisted_text};
 use field::drawing;
+pub(super) use kind::part_colour;
 use lines::{Shown, shown};
 
 /// The Campbell diagram of tower and blade: natural frequencies and excitations against the rotor

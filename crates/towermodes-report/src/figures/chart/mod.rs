@@ -31,13 +31,23 @@ pub(super) struct Chart {
     pub title: Option<String>,
     pub x: Axis,
     pub y: Axis,
-    /// Behind the lines: ranges of y with their names.
-    pub bands: Vec<([f64; 2], String)>,
+    /// Behind the lines.
+    pub bands: Vec<Band>,
     /// The observed orders, which a triangle in a corner of logarithmic axes shows.
     pub orders: Vec<f64>,
     pub series: Vec<Series>,
     /// Below the labels.
     pub note: Option<String>,
+}
+
+/// A range of y that is shaded.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Band {
+    pub range: [f64; 2],
+    pub name: String,
+    pub colour: Colour,
+    /// Values in it that are marked.
+    pub marked: Vec<f64>,
 }
 
 /// An axis: its name with the unit, and its values.
@@ -97,11 +107,14 @@ impl Chart {
         let right = WIDTH - end_labels::column_width(&labels);
         let axes = self.axes(frame(title, rows, [left, right]));
         draw_title(drawing, title, &axes.frame);
-        for (range, name) in &self.bands {
-            draw_band(drawing, &axes, *range, name);
+        for band in &self.bands {
+            band.draw(drawing, &axes);
         }
         axes.draw_x(drawing, &self.x.name, self.x.numbers.clone());
         axes.draw_y(drawing, &self.y.name, self.y.numbers.clone());
+        for band in &self.bands {
+            band.write_name(drawing, &axes);
+        }
         let places = |series: &Series| series.points.iter().map(|[x, y]| axes.at(*x, *y)).collect();
         let lines: Vec<Vec<(f64, f64)>> = self.series.iter().map(places).collect();
         slope::draw(drawing, &axes, &self.orders, &lines);
@@ -197,22 +210,43 @@ pub(super) fn draw_title(drawing: &mut Drawing, title: Option<&str>, frame: &Fra
     }
 }
 
-/// Draws the part of a range of y that is in the field.
-fn draw_band(drawing: &mut Drawing, axes: &Axes, [low, high]: [f64; 2], name: &str) {
-    let (low, high) = (low.max(axes.y.low), high.min(axes.y.high));
-    if low >= high {
-        return;
+impl Band {
+    /// The part that is in the field.
+    fn within(&self, axes: &Axes) -> Option<[f64; 2]> {
+        let [low, high] = self.range;
+        let (low, high) = (low.max(axes.y.low), high.min(axes.y.high));
+        (low < high).then(|| [high, low].map(|value| axes.y.at(value)))
     }
-    let Frame { left, right, .. } = axes.frame;
-    let [top, bottom] = [high, low].map(|value| axes.y.at(value));
-    drawing.rectangle(
-        (left, top),
-        (right - left, bottom - top),
-        Colour::Band,
-        None,
-    );
-    let style = TextStyle::new(SIZE).colour(Colour::Muted);
-    drawing.text((left + 6.0, top + 14.0), name, &style);
+
+    fn draw(&self, drawing: &mut Drawing, axes: &Axes) {
+        let Some([top, bottom]) = self.within(axes) else {
+            return;
+        };
+        let Frame { left, right, .. } = axes.frame;
+        let size = (right - left, bottom - top);
+        drawing.rectangle((left, top), size, self.colour, None);
+        let stroke = Stroke::new(Colour::Fail, 1.2).dashed(Dash::Dotted);
+        let is_visible = |value: &&f64| axes.y.low < **value && **value < axes.y.high;
+        for value in self.marked.iter().filter(is_visible) {
+            let y = axes.y.at(*value);
+            drawing.line((left, y), (right, y), &stroke);
+        }
+    }
+
+    /// Writes the name at the edge of the band, without the lines of the grid behind it.
+    fn write_name(&self, drawing: &mut Drawing, axes: &Axes) {
+        let Some([top, bottom]) = self.within(axes) else {
+            return;
+        };
+        let left = axes.frame.left + 6.0;
+        let y = match self.range[1] > axes.y.high {
+            true => bottom - 6.0,
+            false => top + 14.0,
+        };
+        let size = (text_width(&self.name, SIZE, false) + 4.0, 1.3 * SIZE);
+        drawing.rectangle((left - 2.0, y - SIZE), size, self.colour, None);
+        drawing.text((left, y), &self.name, &TextStyle::new(SIZE));
+    }
 }
 
 /// From the smallest to the largest value, with a share of the difference on both sides; never

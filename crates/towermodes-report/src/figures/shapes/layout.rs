@@ -150,7 +150,8 @@ fn placed(row: &[Panel], from: f64) -> Vec<Placed<'_>> {
 
 /// Lines of a legend, one of them "4 more" where not all modes are drawn.
 pub(super) fn entries(panel: &Panel) -> usize {
-    panel.curves.len() + usize::from(panel.more > 0)
+    let labels = panel.curves.iter().map(|curve| curve.labels.len());
+    labels.sum::<usize>() + usize::from(panel.more > 0)
 }
 
 fn needed_width(panel: &Panel) -> f64 {
@@ -165,9 +166,7 @@ fn needed_width(panel: &Panel) -> f64 {
 }
 
 fn entry_width(panel: &Panel) -> f64 {
-    let widths = panel
-        .curves
-        .iter()
-        .map(|curve| text_width(&curve.label, LEGEND.0, false));
+    let labels = panel.curves.iter().flat_map(|curve| &curve.labels);
+    let widths = labels.map(|label| text_width(label, LEGEND.0, false));
     SAMPLE + widths.fold(0.0, f64::max)
 }

@@ -12,6 +12,8 @@ pub(super) const COUPLED: &str = "coupled: ";
 const MOST_CURVES: usize = 6;
 /// A panel extends below zero if a curve is more than this below zero.
 const BELOW_ZERO: f64 = 0.02;
+/// Curves closer than this share of the largest motion look like one.
+const ONE_LINE: f64 = 0.02;
 
 /// A field with curves over the height.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,8 +37,8 @@ pub(super) struct Panel {
 /// One component of a mode over the height.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Curve {
-    /// "1st 0.3221 Hz".
-    pub label: String,
+    /// "1st 0.3221 Hz"; of several modes on one line a label each.
+    pub labels: Vec<String>,
     /// Heights, m, and values.
     pub points: Vec<(f64, f64)>,
 }
@@ -169,7 +171,7 @@ fn rigid(solution: &Solution) -> Panel {
         };
         curve(mode, Part::main(mode.family), &name)
     });
-    let curves: Vec<Curve> = curves.collect();
+    let curves = on_one_line(curves.collect());
     Panel {
         heading: "rigid body",
         note: None,
@@ -181,11 +183,31 @@ fn rigid(solution: &Solution) -> Panel {
     }
 }
 
+/// Curves that would lie on each other as one with the labels of all.
+fn on_one_line(curves: Vec<Curve>) -> Vec<Curve> {
+    let mut lines: Vec<Curve> = Vec::new();
+    for curve in curves {
+        match lines.iter_mut().find(|line| line.covers(&curve)) {
+            Some(line) => line.labels.extend(curve.labels),
+            None => lines.push(curve),
+        }
+    }
+    lines
+}
+
+impl Curve {
+    /// Whether another curve is nowhere farther from this one than the width of a line.
+    fn covers(&self, other: &Self) -> bool {
+        let mut pairs = self.points.iter().zip(&other.points);
+        pairs.all(|(own, other)| (own.1 - other.1).abs() <= ONE_LINE)
+    }
+}
+
 fn curve(mode: &Mode, part: Part, name: &str) -> Curve {
     let points = mode.shape.iter();
     let point = |point: &ShapePoint| (point.height_m, part.of(point));
     Curve {
-        label: format!("{name} {} Hz", four_digits(mode.frequency_hz)),
+        labels: vec![format!("{name} {} Hz", four_digits(mode.frequency_hz))],
         points: points.map(point).collect(),
     }
 }

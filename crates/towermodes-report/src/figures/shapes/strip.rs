@@ -91,21 +91,21 @@ fn draw_head(drawing: &mut Drawing, placed: &Placed<'_>, (top, note): (f64, f64)
     }
     let lines = entries(panel).div_ceil(placed.columns);
     let column = (right - left) / placed.columns as f64;
-    let more = (panel.more > 0).then(|| format!("{} more", panel.more));
-    let labels = panel.curves.iter().map(|curve| curve.label.as_str());
-    for (k, label) in labels.chain(more.as_deref()).enumerate() {
+    let more = (panel.more > 0).then(|| (None, format!("{} more", panel.more)));
+    let curves = panel.curves.iter().enumerate();
+    let labels = curves.flat_map(|(curve, of)| {
+        let labels = of.labels.iter();
+        labels.map(move |label| (Some(curve), label.clone()))
+    });
+    for (k, (curve, label)) in labels.chain(more).enumerate() {
         let x = left + column * (k / lines) as f64;
         let y = top + note + LEGEND.1 * (k % lines + 1) as f64;
-        let is_curve = k < panel.curves.len();
-        if is_curve {
+        if let Some(curve) = curve {
             let sample = [(x, y - 4.0), (x + SAMPLE - 5.0, y - 4.0)];
-            drawing.polyline(&sample, &stroke(k));
+            drawing.polyline(&sample, &stroke(curve));
         }
-        drawing.text(
-            (x + SAMPLE, y),
-            label,
-            if is_curve { &style } else { &muted },
-        );
+        let style = if curve.is_some() { &style } else { &muted };
+        drawing.text((x + SAMPLE, y), &label, style);
     }
 }
 

@@ -132,8 +132,8 @@ impl SweepBands {
         }
     }
 
-    /// What the shades are; nothing without bands.
-    pub(super) fn legend(&self) -> Vec<Entry> {
+    /// What the shades and lines in fields of these ranges are; nothing without bands.
+    pub(super) fn legend(&self, ranges: &[[f64; 2]]) -> Vec<Entry> {
         if self.bands.is_empty() {
             return Vec::new();
         }
@@ -142,10 +142,12 @@ impl SweepBands {
         let names = names.join(" or ");
         let within = format!("within {} % of {names} in operation", percent(self.margin));
         let at_ends = format!("{names} at the lowest and highest rotor speed");
-        let mut entries = vec![
-            ((Colour::TooNear, edge()).into(), within),
-            (operation().into(), at_ends),
-        ];
+        let mut entries = vec![((Colour::TooNear, edge()).into(), within)];
+        let mut ends = self.bands.iter().flat_map(|band| band.operation_hz);
+        let is_drawn = |hz: f64| ranges.iter().any(|[low, high]| *low < hz && hz < *high);
+        if ends.any(is_drawn) {
+            entries.push((operation().into(), at_ends));
+        }
         if self.are_random {
             entries.push(words("in brackets: 95 % confidence".to_owned()));
         }
@@ -196,6 +198,22 @@ mod tests {
         close(bands.extended([0.25, 0.34]), [0.1892, 0.3608]);
         close(bands.extended([0.15, 0.16]), [0.15, 0.16]);
         close(bands.extended([1.0, 1.1]), [1.0, 1.1]);
+    }
+
+    /// The ends of operation are at 0.1 and 0.2 Hz.
+    #[test]
+    fn the_legend_names_only_lines_that_are_drawn() {
+        let bands = SweepBands {
+            bands: vec![SweepBand {
+                multiple: 1,
+                operation_hz: [0.1, 0.2],
+                margin_hz: [0.09, 0.22],
+                violated: Vec::new(),
+            }],
+            ..SweepBands::default()
+        };
+        assert_eq!(bands.legend(&[[0.21, 0.3]]).len(), 1);
+        assert_eq!(bands.legend(&[[0.21, 0.3], [0.15, 0.3]]).len(), 2);
     }
 
     #[test]

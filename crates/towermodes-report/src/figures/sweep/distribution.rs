@@ -24,11 +24,15 @@ pub(super) fn of_each(columns: &SweepColumns<'_>) -> Figure {
     let shown = &columns.modes[..columns.modes.len().min(MOST_PANELS)];
     let histograms: Vec<Histogram<'_>> = shown.iter().map(Histogram::of).collect();
     let height = panel_height(histograms.len());
+    let ranges: Vec<[f64; 2]> = histograms
+        .iter()
+        .map(|histogram| columns.bands.extended(histogram.range))
+        .collect();
     let (bands, all) = (&columns.bands, height * histograms.len().max(1) as f64);
     let legend = Legend {
         left_top: (BESIDE, all),
         room: WIDTH - 2.0 * BESIDE,
-        entries: bands.legend(),
+        entries: bands.legend(&ranges),
     };
     let mut drawing = Drawing::new(WIDTH, all + legend.height());
     for (index, histogram) in histograms.iter().enumerate() {

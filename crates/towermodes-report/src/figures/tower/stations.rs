@@ -6,12 +6,17 @@ use super::callouts::{Callout, Subject};
 use super::view::View;
 use crate::number::{length, mass, short, wall};
 
+/// Stations at most so far apart are the sides of a step, m: some files cannot have two stations at
+/// one height and put them a millimetre apart.
+const STEP_M: f64 = 0.002;
+
 /// The tube, or the stiffness, at each station's height; of a step both sides.
 pub(super) fn station_callouts(view: &View<'_>) -> Vec<Callout> {
     let tower = view.parts.tower;
-    let tubes = tower.stations().chunk_by(|a, b| a.height_m == b.height_m);
+    let is_step = |a: f64, b: f64| b - a <= STEP_M;
+    let tubes = tower.stations().chunk_by(|a, b| is_step(a.height_m, b.height_m));
     let tubes = tubes.map(|there| (there[0].height_m, tube_text(there)));
-    let rows = tower.properties().chunk_by(|a, b| a.height_m == b.height_m);
+    let rows = tower.properties().chunk_by(|a, b| is_step(a.height_m, b.height_m));
     let rows = rows.map(|there| (there[0].height_m, row_text(there)));
     let callout = |(height_m, text): (f64, String)| Callout {
         at: view.on_shell(height_m),

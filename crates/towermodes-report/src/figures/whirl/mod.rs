@@ -18,7 +18,7 @@ const MOST_SECTIONS: usize = 20;
 /// The largest number of modes in the figure.
 const MOST_MODES: usize = 18;
 /// Panels in a row.
-const COLUMNS: usize = 3;
+const COLUMNS: usize = 2;
 /// Width of the sheet.
 const WIDTH: f64 = 900.0;
 /// Left edge of the first panel, and from panel to panel.
@@ -62,10 +62,14 @@ fn notes(modes: &TurbineModes) -> [String; 2] {
         0 => String::new(),
         more => format!(" The {more} modes above are not drawn."),
     };
+    let arrow = match modes.rotor_speed_rpm > 0.0 {
+        true => ", the arrow is the rotation of the rotor",
+        false => "",
+    };
     [
-        "Solid: the largest deflection; dashed: a quarter of a period later, with the rotor rotated; thin: positions of the tips at all azimuths.".to_owned(),
+        "Solid, in the colour of the Campbell diagram: the largest deflection; dashed: a quarter of a period later, with the rotor rotated; thin: positions of the tips at all azimuths.".to_owned(),
         format!(
-            "Grey: undeformed. From the side and from downwind; the largest deflection is {} % of the tower's height.{left_out}",
+            "Grey: undeformed. Left: from the side; right: from downwind{arrow}; the largest deflection is {} % of the tower's height.{left_out}",
             short(100.0 * REACH, 3)
         ),
     ]

@@ -6,15 +6,18 @@ use towermodes::turbine::{Turbine, TurbineMode, TurbineModes};
 
 use super::geometry::{Geometry, Moment, Place};
 use super::{MOST_SECTIONS, few, tower_heights};
+use crate::figures::campbell::part_colour;
 use crate::number::four_digits;
 use crate::svg::{Colour, Dash, Drawing, Stroke, TextStyle};
 
 /// Width and height of a panel.
-pub(super) const PANEL: (f64, f64) = (285.0, 214.0);
+pub(super) const PANEL: (f64, f64) = (432.0, 330.0);
 /// Room above the views for name and frequency.
 const HEADING: f64 = 34.0;
 /// Between the views, and between panels.
 const GAP: f64 = 8.0;
+/// Radius of the arrow of rotation.
+const ARROW: f64 = 26.0;
 /// Points around the rotor.
 const AROUND: usize = 36;
 
@@ -116,6 +119,7 @@ pub(super) fn draw_panel(
     draw_view(drawing, scene, mode, (View::Side, [left, top]));
     let beside = left + width + GAP;
     draw_view(drawing, scene, mode, (View::Downwind, [beside, top]));
+    draw_rotation(drawing, scene, [beside, top]);
 }
 
 fn draw_view(
@@ -141,9 +145,9 @@ fn draw_view(
     let stills = [
         (
             0.25,
-            Stroke::new(Colour::Series(1), 1.2).dashed(Dash::Dashed),
+            Stroke::new(Colour::Ink, 1.0).dashed(Dash::Dashed),
         ),
-        (0.0, Stroke::new(Colour::Series(0), 1.8)),
+        (0.0, Stroke::new(part_colour(mode.name.part), 2.0)),
     ];
     for (periods, stroke) in stills {
         let moment = scene.after(periods, mode);
@@ -154,6 +158,30 @@ fn draw_view(
         draw(&[ring_of(scene, mode, &moment)], &ring);
         draw(&deformed(scene, mode, &moment), &stroke);
     }
+}
+
+/// An arrow around the hub in the view from downwind: the rotor rotates counterclockwise there.
+fn draw_rotation(drawing: &mut Drawing, scene: &Scene, [left, top]: [f64; 2]) {
+    if scene.speed_rad_per_s == 0.0 {
+        return;
+    }
+    let [_, y, z] = scene.geometry.apex_m;
+    let middle = (
+        left + scene.per_m * (y - scene.low[1]),
+        top + scene.per_m * (scene.high[2] - z),
+    );
+    let at = |degrees: f64| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        (middle.0 + ARROW * cos, middle.1 - ARROW * sin)
+    };
+    let stroke = Stroke::new(Colour::Ink, 1.3);
+    let arc = (0..=12).map(|k| at(f64::from(k).mul_add(5.0, 15.0)));
+    let arc: Vec<(f64, f64)> = arc.collect();
+    let (x, y) = arc[arc.len() - 1];
+    drawing.polyline(&arc, &stroke);
+    // Along the circle at 75 degrees: to the left and a little upwards.
+    let head = [(x - 4.8, y - 1.3), (x + 1.7, y + 5.1), (x + 4.1, y - 3.5)];
+    drawing.polygon(&head, Colour::Ink, None);
 }
 
 /// Tower and blades at rest, the first blade up: straight lines.
