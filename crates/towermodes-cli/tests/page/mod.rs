@@ -32,9 +32,13 @@ fn page(view: View) -> Option<OpenPage> {
 
 const NO_PHASE: &str = "document.querySelector('#animation-phase').disabled";
 
-fn pressed(page: &OpenPage) -> String {
-    page.text("document.querySelector('#animation-play').getAttribute('aria-pressed')")
+/// What the button would do.
+fn play(page: &OpenPage) -> String {
+    page.text("document.querySelector('#animation-play').textContent")
 }
+
+/// Whether the animation plays.
+const PLAYS: &str = "document.querySelector('#animation-play').textContent === 'Pause'";
 
 #[test]
 fn play_moves_the_shape_and_pause_stops_it() {
@@ -43,15 +47,16 @@ fn play_moves_the_shape_and_pause_stops_it() {
     std::thread::sleep(std::time::Duration::from_millis(200));
     let found = page.text(OUTLINES);
     assert_eq!(found, before, "it moves before anybody wants it");
+    assert_eq!(play(&page), "Play");
     page.click("#animation-play");
-    assert_eq!(pressed(&page), "true");
+    assert_eq!(play(&page), "Pause");
     page.wait_for(&format!("{OUTLINES} !== {}", Value::from(before)));
-    // What is pressed keeps its name: the state says the rest (WAI-ARIA, pattern "button").
-    page.text("document.querySelector('#animation-play').textContent")
-        .reads("Play");
+    // A button whose name changes has no other state (WAI-ARIA, pattern "button").
+    let state = "document.querySelector('#animation-play').hasAttribute('aria-pressed')";
+    assert_eq!(page.value(state), Value::Bool(false));
     assert_eq!(page.value(NO_PHASE), Value::Bool(true));
     page.click("#animation-play");
-    assert_eq!(pressed(&page), "false");
+    assert_eq!(play(&page), "Play");
     let stopped = page.text(OUTLINES);
     std::thread::sleep(std::time::Duration::from_millis(200));
     assert_eq!(page.text(OUTLINES), stopped, "it does not stop");
@@ -63,13 +68,9 @@ fn keys_play_and_choose_modes() {
     let Some(page) = page(WIDE) else { return };
     page.value("document.querySelector('#animation-play').focus()");
     page.press(" ");
-    page.wait_for(
-        "document.querySelector('#animation-play').getAttribute('aria-pressed') === 'true'",
-    );
+    page.wait_for(PLAYS);
     page.press(" ");
-    page.wait_for(
-        "document.querySelector('#animation-play').getAttribute('aria-pressed') === 'false'",
-    );
+    page.wait_for(&format!("!({PLAYS})"));
     page.value("document.querySelector('#animation-stage').focus()");
     for ignored in [
         "{ key: ' ', repeat: true }",
@@ -80,7 +81,7 @@ fn keys_play_and_choose_modes() {
         page.value(&format!(
             "document.activeElement.dispatchEvent(new KeyboardEvent('keydown', Object.assign({{ bubbles: true, cancelable: true }}, {ignored})))"
         ));
-        assert_eq!(pressed(&page), "false");
+        assert_eq!(play(&page), "Play");
     }
     // The space bar has its own meaning on a box: it takes the third mode in and out, and nothing
     // plays.
@@ -89,7 +90,7 @@ fn keys_play_and_choose_modes() {
         page.press(" ");
         page.wait_for(&format!("{MODES} === {shown}"));
     }
-    assert_eq!(pressed(&page), "false");
+    assert_eq!(play(&page), "Play");
     page.was_quiet();
 }
 
@@ -369,9 +370,7 @@ fn every_example_is_quiet_and_its_labels_are_inside_their_pictures() {
         assert!(!numbers.contains("NaN"), "{example}");
         assert!(!numbers.contains("null"), "{example}");
         page.click("#animation-play");
-        page.wait_for(
-            "document.querySelector('#animation-play').getAttribute('aria-pressed') === 'true'",
-        );
+        page.wait_for(PLAYS);
         page.was_quiet();
     }
 }
@@ -391,7 +390,7 @@ fn every_picture_has_words_and_numbers() {
         "pictures without title or description"
     );
     let without_numbers = page.value(
-        "[...document.querySelectorAll('figure')].filter(figure => figure.querySelector('svg[role=img]') && !figure.querySelector('details table tbody tr') && !(figure.textContent.includes('Its numbers are in the tables of this section.') && figure.parentElement.querySelector('table tbody tr'))).length",
+        "[...document.querySelectorAll('figure')].filter(figure => figure.querySelector('svg[role=img]') && !document.querySelector(`${figure.querySelector('figcaption a')?.getAttribute('href') ?? '#none'} table tbody tr`) && !(figure.textContent.includes('Its numbers are in the tables of this section.') && figure.parentElement.querySelector('table tbody tr'))).length",
     );
     assert_eq!(without_numbers, Value::from(0), "pictures without a table");
     let nameless = page.value(
@@ -400,11 +399,101 @@ fn every_picture_has_words_and_numbers() {
     assert_eq!(nameless, Value::from(0), "tables without caption or scope");
 }
 
+/// What a page would save, in place of a file: the text and its type.
+const CATCH: &str = "(() => { window.saved = null; HTMLAnchorElement.prototype.click = function () { window.savedAs = this.download; }; \
+    URL.createObjectURL = (blob) => { blob.text().then((text) => { window.saved = [blob.type, text]; }); return 'blob:none'; }; return 0; })()";
+
+/// What the button of this label saves, with the name of its file.
+fn saved(page: &OpenPage, label: &str) -> [String; 3] {
+    page.value(CATCH);
+    page.click(&format!("button[aria-label=\"{label}\"]"));
+    page.wait_for("window.saved !== null");
+    ["window.savedAs", "window.saved[0]", "window.saved[1]"].map(|what| page.text(what))
+}
+
+/// A saved picture is one file with its own colours, the same in both themes.
+#[test]
+fn pictures_are_saved_as_svg() {
+    let Some(page) = page(WIDE) else { return };
+    let [name, kind, svg] = saved(&page, "Save Figure 2 as SVG");
+    assert_eq!((&*name, &*kind), ("tower.svg", "image/svg+xml;charset=utf-8"));
+    for part in [
+        "xmlns=\"http://www.w3.org/2000/svg\"",
+        " width=\"900\"",
+        "class=\"f-paper\"",
+        ".f-ink { fill: rgb(27, 31, 36); }",
+        "</desc><style>",
+    ] {
+        assert!(svg.replace("#1b1f24", "rgb(27, 31, 36)").contains(part), "{part}: {}", &svg[..600]);
+    }
+    assert!(!svg.contains("var("));
+    page.look(changed!(WIDE, is_dark = true));
+    assert_eq!(saved(&page, "Save Figure 2 as SVG")[2], svg);
+    let pictures = page.value("document.querySelectorAll('figure').length");
+    let buttons = page.value("document.querySelectorAll('figure .tools button').length");
+    assert_eq!(pictures, buttons);
+    page.was_quiet();
+}
+
+/// The rows of a table as CSV, its numbers in digits that programs read.
+#[test]
+fn tables_are_saved_as_csv_and_copied() {
+    let Some(page) = page(WIDE) else { return };
+    let number = page.text("/^Table \\d+/.exec(document.querySelector('#frequencies caption').textContent)[0]");
+    let [name, kind, csv] = saved(&page, &format!("Save {number} as CSV"));
+    assert_eq!(name, format!("{}.csv", number.to_lowercase().replace(' ', "-")));
+    assert_eq!(kind, "text/csv;charset=utf-8");
+    let mut lines = csv.split("\r\n");
+    assert_eq!(lines.next(), Some("mode,mode shape,frequency (Hz),error (Hz),period (s)"));
+    let first: Vec<&str> = lines.next().expect("a row").split(',').collect();
+    let error: f64 = first[3].parse().expect("a number");
+    assert!(error > 0.0 && error < 1e-3, "{first:?}");
+    // Of a table that is shown in brief all rows are saved.
+    let margins = page.text("/^Table \\d+/.exec(document.querySelector('#resonance caption').textContent)[0]");
+    let rows = saved(&page, &format!("Save {margins} as CSV"))[2].matches("\r\n").count();
+    let whole = page.value("document.querySelectorAll('#resonance details.all tr').length");
+    assert_eq!(Value::from(rows), whole);
+    page.click(&format!("button[aria-label=\"Copy {margins}\"]"));
+    page.wait_for("[...document.querySelectorAll('.tools [role=status]')].some((place) => /^Copied|^Selected/.test(place.textContent))");
+    page.was_quiet();
+}
+
+/// Verdicts are in sight on a telephone without scrolling.
+#[test]
+fn verdicts_are_in_sight_on_narrow_windows() {
+    let narrow = View {
+        width: 360,
+        is_dark: false,
+    };
+    for example in ["nrel-5mw.toml", "nrel-5mw-turbine.toml"] {
+        let Some(page) = OpenPage::open(|| report_of(example), narrow) else {
+            return;
+        };
+        let verdicts = page.value("document.querySelectorAll('#summary td.mark, #resonance td.mark').length");
+        assert!(verdicts.as_u64().is_some_and(|count| count > 8), "{verdicts}");
+        let beyond = "[...document.querySelectorAll('td.mark .verdict')].filter((mark) => mark.checkVisibility() && mark.getBoundingClientRect().right > innerWidth && !mark.closest('#soil')).map((mark) => mark.closest('tr').textContent).slice(0, 3)";
+        assert_eq!(page.value(beyond), Value::Array(vec![]), "{example}");
+    }
+}
+
+/// The text on a button under the pointer, in every state and theme.
+#[test]
+fn buttons_can_be_read_under_the_pointer() {
+    for view in [WIDE, changed!(WIDE, is_dark = true)] {
+        let Some(page) = page(view) else { return };
+        for _ in 0..2 {
+            page.click("#animation-play");
+            assert_eq!(page.value(READABLE), Value::Array(vec![]), "{}", play(&page));
+        }
+        page.was_quiet();
+    }
+}
+
 #[test]
 fn every_control_is_reached_by_the_keyboard_and_shows_it() {
     let Some(page) = page(WIDE) else { return };
     let mut reached = Vec::new();
-    for _ in 0..120 {
+    for _ in 0..240 {
         page.press("Tab");
         let here = page.value(
             "(() => { const e = document.activeElement; const s = getComputedStyle(e); return [e.id || e.name || e.tagName, s.outlineStyle !== 'none' || s.boxShadow !== 'none']; })()",

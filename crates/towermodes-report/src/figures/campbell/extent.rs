@@ -62,15 +62,19 @@ fn beside_curves(campbell: &Campbell, from_hz: f64) -> f64 {
         let [low, high] = extent(hz)?;
         Some([low * (1.0 - BESIDE), high * (1.0 + BESIDE)])
     });
-    let mut ranges: Vec<[f64; 2]> = ranges.collect();
+    beside(ranges.collect(), from_hz)
+}
+
+/// The next value outside all ranges; the same if that is far above.
+fn beside(mut ranges: Vec<[f64; 2]>, from: f64) -> f64 {
     ranges.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let above = |end_hz: f64, [low, high]: [f64; 2]| match low < end_hz && end_hz < high {
+    let above = |end: f64, [low, high]: [f64; 2]| match low < end && end < high {
         true => high,
-        false => end_hz,
+        false => end,
     };
-    match ranges.into_iter().fold(from_hz, above) {
-        end_hz if end_hz <= MOVED * from_hz => end_hz,
-        _ => from_hz,
+    match ranges.into_iter().fold(from, above) {
+        end if end <= MOVED * from => end,
+        _ => from,
     }
 }
 
@@ -150,4 +154,19 @@ fn judged_hz(campbell: &Campbell, multiples: &[usize], end_hz: f64) -> f64 {
             && multiples.contains(&margin.multiple)
     });
     judged.map(|margin| margin.natural_hz).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::beside;
+
+    /// From 1 the ranges 0.9 to 1.2 and 1.1 to 1.5 are passed; 2.5 is more than 2.2 times as high.
+    #[test]
+    fn the_break_between_fields_cuts_no_curve() {
+        let ranges = vec![[1.1, 1.5], [0.2, 0.3], [0.9, 1.2], [1.6, 2.0]];
+        assert_eq!(beside(ranges, 1.0), 1.5);
+        assert_eq!(beside(vec![[1.1, 1.5]], 1.0), 1.0);
+        assert_eq!(beside(vec![[0.9, 2.5]], 1.0), 1.0);
+        assert_eq!(beside(vec![[0.9, 2.1], [1.0, 1.1]], 1.0), 2.1);
+    }
 }
