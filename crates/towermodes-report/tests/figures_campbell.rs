@@ -350,7 +350,12 @@ fn the_numbers_of_a_diagram_are_its_lines() {
     diagram.rotor.highest_rpm = 12.0;
     let tower = format!("{} (Hz)", diagram.lines[0].label);
     let table = figures::campbell(&diagram).table;
-    let head = ["rotor speed (rpm)", &tower, "blade 1st flap (Hz)", "3P (Hz)"];
+    let head = [
+        "rotor speed (rpm)",
+        &tower,
+        "blade 1st flap (Hz)",
+        "3P (Hz)",
+    ];
     assert_eq!(table.header, head);
     let expected = [
         ["0", "0.5000", "0.7000", "0.0000"],

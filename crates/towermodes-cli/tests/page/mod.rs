@@ -416,7 +416,10 @@ fn saved(page: &OpenPage, label: &str) -> [String; 3] {
 fn pictures_are_saved_as_svg() {
     let Some(page) = page(WIDE) else { return };
     let [name, kind, svg] = saved(&page, "Save Figure 2 as SVG");
-    assert_eq!((&*name, &*kind), ("tower.svg", "image/svg+xml;charset=utf-8"));
+    assert_eq!(
+        (&*name, &*kind),
+        ("tower.svg", "image/svg+xml;charset=utf-8")
+    );
     for part in [
         "xmlns=\"http://www.w3.org/2000/svg\"",
         " width=\"900\"",
@@ -424,7 +427,11 @@ fn pictures_are_saved_as_svg() {
         ".f-ink { fill: rgb(27, 31, 36); }",
         "</desc><style>",
     ] {
-        assert!(svg.replace("#1b1f24", "rgb(27, 31, 36)").contains(part), "{part}: {}", &svg[..600]);
+        assert!(
+            svg.replace("#1b1f24", "rgb(27, 31, 36)").contains(part),
+            "{part}: {}",
+            &svg[..600]
+        );
     }
     assert!(!svg.contains("var("));
     page.look(changed!(WIDE, is_dark = true));
@@ -439,18 +446,28 @@ fn pictures_are_saved_as_svg() {
 #[test]
 fn tables_are_saved_as_csv_and_copied() {
     let Some(page) = page(WIDE) else { return };
-    let number = page.text("/^Table \\d+/.exec(document.querySelector('#frequencies caption').textContent)[0]");
+    let number = page
+        .text("/^Table \\d+/.exec(document.querySelector('#frequencies caption').textContent)[0]");
     let [name, kind, csv] = saved(&page, &format!("Save {number} as CSV"));
-    assert_eq!(name, format!("{}.csv", number.to_lowercase().replace(' ', "-")));
+    assert_eq!(
+        name,
+        format!("{}.csv", number.to_lowercase().replace(' ', "-"))
+    );
     assert_eq!(kind, "text/csv;charset=utf-8");
     let mut lines = csv.split("\r\n");
-    assert_eq!(lines.next(), Some("mode,mode shape,frequency (Hz),error (Hz),period (s)"));
+    assert_eq!(
+        lines.next(),
+        Some("mode,mode shape,frequency (Hz),error (Hz),period (s)")
+    );
     let first: Vec<&str> = lines.next().expect("a row").split(',').collect();
     let error: f64 = first[3].parse().expect("a number");
     assert!(error > 0.0 && error < 1e-3, "{first:?}");
     // Of a table that is shown in brief all rows are saved.
-    let margins = page.text("/^Table \\d+/.exec(document.querySelector('#resonance caption').textContent)[0]");
-    let rows = saved(&page, &format!("Save {margins} as CSV"))[2].matches("\r\n").count();
+    let margins = page
+        .text("/^Table \\d+/.exec(document.querySelector('#resonance caption').textContent)[0]");
+    let rows = saved(&page, &format!("Save {margins} as CSV"))[2]
+        .matches("\r\n")
+        .count();
     let whole = page.value("document.querySelectorAll('#resonance details.all tr').length");
     assert_eq!(Value::from(rows), whole);
     page.click(&format!("button[aria-label=\"Copy {margins}\"]"));
@@ -469,8 +486,12 @@ fn verdicts_are_in_sight_on_narrow_windows() {
         let Some(page) = OpenPage::open(|| report_of(example), narrow) else {
             return;
         };
-        let verdicts = page.value("document.querySelectorAll('#summary td.mark, #resonance td.mark').length");
-        assert!(verdicts.as_u64().is_some_and(|count| count > 8), "{verdicts}");
+        let verdicts =
+            page.value("document.querySelectorAll('#summary td.mark, #resonance td.mark').length");
+        assert!(
+            verdicts.as_u64().is_some_and(|count| count > 8),
+            "{verdicts}"
+        );
         let beyond = "[...document.querySelectorAll('td.mark .verdict')].filter((mark) => mark.checkVisibility() && mark.getBoundingClientRect().right > innerWidth && !mark.closest('#soil')).map((mark) => mark.closest('tr').textContent).slice(0, 3)";
         assert_eq!(page.value(beyond), Value::Array(vec![]), "{example}");
     }
@@ -483,7 +504,12 @@ fn buttons_can_be_read_under_the_pointer() {
         let Some(page) = page(view) else { return };
         for _ in 0..2 {
             page.click("#animation-play");
-            assert_eq!(page.value(READABLE), Value::Array(vec![]), "{}", play(&page));
+            assert_eq!(
+                page.value(READABLE),
+                Value::Array(vec![]),
+                "{}",
+                play(&page)
+            );
         }
         page.was_quiet();
     }

@@ -106,7 +106,9 @@ fn chart(x: Axis, values: &[f64], modes: &[BandMode], rotor: Excitations<'_>) ->
         let mut multiples = vec![1, rotor.blades];
         multiples.dedup();
         let bands = multiples.into_iter();
-        bands.map(|multiple| forbidden(rotor, margin, multiple)).collect()
+        bands
+            .map(|multiple| forbidden(rotor, margin, multiple))
+            .collect()
     });
     let bands: Vec<Band> = bands.unwrap_or_default();
     Chart {

@@ -24,7 +24,9 @@ pub fn markdown(content: &ReportContent) -> String {
     }
     for (mark, section) in document.marked_sections() {
         let blocks = section.blocks.iter();
-        let blocks: Vec<String> = blocks.filter_map(|block| of_block(block, content)).collect();
+        let blocks: Vec<String> = blocks
+            .filter_map(|block| of_block(block, content))
+            .collect();
         if blocks.is_empty() {
             continue;
         }

@@ -205,8 +205,7 @@ const SECTIONS: &str = r#"
 "#;
 
 /// The appendix of the page alone: Markdown has a command in place of the numbers of a picture.
-const NUMBERS: &str =
-    "<a href=\"#numbers\">Appendix C. Numbers of the figures</a>";
+const NUMBERS: &str = "<a href=\"#numbers\">Appendix C. Numbers of the figures</a>";
 
 #[test]
 fn every_section_is_there_in_its_order() {

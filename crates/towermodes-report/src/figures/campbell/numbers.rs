@@ -47,7 +47,9 @@ fn speeds(campbell: &Campbell) -> Vec<f64> {
     let lines = campbell.lines.iter().filter(|line| !is_level(line));
     let points = lines.flat_map(|line| line.points.iter().map(|[rpm, _]| *rpm));
     let rotor = &campbell.rotor;
-    let mut speeds: Vec<f64> = points.chain([rotor.lowest_rpm, rotor.highest_rpm]).collect();
+    let mut speeds: Vec<f64> = points
+        .chain([rotor.lowest_rpm, rotor.highest_rpm])
+        .collect();
     speeds.sort_by(f64::total_cmp);
     speeds.dedup();
     speeds

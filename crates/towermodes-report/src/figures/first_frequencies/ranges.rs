@@ -77,7 +77,10 @@ pub(super) fn lanes(campbell: &Campbell) -> Vec<Lane> {
     let first = bending
         .into_iter()
         .filter_map(|family| lines().find(|(_, line)| is_first_of(line, family)));
-    let of_turbine = campbell.first_bending.iter().map(|line| &campbell.lines[*line]);
+    let of_turbine = campbell
+        .first_bending
+        .iter()
+        .map(|line| &campbell.lines[*line]);
     let of_turbine = of_turbine.filter(|line| matches!(line.of, Excited::Turbine { .. }));
     let first = first.map(|(_, line)| line).chain(of_turbine);
     first.filter_map(|line| lane(campbell, line)).collect()

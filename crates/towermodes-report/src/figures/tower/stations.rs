@@ -14,9 +14,13 @@ const STEP_M: f64 = 0.002;
 pub(super) fn station_callouts(view: &View<'_>) -> Vec<Callout> {
     let tower = view.parts.tower;
     let is_step = |a: f64, b: f64| b - a <= STEP_M;
-    let tubes = tower.stations().chunk_by(|a, b| is_step(a.height_m, b.height_m));
+    let tubes = tower
+        .stations()
+        .chunk_by(|a, b| is_step(a.height_m, b.height_m));
     let tubes = tubes.map(|there| (there[0].height_m, tube_text(there)));
-    let rows = tower.properties().chunk_by(|a, b| is_step(a.height_m, b.height_m));
+    let rows = tower
+        .properties()
+        .chunk_by(|a, b| is_step(a.height_m, b.height_m));
     let rows = rows.map(|there| (there[0].height_m, row_text(there)));
     let callout = |(height_m, text): (f64, String)| Callout {
         at: view.on_shell(height_m),

@@ -143,10 +143,7 @@ fn draw_view(
     };
     draw(&undeformed(scene, mode), &Stroke::new(Colour::Muted, 0.8));
     let stills = [
-        (
-            0.25,
-            Stroke::new(Colour::Ink, 1.0).dashed(Dash::Dashed),
-        ),
+        (0.25, Stroke::new(Colour::Ink, 1.0).dashed(Dash::Dashed)),
         (0.0, Stroke::new(part_colour(mode.name.part), 2.0)),
     ];
     for (periods, stroke) in stills {

@@ -60,7 +60,7 @@ fn with_numbers(mut document: Document) -> Document {
 }
 
 fn body(content: &ReportContent) -> Vec<Section> {
-    let section = |id, title, blocks| section(id, title.to_owned(), blocks);
+    let section = |id, title: &str, blocks| section(id, title.to_owned(), blocks);
     let of_rigid = |id, title, blocks| of_rigid(content, id, title, blocks);
     let mut sections = vec![
         section("summary", "Summary", summary::blocks(content)),
@@ -74,7 +74,11 @@ fn body(content: &ReportContent) -> Vec<Section> {
     }
     let frequencies = frequencies::blocks(content);
     sections.push(of_rigid("frequencies", "Natural frequencies", frequencies));
-    sections.push(of_rigid("resonance", "Resonance", resonance::blocks(content)));
+    sections.push(of_rigid(
+        "resonance",
+        "Resonance",
+        resonance::blocks(content),
+    ));
     // After the resonance that they explain.
     if let Some(band) = &content.soil_band {
         sections.push(of_rigid("soil", "Soil stiffness", soil_band::blocks(band)));
@@ -121,12 +125,7 @@ fn section(id: &'static str, title: String, blocks: Vec<Block>) -> Section {
 
 /// A section on the tower with the rotor-nacelle assembly as a rigid body, which its title says
 /// where another section has the turbine with its flexible rotor.
-fn of_rigid(
-    content: &ReportContent,
-    id: &'static str,
-    title: &str,
-    blocks: Vec<Block>,
-) -> Section {
+fn of_rigid(content: &ReportContent, id: &'static str, title: &str, blocks: Vec<Block>) -> Section {
     let model = match &content.turbine {
         Some(Ok(_)) => RIGID,
         Some(Err(_)) | None => "",

@@ -31,7 +31,9 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let model = if has_turbine { RIGID } else { "" };
     let figure = figures::campbell_beside_conclusion(campbell);
     let figure = Figure {
-        title: figure.title.replacen("diagram", &format!("diagram{model}"), 1),
+        title: figure
+            .title
+            .replacen("diagram", &format!("diagram{model}"), 1),
         ..figure
     };
     let mut blocks = vec![
@@ -173,7 +175,8 @@ pub(super) fn meaning(campbell: &Campbell) -> Vec<Block> {
     if campbell.speeds_are_known() {
         return Vec::new();
     }
-    let how = "With --rpm LOWEST,HIGHEST, or with these lines in a tower file, each pair has a verdict:";
+    let how =
+        "With --rpm LOWEST,HIGHEST, or with these lines in a tower file, each pair has a verdict:";
     vec![paragraph(how), Block::Code(ROTOR.to_owned())]
 }
 
