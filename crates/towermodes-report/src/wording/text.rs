@@ -22,7 +22,10 @@ pub fn listed(items: &[String]) -> String {
 /// A message as a sentence of a document: its first word with a capital unless it is a name (of a
 /// file, of a value), without the marks of code.
 pub fn sentence(message: &str) -> String {
-    let message = message.replace('`', "");
+    let message = match message.matches('`').count() % 2 {
+        0 => message.replace('`', ""),
+        _ => message.to_owned(),
+    };
     let word = message.split([' ', ',', ':']).next().unwrap_or_default();
     let is_word = word.chars().all(|c| c.is_ascii_lowercase() || c == '-');
     let mut letters = message.chars();
@@ -61,6 +64,7 @@ mod tests {
             assert_eq!(sentence(name), name);
         }
         assert_eq!(sentence("`PtfmRefzt` is read"), "PtfmRefzt is read");
+        assert_eq!(sentence("A ` alone"), "A ` alone");
     }
 
     #[test]

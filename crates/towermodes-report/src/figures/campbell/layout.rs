@@ -12,7 +12,7 @@ use super::rays::{self, Labelled, end_hz};
 
 /// Height of the field, of the lower one of two, and the least and most of the upper one.
 const ALONE: f64 = 400.0;
-const LOWER: f64 = 380.0;
+const LOWER: f64 = 340.0;
 const UPPER: [f64; 2] = [130.0, 240.0];
 /// Between two fields.
 const BETWEEN: f64 = 14.0;

@@ -80,7 +80,7 @@ pub(super) fn lanes(campbell: &Campbell) -> Vec<Lane> {
     let of_turbine = campbell
         .first_bending
         .iter()
-        .map(|line| &campbell.lines[*line]);
+        .filter_map(|line| campbell.lines.get(*line));
     let of_turbine = of_turbine.filter(|line| matches!(line.of, Excited::Turbine { .. }));
     let first = first.map(|(_, line)| line).chain(of_turbine);
     first.filter_map(|line| lane(campbell, line)).collect()

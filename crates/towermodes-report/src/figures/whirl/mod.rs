@@ -18,7 +18,7 @@ const MOST_SECTIONS: usize = 20;
 /// The largest number of modes in the figure.
 const MOST_MODES: usize = 18;
 /// Panels in a row.
-const COLUMNS: usize = 2;
+const COLUMNS: usize = 3;
 /// Width of the sheet.
 const WIDTH: f64 = 900.0;
 /// Left edge of the first panel, and from panel to panel.

@@ -11,7 +11,7 @@ use crate::number::four_digits;
 use crate::svg::{Colour, Dash, Drawing, Stroke, TextStyle};
 
 /// Width and height of a panel.
-pub(super) const PANEL: (f64, f64) = (432.0, 330.0);
+pub(super) const PANEL: (f64, f64) = (285.0, 264.0);
 /// Room above the views for name and frequency.
 const HEADING: f64 = 34.0;
 /// Between the views, and between panels.

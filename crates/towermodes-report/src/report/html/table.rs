@@ -11,7 +11,7 @@ const LONG_NUMBER: usize = 24;
 /// Texts with more characters have a width of their own.
 const LONG_TEXT: usize = 40;
 /// Numbers of pictures with more columns are several tables: paper has no room for one.
-const WIDE: usize = 12;
+const WIDE: usize = 14;
 /// Units with at most this number of characters are not broken across lines.
 const UNIT: usize = 12;
 
@@ -56,9 +56,10 @@ pub(super) fn of_data(number: usize, title: &str, data: &DataTable) -> String {
     let Some((first, others)) = columns.split_first().filter(|_| columns.len() > WIDE) else {
         return of_columns(&format!("{caption}."), &columns, |row| row.to_vec(), data);
     };
-    let parts = others.chunks(WIDE - 1).enumerate();
+    // About equally many in each.
+    let size = others.len().div_ceil(others.len().div_ceil(WIDE - 1));
     let part = |(part, own): (usize, &[Column])| {
-        let from = 1 + part * (WIDE - 1);
+        let from = 1 + part * size;
         let to = from + own.len();
         let caption = format!(
             "{caption}, columns {} to {to} of {}.",
@@ -72,7 +73,7 @@ pub(super) fn of_data(number: usize, title: &str, data: &DataTable) -> String {
         };
         of_columns(&caption, &own, cells, data)
     };
-    parts.map(part).collect()
+    others.chunks(size).enumerate().map(part).collect()
 }
 
 /// Columns of the numbers of a picture; `cells` picks theirs from a row.

@@ -41,7 +41,7 @@ fn verdict_table(
     let is_checked = |campbell: &&Campbell| campbell.not_checked.is_empty();
     let coupled = turbine.map(|of| &of.coupled.campbell);
     if let Some(campbell) = coupled.filter(is_checked) {
-        let caption = "Verdicts on the turbine with rotating rotor";
+        let caption = "Verdicts on the turbine with rotating rotor; frequencies at the rotor speed of the nearest excitation";
         return verdicts::of_diagram(campbell, caption, verdicts::is_first_of_turbine);
     }
     if let Some(campbell) = rigid.filter(is_checked) {
@@ -185,7 +185,10 @@ fn verification(content: &ReportContent) -> Statement {
         ),
     };
     Statement {
-        lead: "Numerical verification",
+        lead: match content.turbine {
+            Some(Ok(_)) => "Numerical verification (rigid rotor)",
+            Some(Err(_)) | None => "Numerical verification",
+        },
         text: format!(
             "Mode list {}. The largest numerical error of a frequency is {} %. The uncertainty of the input is not included. {messages}",
             completeness(&solution.certificate, solution.modes.len()),
