@@ -563,7 +563,7 @@ fn hostile_names_stay_text() {
             .all(|piece| !matches!(piece, Piece::Start(_, a) if !is_sound(a)))
     );
     let text = read(&page);
-    for what in ["title", "name", "note", "command", "file"] {
+    for what in ["title", "name", "Note", "command", "file"] {
         text.says(&format!("{what} {HOSTILE}"));
     }
     nested(&pieces);
