@@ -39,10 +39,13 @@ fn verdict_table(
 ) -> Table {
     let first = verdicts::first(&content.solution);
     let is_checked = |campbell: &&Campbell| campbell.not_checked.is_empty();
-    let coupled = turbine.map(|of| &of.coupled.campbell);
-    if let Some(campbell) = coupled.filter(is_checked) {
+    if let Some(of) = turbine {
+        let (coupled, is_first) = (&of.coupled, verdicts::is_first_of_turbine);
         let caption = "Verdicts on the turbine with rotating rotor; frequencies at the rotor speed of the nearest excitation";
-        return verdicts::of_diagram(campbell, caption, verdicts::is_first_of_turbine);
+        return match is_checked(&&coupled.campbell) {
+            true => verdicts::of_diagram(&coupled.campbell, caption, is_first),
+            false => verdicts::of_unjudged_turbine(coupled),
+        };
     }
     if let Some(campbell) = rigid.filter(is_checked) {
         let is_first = |line: &FrequencyLine| match line.of {
@@ -51,10 +54,9 @@ fn verdict_table(
         };
         return verdicts::of_diagram(campbell, "Verdicts", is_first);
     }
-    let caption = match (turbine.is_some(), has_rna(content)) {
-        (true, _) => "First modes of the tower with a rigid rotor",
-        (false, true) => "First modes",
-        (false, false) => "First modes of the tower without rotor-nacelle assembly",
+    let caption = match has_rna(content) {
+        true => "First modes",
+        false => "First modes of the tower without rotor-nacelle assembly",
     };
     verdicts::without_verdicts(&first, caption)
 }

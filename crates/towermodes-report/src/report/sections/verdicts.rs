@@ -1,9 +1,11 @@
 //! The table of the summary: the first modes and those with a warning, each with the excitation that
 //! decides its verdict.
 
-use towermodes::turbine::TurbinePart;
+use towermodes::tower::Rpm;
+use towermodes::turbine::{TurbineModeName, TurbinePart};
 use towermodes::{Family, Mode, Solution};
 use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, Margin};
+use towermodes_analysis::whirl::CoupledCampbell;
 
 use super::super::table::{Cell, Table};
 use super::resonance::distance;
@@ -48,6 +50,21 @@ pub(super) fn without_verdicts(first: &[&Mode], caption: &str) -> Table {
     table
 }
 
+/// The first modes of tower and drivetrain of a turbine without verdicts, at the highest speed of
+/// its rotor.
+pub(super) fn of_unjudged_turbine(coupled: &CoupledCampbell) -> Table {
+    let rpm = coupled.campbell.rotor.highest_rpm;
+    let caption = format!("First modes of the turbine at {} rpm", Rpm(rpm));
+    let mut table = Table::new(caption, ["mode", "#f (Hz)", "#period (s)"]);
+    for name in coupled.names.iter().filter(|name| is_first(**name)) {
+        if let Some(point) = coupled.at_rpm(*name, rpm) {
+            let own_hz = point.frequency.frequency_hz;
+            table.push([name.to_string(), hz(own_hz), period(own_hz)]);
+        }
+    }
+    table
+}
+
 /// The first modes of a diagram and those that do not pass, each with its worst verdict and the
 /// excitation that it belongs to. `is_first` picks the first modes.
 pub(super) fn of_diagram(
@@ -77,11 +94,13 @@ pub(super) fn of_diagram(
 /// Whether a mode of a turbine is the first of a part other than the blades.
 pub(super) fn is_first_of_turbine(line: &FrequencyLine) -> bool {
     match line.of {
-        Excited::Turbine { name, .. } => {
-            name.order == 1 && !matches!(name.part, TurbinePart::Blades(..))
-        }
+        Excited::Turbine { name, .. } => is_first(name),
         Excited::Tower { .. } | Excited::Blade { .. } => false,
     }
+}
+
+fn is_first(name: TurbineModeName) -> bool {
+    name.order == 1 && !matches!(name.part, TurbinePart::Blades(..))
 }
 
 /// The first line of each mode.
