@@ -23,10 +23,12 @@ impl Sea {
 
     /// What the files give for the next one.
     pub(super) fn defaults(&self) -> Result<WaterDefaults, ReadError> {
-        let mut files = self.files.iter();
-        files.try_fold(WaterDefaults::default(), |before, file| {
-            read_water(file, before)
-        })
+        let Some((fst, others)) = self.files.split_first() else {
+            return Ok(WaterDefaults::default());
+        };
+        let of_fst = water_of_fst(fst)?;
+        let mut others = others.iter();
+        others.try_fold(of_fst, |before, file| read_water(file, before))
     }
 
     /// The number of the depth that is used, and its file.
