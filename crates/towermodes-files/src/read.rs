@@ -156,8 +156,8 @@ fn mooring(input: Result<MooringInput, ReadError>) -> Result<Input, ReadError> {
     input.map(|input| Input::Mooring(Box::new(input)))
 }
 
-/// Refuses to take gravity from a floating tower: its buoyancy, the stiffness of its water plane and
-/// the weight of its lines are gravity too, and without them nothing holds it.
+/// Refuses to take gravity from a floating tower: its buoyancy, the stiffness of its water plane
+/// and the weight of its lines are gravity too, and without them nothing holds it.
 fn check_stands(tower: &TowerInput) -> Result<(), ReadError> {
     if tower.description.foundation.floating().is_none() {
         return Ok(());

@@ -67,7 +67,8 @@ impl MooringInput {
     /// # Errors
     /// [`ReadError::Mistakes`] at the line of what no mooring system can have.
     pub fn mooring(&self) -> Result<Mooring, ReadError> {
-        Mooring::new(self.description.clone()).map_err(|error| self.mistake(error))
+        Mooring::with_anchors_on_seabed(self.description.clone())
+            .map_err(|error| self.mistake(error))
     }
 
     /// The mooring system at the reference pose of the platform.

@@ -249,8 +249,8 @@ fn check_count(count: Option<Token<'_>>, rows: usize, title: &str) -> Result<(),
 }
 
 impl<'a> Rows<'a> {
-    /// Adds the columns that are not read to those that are not used; the note on names that are not
-    /// known.
+    /// Adds the columns that are not read to those that are not used; the note on names that are
+    /// not known.
     pub(super) fn note_unused(
         &self,
         read: &[Column],

@@ -118,9 +118,9 @@ impl Entry<'_> {
         self.name.wrong(kind).with_hint(hint)
     }
 
-    /// Refuses a stiffness that is larger than those on the diagonal allow: some motion would have a
-    /// negative one. Motions that the support holds do not count; the mass of the structure adds to
-    /// that of the soil.
+    /// Refuses a stiffness that is larger than those on the diagonal allow: some motion would have
+    /// a negative one. Motions that the support holds do not count; the mass of the structure adds
+    /// to that of the soil.
     fn check_size(
         &self,
         given: &[Self],

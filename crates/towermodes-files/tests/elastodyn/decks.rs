@@ -217,8 +217,8 @@ fn a_file_that_is_not_there_is_refused() {
         .says("(the platform moves); its foundation is in other files");
 }
 
-/// Without quotes a name ends at its first slash, also in OpenFAST; a quote that is not closed takes
-/// the whole line.
+/// Without quotes a name ends at its first slash, also in OpenFAST; a quote that is not closed
+/// takes the whole line.
 #[test]
 fn names_of_files_must_be_whole() {
     let options = ReadOptions::default();

@@ -6,8 +6,7 @@
 /// from still water. The seabed is level, at z = −[`depth_m`](Self::depth_m). Indices count from 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MooringDescription {
-    /// Depth of the seabed below still water, m. Anchors at one smaller depth
-    /// [are on the seabed](Self::depth_of_anchors_m) all the same.
+    /// Depth of the seabed below still water, m.
     pub depth_m: f64,
     /// Density of the water ρ, kg/m³.
     pub water_density_kg_per_m3: f64,

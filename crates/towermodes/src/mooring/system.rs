@@ -101,14 +101,31 @@ impl Seat {
 }
 
 impl Mooring {
+    /// The mooring system of a description from a file, whose depth may be that of another place:
+    /// if all anchors are at one depth and nothing is below them, they are on the seabed, even if
+    /// the given depth is greater. [`warnings`](Self::warnings) contain the difference.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_anchors_on_seabed(
+        mut description: MooringDescription,
+    ) -> Result<Self, MooringError> {
+        let given_depth_m = description.depth_m;
+        description.depth_m = description.depth_under_lines_m();
+        let mooring = Self::new(description)?;
+        Ok(Self {
+            given_depth_m,
+            ..mooring
+        })
+    }
+
     /// Checks a description and makes the mooring system of it.
     ///
     /// # Errors
     /// [`MooringError`] that describes the first invalid value.
-    pub fn new(mut description: MooringDescription) -> Result<Self, MooringError> {
+    pub fn new(description: MooringDescription) -> Result<Self, MooringError> {
         check(&description)?;
         let given_depth_m = description.depth_m;
-        description.depth_m = description.depth_under_lines_m();
         let mut mooring = Self {
             given_depth_m,
             ropes: Vec::new(),
@@ -132,8 +149,7 @@ impl Mooring {
         }
     }
 
-    /// Its description, with the depth of the seabed under the lines: if all anchors are at one
-    /// depth and nothing is below them, they are on the seabed, even if the given depth is greater.
+    /// Its description, with the depth of the seabed under the lines.
     pub fn description(&self) -> &MooringDescription {
         &self.description
     }

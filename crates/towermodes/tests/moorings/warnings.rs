@@ -1,14 +1,14 @@
 //! What is possible but probably a mistake is told.
 
-use super::decks::{at_rest, buoyant, hywind, iea_22};
+use super::decks::{buoyant, hywind, iea_22};
 use towermodes::mooring::{
-    Attachment, LineType, Mooring, MooringDescription, MooringLine, MooringPoint,
+    Attachment, LineType, Mooring, MooringDescription, MooringLine, MooringPoint, Pose,
 };
 use towermodes_testing::{Close, Says};
 
 fn warnings(mooring: &MooringDescription) -> Vec<String> {
-    let state = at_rest(mooring);
-    let mooring = Mooring::new(mooring.clone()).expect("a valid mooring");
+    let mooring = Mooring::with_anchors_on_seabed(mooring.clone()).expect("a valid mooring");
+    let state = mooring.at(&Pose::default()).expect("a mooring at rest");
     mooring
         .warnings(&state)
         .iter()
@@ -29,7 +29,11 @@ fn the_seabed_is_at_the_anchors() {
     let found = warnings(&iea_22(300.0, 4.3234e9));
     assert_eq!(found.len(), 1, "{found:?}");
     found[0].begins("all anchors are at z = -200 m, but the depth is 300 m:");
-    let [deep, at_anchors] = [300.0, 200.0].map(|depth| at_rest(&iea_22(depth, 4.3234e9)));
+    let [deep, at_anchors] = [300.0, 200.0].map(|depth| {
+        let mooring = Mooring::with_anchors_on_seabed(iea_22(depth, 4.3234e9));
+        let at_rest = mooring.and_then(|mooring| mooring.at(&Pose::default()));
+        at_rest.expect("a mooring at rest")
+    });
     assert_eq!(deep.load, at_anchors.load);
     // The reference digits of the lines with their anchors on the seabed.
     (at_anchors.load.force[2] / -9278385.575 - 1.0).within(0.0, 1e-6);
@@ -77,7 +81,7 @@ fn an_axial_stiffness_in_another_unit_is_told_once() {
         ),
         (
             1e6,
-            "line type 1 has an axial stiffness EA of 384243000000000 N on a diameter of 0.09 m",
+            "line type 1 has an axial stiffness EA of 3.84243e14 N on a diameter of 0.09 m",
         ),
     ] {
         let mut other = hywind();

@@ -1,5 +1,5 @@
-//! The table of the summary: the first modes and those with a warning, each with the excitation that
-//! decides its verdict.
+//! The table of the summary: the first modes and those with a warning, each with the excitation
+//! that decides its verdict.
 
 use towermodes::tower::Rpm;
 use towermodes::turbine::{TurbineModeName, TurbinePart};

@@ -27,7 +27,7 @@ impl MooringLines {
     }
 
     fn about(&self, z_m: f64) -> Result<Mooring, MooringError> {
-        Mooring::new(self.described_about(z_m))
+        Mooring::with_anchors_on_seabed(self.described_about(z_m))
     }
 
     fn described_about(&self, z_m: f64) -> MooringDescription {
