@@ -22,6 +22,11 @@ fn a_plain_file_has_notes_on_columns_and_options() {
 22: options that are not used: dtM, kbot (they serve the simulation in time; the seabed is rigid)
 ";
     assert_eq!(lines(&input.notes), expected);
+    // Other programs write remarks into the names of columns.
+    let remarks = changed(MOORDYN_2, "CaAx", "CaAx Cl (optional)");
+    let input = moordyn(&remarks, &SITE).expect("a mooring");
+    let first = lines(&input.notes);
+    assert!(first.contains("CdAx, CaAx, Cl (damping"), "{first}");
     let input = map(MAP, &SITE).expect("a mooring");
     let expected = "\
 1: columns of LINE DICTIONARY that are not used: CIntDamp, Ca, Cdn, Cdt (damping, drag and added mass have no effect at rest)
