@@ -63,7 +63,7 @@ fn mistakes_in_a_substructure_have_a_place() {
         { name = "front1", position | { name = "back1", position = [0, 0, 0] }, { name = "front1", position | - | the joint `back1` occurs 2 times
         "a1", position = [-12.0,   | "a1", position = [         | [ -12        | 3
         flooded = ["leg a1"        | flooded = ["leg z1"        | "leg z1"     | leg z1
-        name = "leg b1"            | name = "leg a1"            | -            | the member `leg a1` occurs 2 times
+        name = "leg b1"            | name = "leg a1"            | -            | member leg a1: the name occurs twice
         [substructure]             | [foundation]\ntype = "clamped"\n[substructure] | - | keep one
         "#,
     );

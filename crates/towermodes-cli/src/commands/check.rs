@@ -78,7 +78,9 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     let gravity_is_implied = [&first, &second].map(|input| input.format == FileFormat::ElastoDyn);
     let descriptions = [&mut first.description, &mut second.description];
     let omitted = omit_one_sided(descriptions, gravity_is_implied);
-    let omitted = omitted.iter().map(|omitted| Note::new(omitted.to_string()));
+    let omitted = omitted
+        .iter()
+        .map(|omitted| Note::suspicious(omitted.to_string()));
     first.notes.extend(omitted);
     note(&notes_of_both(&first, &second));
     // Errors have a position in the file.

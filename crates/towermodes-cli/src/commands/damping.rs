@@ -118,7 +118,7 @@ impl Analysis for DampingArguments {
         let chosen = chosen.filter(|_| input.description.damping.rotor.is_some());
         let of_rotor = chosen.iter().flat_map(|chosen| notes_on(input, chosen));
         let remarks = damping.remarks.iter();
-        let remarks = remarks.map(|remark| Note::new(remark.to_string()));
+        let remarks = remarks.map(|remark| Note::suspicious(remark.to_string()));
         let notes: Vec<Note> = of_rotor.chain(remarks).collect();
         let all = [input.notes.as_slice(), &notes].concat();
         let answer = Answer::of(

@@ -610,6 +610,7 @@ fn it_fits_every_window() {
 /// Times of the page itself, from the event of a slider to the drawn result. They are printed, not
 /// judged: machines differ. `--nocapture` shows them.
 #[test]
+#[ignore = "a measurement: cargo test -p towermodes-cli --test all -- --ignored it_measures"]
 fn it_measures_how_long_a_move_takes() {
     let peer = std::env::var("TOWERMODES_PEER_DATA").ok();
     let turbine = peer.map(|folder| format!("{folder}/{IEA_15}"));

@@ -215,6 +215,7 @@ fn a_turbine_is_shown_whole() {
 /// From a move of a slider to the diagram of the turbine. It is printed, not judged: machines
 /// differ. `--nocapture` shows it.
 #[test]
+#[ignore = "a measurement: cargo test -p towermodes-cli --test all -- --ignored it_measures"]
 fn it_measures_how_long_a_diagram_takes() {
     let Some(of) = Explored::open(&[TURBINE], WIDE) else {
         return;

@@ -96,7 +96,7 @@ fn modes_and_sensors_that_do_not_exist_are_refused() {
     let of = |mode| vec![measured(mode, 0.3, 0.01)];
     let words = "measurement 1 is of the mode surge, which is not among the";
     refused(base.clone(), rocking(), of("surge"), words);
-    let words = "these are side-side 1, fore-aft 1, ";
+    let words = "the lowest are side-side 1, fore-aft 1, ";
     refused(base.clone(), rocking(), of("fore-aft 99"), words);
     let shape = |heights_m: Vec<f64>, displacements| {
         vec![Measured {

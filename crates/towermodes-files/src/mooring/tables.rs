@@ -267,6 +267,8 @@ impl<'a> Rows<'a> {
         }
         let used: Vec<usize> = read.iter().filter_map(|c| self.header.index(c)).collect();
         let names = self.names.iter().enumerate();
+        // Remarks such as `(optional)` are no columns.
+        let names = names.filter(|(_, name)| !name.starts_with('('));
         let others = names.filter(|(index, _)| !used.contains(index));
         let others: Vec<&str> = others.map(|(_, name)| *name).collect();
         if !self.rows.is_empty() {

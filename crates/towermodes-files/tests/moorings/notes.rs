@@ -19,6 +19,11 @@ fn a_plain_file_has_notes_on_columns_and_options() {
 3: not used by lines at rest: columns of LINE TYPES BA/-zeta, EI, Cd, Ca, CdAx, CaAx; columns of POINTS CdA, CA; columns of LINES NumSegs, Outputs; options dtM, kbot (damping, drag, added mass, segments, and settings of the simulation or iteration have no effect)
 ";
     assert_eq!(lines(&input.notes), expected);
+    // Other programs write remarks into the names of columns.
+    let remarks = changed(MOORDYN_2, "CaAx", "CaAx Cl (optional)");
+    let input = moordyn(&remarks, &SITE).expect("a mooring");
+    let first = lines(&input.notes);
+    assert!(first.contains("CdAx, CaAx, Cl (damping"), "{first}");
     let input = map(MAP, &SITE).expect("a mooring");
     let expected = "\
 1: not used by lines at rest: columns of LINE TYPES CIntDamp, Ca, Cdn, Cdt (damping, drag, added mass, segments, and settings of the simulation or iteration have no effect)

@@ -138,7 +138,9 @@ fn an_unballasted_platform_is_said_to_be_out_of_balance() {
         .notes
         .iter()
         .find(|note| note.message.contains("out of balance"));
-    note.expect("a note").message.says("undisplaced position");
+    let message = &note.expect("a note").message;
+    message.says("undisplaced position");
+    message.says("t less than the turbine without variable ballast, of which there are at most ");
 }
 
 /// The notes with these words.

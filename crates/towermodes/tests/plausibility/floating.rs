@@ -162,3 +162,65 @@ fn couplings_of_platforms() {
     let (warning, _) = one(floater(), along(2.8e7));
     assert_matches!(warning, Warning::CouplingAlongAxis { .. });
 }
+
+/// What differs by less than a ten-thousandth of its size is rounding; entries that are zero have
+/// the size of their diagonal entries.
+#[test]
+fn matrices_that_are_not_quite_symmetric() {
+    // sqrt(8e6 8e6) = 8e6: half of 800 is 5e-5 of it.
+    let noise = |value: f64| platform(move |p| p.added_mass.matrix[0][1] = value);
+    quiet(floater(), noise(790.0));
+    let (warning, said) = one(floater(), noise(1600.0));
+    assert_matches!(warning, Warning::Symmetrized { difference, .. } if *difference == 1e-4);
+    assert_eq!(
+        said,
+        "the platform's added mass is not symmetric: half the difference of opposite entries is up to 0.01 % of their size; the mean of both is used"
+    );
+}
+
+/// The tower of a turbine in a current is as short as its platform is deep.
+fn short(change: impl FnOnce(&mut FloatingPlatform)) -> Vec<Warning> {
+    of(floater(), |t| {
+        t.stations[1].height_m = 24.0;
+        platform(|p| {
+            // A cube of water of this mass has an edge of 13.46 m.
+            p.mass_kg = 2.5e6;
+            p.center_m[2] = 4.0;
+            change(p);
+        })(t);
+    })
+}
+
+#[test]
+fn wide_platforms_of_short_towers() {
+    let is_odd = |inertia: f64| {
+        let warnings = short(|p| {
+            let own = &mut p.inertia_kg_m2;
+            (own.xx, own.yy, own.zz) = (inertia, inertia, inertia);
+        });
+        let said = warnings.iter().map(ToString::to_string);
+        said.filter(|said| said.contains("radius of gyration"))
+            .count()
+            > 0
+    };
+    // 24 m and 45 m, more than the 20 m from the centre to the top of the tower.
+    assert!(!is_odd(1.5e9));
+    assert!(is_odd(5e9));
+}
+
+#[test]
+fn lines_may_begin_a_little_above_the_base_of_a_short_tower() {
+    let is_above = |z_m: f64| {
+        let warnings = short(|p| {
+            let force = 4.1e4 * z_m;
+            for (i, j, value) in [(0, 4, force), (1, 3, -force)] {
+                p.mooring.matrix[i][j] = value;
+                p.mooring.matrix[j][i] = value;
+            }
+        });
+        let mut warnings = warnings.iter();
+        warnings.any(|w| matches!(w, Warning::ActsAbove { .. }))
+    };
+    assert!(!is_above(11.5));
+    assert!(is_above(12.5));
+}

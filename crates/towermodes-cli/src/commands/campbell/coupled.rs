@@ -57,7 +57,7 @@ pub(crate) fn diagram_of(
         (Some(_), true) if alone => Err(Failure::usage(
             "--generator, --limit and --speeds apply only to the turbine with flexible blades; --method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits and --soil-factor apply only to the tower with a rigid rotor; omit the options of one of these two groups",
         )),
-        (Some(_), false) if alone => Ok(Diagram::Tower(vec![Note::new(
+        (Some(_), false) if alone => Ok(Diagram::Tower(vec![Note::suspicious(
             "the rotor is rigid in this diagram, because options are given that apply only to the tower with a rigid rotor (--method, --segments, --modes, --no-rotary-inertia, --hinges, --no-limits, --soil-factor); without these options the diagram shows the turbine with flexible blades".to_owned(),
         )])),
         (Some(turbine), _) => Ok(Diagram::Turbine(Box::new(turbine))),
@@ -70,7 +70,7 @@ fn without_turbine(input: &TowerInput) -> Vec<Note> {
         return Vec::new();
     };
     let rigid = "so the diagram shows the tower with a rigid rotor".to_owned();
-    vec![reason.clone(), Note::new(rigid)]
+    vec![reason.clone(), Note::suspicious(rigid)]
 }
 
 /// Solves a turbine at its rotor speeds, and its tower with the machine as a rigid body.
@@ -105,7 +105,9 @@ pub(crate) fn coupled_of(
     });
     let diagram = diagram?;
     let remarks = diagram.remarks(turbine);
-    let remarks = remarks.iter().map(|remark| Note::new(remark.to_string()));
+    let remarks = remarks
+        .iter()
+        .map(|remark| Note::suspicious(remark.to_string()));
     Ok(Coupled {
         against: diagram.against(&rigid),
         notes: notes(input, &chosen).into_iter().chain(remarks).collect(),

@@ -193,7 +193,7 @@ fn without_band(input: &TowerInput) -> Vec<Note> {
     let sentence = "the verdicts are for the soil and the foundation of the file; --uncoupled gives verdicts for half and twice this stiffness, with a rigid rotor";
     let has_soil = input.description.stands_in_soil();
     has_soil
-        .then(|| Note::new(sentence.to_owned()))
+        .then(|| Note::suspicious(sentence.to_owned()))
         .into_iter()
         .collect()
 }
@@ -250,7 +250,11 @@ pub(crate) fn campbell_of(
     let assessment = assess(tower, solution, blade, &chosen.rotor, &options);
     let Assessment { campbell, remarks } = assessment?;
     let mut notes = notes_on(input, chosen);
-    notes.extend(remarks.iter().map(|remark| Note::new(remark.to_string())));
+    notes.extend(
+        remarks
+            .iter()
+            .map(|remark| Note::suspicious(remark.to_string())),
+    );
     Ok((campbell, notes))
 }
 
@@ -270,7 +274,7 @@ pub(crate) fn notes_on(input: &TowerInput, chosen: &ChosenRotor) -> Vec<Note> {
 /// The note on a number of blades that nobody gave.
 fn assumed_blades(chosen: &ChosenRotor) -> Option<Note> {
     chosen.blades_are_assumed.then(|| {
-        Note::new(format!(
+        Note::suspicious(format!(
             "the number of blades is not given; {} are assumed; --blades sets another number",
             chosen.rotor.blades
         ))

@@ -107,7 +107,7 @@ fn flexible_base(deck: &ElastoDynDeck, tower: &Tower, from: &Path) -> Result<f64
         error => Failure::failed(format!("{name} is not the tower of the deck: {error}")),
     })?;
     if same.is_noticeable() {
-        note(&[Note::new(format!(
+        note(&[Note::suspicious(format!(
             "{name} differs from the tower of the deck: {}",
             same.difference
         ))]);

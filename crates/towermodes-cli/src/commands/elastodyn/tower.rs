@@ -38,7 +38,7 @@ fn surrounded_base(tower: &Tower, from_m: Option<f64>) -> Vec<Note> {
     if from_m.is_some() || !tower.begins_in_soil_or_water() {
         return Vec::new();
     }
-    vec![Note::new(
+    vec![Note::suspicious(
         "the flexible tower begins at the lowest height, in soil or water; give the tower base of ElastoDyn with --from-height",
     )]
 }

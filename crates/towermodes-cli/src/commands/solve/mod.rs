@@ -109,7 +109,7 @@ fn of_blade(
         _ => nodes.borders_m().to_vec(),
     };
     let modes = arguments.model.modes.unwrap_or(input.modes);
-    let of_tip = |warning: &Warning| Note::new(format!("tip body: {warning}"));
+    let of_tip = |warning: &Warning| Note::suspicious(format!("tip body: {warning}"));
     let mut notes = input.notes.clone();
     notes.extend(blade.warnings().iter().map(of_tip));
     let solution = Solver::default()
@@ -252,7 +252,7 @@ fn coarse(solution: &BladeSolution) -> Vec<Note> {
     let largest = coarse
         .iter()
         .fold(0.0_f64, |most, mode| most.max(share(mode)));
-    vec![Note::new(format!(
+    vec![Note::suspicious(format!(
         "the {} elements of the deck are too few: the errors are up to {:.1} % (mode {} and {} more); add elements in el_loc",
         solution.elements,
         100.0 * largest,

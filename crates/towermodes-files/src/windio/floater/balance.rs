@@ -371,8 +371,14 @@ fn ballast_water(hull: &Hull, needed_kg: f64, node: &Node, reading: &mut Reading
     let (needed_t, most_t) = (needed_kg / 1e3, most_kg / 1e3);
     let tolerance_kg = 1e-9 * hull.water.volume_m3 * 1e3;
     let note = if (needed_kg - used_kg).abs() > tolerance_kg {
+        let comparison = if needed_kg < 0.0 { "less" } else { "more" };
+        let holds = match most_kg > 0.0 {
+            true => format!("of which there are at most {most_t:.1} t"),
+            false => "which it does not have".to_owned(),
+        };
         Note::suspicious(format!(
-            "buoyancy and mooring lines carry {needed_t:.1} t more than the turbine without variable ballast, which holds {most_t:.1} t: the platform is out of balance by {:.1} t in its undisplaced position",
+            "buoyancy and mooring lines carry {:.1} t {comparison} than the turbine without variable ballast, {holds}: the platform is out of balance by {:.1} t in its undisplaced position",
+            needed_t.abs(),
             (needed_kg - used_kg) / 1e3
         ))
     } else if most_kg > 0.0 {

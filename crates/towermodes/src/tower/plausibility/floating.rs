@@ -23,8 +23,14 @@ const SURGE_HZ: Usual = Usual::new(Quantity::SurgeFrequency, 0.001, 2.0);
 /// base.
 const DEPTH: f64 = 4.0;
 /// The centre of added mass, hydrostatic or mooring stiffness may be above the tower's base by this
-/// fraction of its height: entries are rounded.
+/// fraction of its height or by this distance, m: entries are rounded, and lines may begin there.
 const ABOVE: f64 = 0.05;
+const ABOVE_M: f64 = 2.0;
+/// Radii of gyration of platforms are at most this many times the edge of a cube of water of their
+/// mass, or reach to the top of the tower: a turbine in a current has a short tower and 1.5, other
+/// platforms have up to 1.7.
+const WIDEST: f64 = 3.0;
+const WATER_KG_PER_M3: f64 = 1025.0;
 /// Half the difference of opposite entries of a matrix up to this fraction of their size changes no
 /// frequency that is printed: it is not worth a warning.
 const ROUNDING: f64 = 5e-5;
@@ -64,7 +70,7 @@ pub(super) fn check(
     let is_far = depths(tower, platform, warnings);
     for (key, what, referred) in matrices {
         let matrix = &referred.matrix;
-        let highest_m = (!is_far).then_some(ABOVE * tower.height_m());
+        let highest_m = (!is_far).then_some((ABOVE * tower.height_m()).max(ABOVE_M));
         couplings::check(
             &Named {
                 what,
@@ -240,6 +246,7 @@ fn body(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>)
     let carried_kg = tower.mass_kg() + tower.rna().mass_kg;
     SHARE.check(platform.mass_kg / carried_kg, at("mass"), warnings);
     let reach_m = tower.height_m() + (tower.base_m() - platform.center_m[2]).abs();
+    let reach_m = reach_m.max(WIDEST * (platform.mass_kg / WATER_KG_PER_M3).cbrt());
     let (mass_kg, inertia) = (platform.mass_kg, &platform.inertia_kg_m2);
     bodies::inertia(mass_kg, inertia, reach_m, at("inertia"), warnings);
 }
