@@ -159,7 +159,7 @@ fn wrong_soil_is_refused_in_its_own_file() {
         5e6 Kyx\n3e6 Kxy | 2 | Kxy is 3000000, but Kyx is 5000000 in ssi.txt:1: the matrix must be symmetric
         1e7 Kxx\n5e6 Kyx | 2 | there is no entry of the soil matrices `Kyx`
         1e7 Kxx\n-1e7 Kyy | 2 | Kyy is -10000000, but must be 0 or positive
-        1e3 Mxx\n-1e3 Myy | 2 | Myy is -1e3, but must be 0 or positive
+        1e3 Mxx\n-1e3 Myy | 2 | Myy is -1000, but must be 0 or positive
         1e7 Kxx\n4e9 Ktyty\n-3e8 Kxty | 3 | Kxty is -300000000, but Kxx is 10000000 (ssi.txt:1) and Ktyty is 4000000000 (ssi.txt:2): the square
         1e7 Kxx\n-3e8 Kxty | 2 | Kxty is -300000000, but Kxx is 10000000 (ssi.txt:1) and Ktyty is not given
         1e7 Ktyx         | 1 | there is no entry of the soil matrices `Ktyx`
