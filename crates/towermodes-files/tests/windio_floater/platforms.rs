@@ -176,7 +176,8 @@ fn members_without_a_coefficient_of_added_mass_have_one_note() {
     assert_eq!(notes(&read(steel), "G of material").len(), 1);
 }
 
-/// The angle between stiffeners, rad.
+/// The angle between stiffeners, rad, with the digits of a file.
+#[expect(clippy::approx_constant)]
 const SPACING: f64 = 0.523599;
 
 /// The platform with longitudinal stiffeners in its middle column.
@@ -255,11 +256,11 @@ fn a_member_may_have_its_mass_from_the_user() {
     let words = "member_mass_user";
     let [light, heavy] = [of("900000.0"), of("1.9e6")];
     // The platform is out of balance, so that no ballast water follows its mass.
-    let [a, b] = [&light, &heavy].map(|input| platform(input));
+    let [a, b] = [&light, &heavy].map(platform);
     assert_close("mass", b.mass_kg - a.mass_kg, 1e6, 1e-9);
     // The column stands at y = -44.8 m.
     let y_m = |p: &FloatingPlatform| p.center_m[1] * p.mass_kg;
-    let expected = -51.75 * 1.0471976_f64.sin() * 1e6;
+    let expected = -51.75 * std::f64::consts::FRAC_PI_3.sin() * 1e6;
     let moved = y_m(b) - y_m(a);
     assert!(
         (moved.abs() / expected.abs() - 1.0).abs() < 1e-6,
