@@ -25,7 +25,7 @@ class MooringAtRest:
     >>> lines.stiffness.shape
     (6, 6)
     >>> round(float(lines.stiffness[0, 0]))
-    41180
+    41181
     """
 
     __slots__ = ("_core", "_data")
