@@ -171,7 +171,7 @@ fn matrices_that_are_not_quite_symmetric() {
     let noise = |value: f64| platform(move |p| p.added_mass.matrix[0][1] = value);
     quiet(floater(), noise(790.0));
     let (warning, said) = one(floater(), noise(1600.0));
-    assert_matches!(warning, Warning::Symmetrized { difference, .. } if *difference == 1e-4);
+    assert_matches!(warning, Warning::Symmetrized { difference, .. } if (difference - 1e-4).abs() < 1e-12);
     assert_eq!(
         said,
         "the platform's added mass is not symmetric: half the difference of opposite entries is up to 0.01 % of their size; the mean of both is used"
@@ -189,23 +189,6 @@ fn short(change: impl FnOnce(&mut FloatingPlatform)) -> Vec<Warning> {
             change(p);
         })(t);
     })
-}
-
-#[test]
-fn wide_platforms_of_short_towers() {
-    let is_odd = |inertia: f64| {
-        let warnings = short(|p| {
-            let own = &mut p.inertia_kg_m2;
-            (own.xx, own.yy, own.zz) = (inertia, inertia, inertia);
-        });
-        let said = warnings.iter().map(ToString::to_string);
-        said.filter(|said| said.contains("radius of gyration"))
-            .count()
-            > 0
-    };
-    // 24 m and 45 m, more than the 20 m from the centre to the top of the tower.
-    assert!(!is_odd(1.5e9));
-    assert!(is_odd(5e9));
 }
 
 #[test]
