@@ -23,7 +23,10 @@ fn a_plain_file_has_notes_on_columns_and_options() {
     let remarks = changed(MOORDYN_2, "CaAx", "CaAx Cl (optional)");
     let input = moordyn(&remarks, &SITE).expect("a mooring");
     let first = lines(&input.notes);
-    assert!(first.contains("CdAx, CaAx, Cl; columns of POINTS"), "{first}");
+    assert!(
+        first.contains("CdAx, CaAx, Cl; columns of POINTS"),
+        "{first}"
+    );
     let input = map(MAP, &SITE).expect("a mooring");
     let expected = "\
 1: not used by lines at rest: columns of LINE TYPES CIntDamp, Ca, Cdn, Cdt (damping, drag, added mass, segments, and settings of the simulation or iteration have no effect)
