@@ -28,6 +28,6 @@ impl Explorer {
             let solve = |tower: &_| -> Result<_, SolveError> { solver.solve_certain(tower) };
             soil_band(description, solution, &DEFAULT_FACTORS, rotor, solve)
         });
-        band.map_err(|error| Refusal::new(error.to_string(), None, Vec::new()))
+        band.map_err(|error| Refusal::of(&error))
     }
 }

@@ -41,8 +41,8 @@ impl Explorer {
     /// [`Refusal`].
     pub fn elasticities(&self, question: &ElasticityQuestion) -> Result<Elasticities, Refusal> {
         if question.mode == 0 {
-            let message = "the number of the mode is 0; modes are counted from 1".to_owned();
-            return Err(Refusal::new(message, None, Vec::new()));
+            let message = "the number of the mode is 0; modes are counted from 1";
+            return Err(Refusal::of(&message));
         }
         let (input, _) = self.changed(&question.state)?;
         let options = Options {
@@ -58,7 +58,7 @@ impl Explorer {
             influences(description, Some(&changes), solver)
         });
         of.map(|of| Elasticities::new(&of, question.mode, description, &columns))
-            .map_err(|error| Refusal::new(error.to_string(), None, Vec::new()))
+            .map_err(|error| Refusal::of(&error))
     }
 }
 

@@ -36,6 +36,11 @@ impl Refusal {
         }
     }
 
+    /// An error that names no number and has no hint.
+    pub(crate) fn of(error: &impl ToString) -> Self {
+        Self::new(error.to_string(), None, Vec::new())
+    }
+
     /// A tower that cannot be.
     pub(crate) fn of_tower(error: &TowerError, description: &TowerDescription) -> Self {
         let parameters = names_at(error.place, description);
@@ -51,13 +56,13 @@ impl Refusal {
     pub(crate) fn of_campbell(error: &CampbellError, description: &TowerDescription) -> Self {
         match error {
             CampbellError::Rotor(error) => Self::of_tower(error, description),
-            error => Self::new(error.to_string(), None, Vec::new()),
+            error => Self::of(error),
         }
     }
 
     /// Numbers that cannot be set.
     pub(crate) fn of_setting(error: &SettingError) -> Self {
-        Self::new(error.to_string(), None, Vec::new())
+        Self::of(error)
     }
 }
 

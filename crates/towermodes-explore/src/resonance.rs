@@ -25,7 +25,7 @@ pub struct Resonance {
     pub multiples: Vec<usize>,
     /// The lines, in the order of the table of `campbell`.
     pub lines: Vec<DiagramLine>,
-    /// The distance of each mode from each multiple, as the command lists it.
+    /// The distance of each mode from each multiple, in the order of the table of `campbell`.
     pub rows: Vec<DiagramRow>,
 }
 
@@ -36,9 +36,10 @@ pub struct DiagramLine {
     pub label: String,
     /// The number of a tower mode in the list, from 1.
     pub mode: Option<usize>,
-    /// Of a turbine the curve, from 0: the lines of one curve continue each other.
+    /// The index of the curve of a turbine, from 0. Lines with the same index are parts of one
+    /// curve.
     pub curve: Option<usize>,
-    /// What the mode is of: `tower`, `blades`.
+    /// The class of the mode: `tower`, `blades`, …
     pub class: &'static str,
     /// Rotor speed (rpm) and frequency (Hz).
     pub points: Vec<[f64; 2]>,
@@ -57,15 +58,15 @@ pub struct DiagramRow {
     pub excitation_hz: f64,
     /// The natural frequency there, Hz.
     pub natural_hz: f64,
-    /// The same with the digits that its error leaves.
+    /// The natural frequency with the digits that its error leaves.
     pub frequency: String,
     /// Excitation over natural frequency − 1.
     pub distance: f64,
-    /// The same in words: "+7.3 %".
+    /// The distance as text: "+7.3 %".
     pub distance_text: String,
     /// The verdict.
     pub verdict: Verdict,
-    /// Whether the command lists it without `--all`.
+    /// Whether `campbell` lists the row without `--all`.
     pub is_near: bool,
 }
 
@@ -133,43 +134,22 @@ fn rows(campbell: &Campbell) -> Vec<DiagramRow> {
                 .trim()
                 .to_owned(),
             distance: margin.distance,
-            distance_text: distance(campbell, margin),
+            distance_text: campbell.distance_text(margin),
             verdict: margin.verdict,
-            is_near: margin.is_near() || is_decisive(campbell, margin),
+            is_near: campbell.is_listed(margin),
         }
     };
     campbell.margins.iter().map(row).collect()
 }
 
-/// Whether a pair is one of a first bending mode with 1P or the blade passing frequency.
-fn is_decisive(campbell: &Campbell, margin: &Margin) -> bool {
-    let is_strong = margin.multiple == 1 || margin.multiple == campbell.rotor.blades;
-    is_strong && campbell.is_of_first_bending(margin)
-}
-
-/// "+12.3 %", "crossing", or from which speed on the mode is not found, if the pair warns for this.
-fn distance(campbell: &Campbell, margin: &Margin) -> String {
-    match (campbell.missing_from_rpm(margin), margin.distance) {
-        (Some(rpm), _) => format!("no mode from {} rpm", four_digits(rpm)),
-        (None, 0.0) => "crossing".to_owned(),
-        (None, share) if share.abs() < 9.995 => campbell.distance_percent(margin) + " %",
-        (None, share) => format!("{:+.0} %", 100.0 * share),
-    }
-}
-
-/// The verdict on a tower mode by its worst excitation, of equal ones the closest.
+/// The verdict on a tower mode, with the excitation that decides it.
 pub(crate) fn verdict_on(campbell: &Campbell, number: usize) -> Option<Verdicted> {
     let is_own = |excited| matches!(excited, Excited::Tower { number: n, .. } if n == number);
     if !campbell.not_checked.is_empty() {
         return None;
     }
-    let line = campbell.lines.iter().position(|line| is_own(line.of))?;
-    let margins = campbell.margins.iter().filter(|one| one.line == line);
-    let worst = margins.max_by(|a, b| {
-        let near = |of: &Margin| -of.distance.abs();
-        let by_verdict = a.verdict.cmp(&b.verdict);
-        by_verdict.then(near(a).total_cmp(&near(b)))
-    })?;
+    let line = campbell.lines.iter().find(|line| is_own(line.of))?;
+    let worst = campbell.decisive(line)?;
     let multiple = worst.multiple;
     let text = match (campbell.missing_from_rpm(worst), worst.distance) {
         (Some(rpm), _) => format!("{multiple}P: no mode from {} rpm", four_digits(rpm)),

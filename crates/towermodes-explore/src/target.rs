@@ -1,5 +1,5 @@
-//! A frequency that the user asks for: a light tower with it, found by `design` from the present
-//! numbers on.
+//! The lightest tower with a frequency in a band of the user, computed by `design` from the present
+//! input values.
 
 use serde::{Deserialize, Serialize};
 use towermodes::number::four_digits;
@@ -43,14 +43,15 @@ pub struct Found {
     /// The numbers in which it differs from the file.
     #[serde(flatten)]
     pub state: State,
-    /// Frequency and mass before and after, and what is to know, in sentences.
+    /// Frequency and mass before and after the search, and its limits, in sentences.
     pub sentences: Vec<String>,
     /// How many towers were solved.
     pub solves: usize,
 }
 
 impl Explorer {
-    /// A light tower whose mode has a frequency in a band; given up when it is not `wanted`.
+    /// A light tower whose mode has a frequency in a band. The search ends when `wanted` returns
+    /// false.
     ///
     /// # Errors
     /// [`Refusal`]: the question contradicts itself, or no such tower is found.
@@ -82,11 +83,10 @@ impl Explorer {
 
 impl TargetQuestion {
     fn problem(&self, base: &TowerDescription) -> Result<DesignProblem, Refusal> {
-        let refused = |message: String| Refusal::new(message, None, Vec::new());
         let mode: Result<ModeName, _> = self.mode.parse();
         let variable = |of: &TargetVariable| {
             let change = Change::parse(&of.name, base);
-            let change = change.map_err(|error| refused(error.to_string()))?;
+            let change = change.map_err(|error| Refusal::of(&error))?;
             Ok(Variable {
                 change,
                 low: of.low,
@@ -99,7 +99,7 @@ impl TargetQuestion {
         Ok(DesignProblem {
             variables: variables?,
             goals: vec![Goal {
-                mode: mode.map_err(|error| refused(error.to_string()))?,
+                mode: mode.map_err(|error| Refusal::of(&error))?,
                 min_hz: self.min_hz.unwrap_or(0.0),
                 max_hz: self.max_hz.unwrap_or(f64::INFINITY),
             }],

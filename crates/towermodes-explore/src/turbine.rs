@@ -1,5 +1,5 @@
-//! The whole turbine, with its turning rotor: the coupled Campbell diagram as `campbell` computes
-//! it, and the modes at one rotor speed in motion.
+//! The whole turbine with its rotating rotor: the coupled Campbell diagram, as `campbell` computes
+//! it, and the shapes of the modes at one rotor speed.
 
 use serde::{Deserialize, Serialize};
 use towermodes::number::four_digits;
@@ -7,8 +7,7 @@ use towermodes::turbine::{Turbine, TurbineError, TurbineMode, TurbineModel};
 use towermodes::{Options, Solution, Tower};
 use towermodes_analysis::resonance::{ChosenRotor, reach_hz, solve_to_reach};
 use towermodes_analysis::whirl::{
-    CoupledCampbell, CoupledError, CoupledOptions, RotorSpeeds, coupled_campbell_while,
-    coupled_limit_hz,
+    CoupledCampbell, CoupledOptions, RotorSpeeds, SHARED, coupled_campbell_while, coupled_limit_hz,
 };
 use towermodes_files::TowerInput;
 use towermodes_report::figures::{WhirlAnimation, whirl_animation};
@@ -59,17 +58,17 @@ pub struct Whirl {
 /// A mode of a turbine at a rotor speed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WhirlMode {
-    /// Its name: that of a line of the diagram.
+    /// Its name, which is the name of a line of the diagram.
     pub name: String,
-    /// Frequency in axes that do not turn, Hz.
+    /// Frequency in non-rotating axes, Hz.
     pub frequency_hz: f64,
-    /// The same with four digits.
+    /// The frequency with four digits.
     pub frequency: String,
-    /// Where less than 60 % of the energy is in the part of the name: the shares.
+    /// The shares of the energy, if less than 60 % of it is in the part of the name.
     pub remark: String,
 }
 
-/// A turbine with the machine as a rigid body solved, and the rotor of its diagram.
+/// A turbine, the rotor of its diagram, and the highest frequency of the diagram.
 struct Prepared {
     turbine: Turbine,
     chosen: ChosenRotor,
@@ -77,7 +76,8 @@ struct Prepared {
 }
 
 impl Explorer {
-    /// The coupled diagram of the turbine with changed numbers, given up when it is not `wanted`.
+    /// The coupled diagram of the turbine with changed input values. The computation ends when
+    /// `wanted` returns false.
     ///
     /// # Errors
     /// [`Refusal`]: there is no such turbine, or it cannot be solved.
@@ -94,7 +94,7 @@ impl Explorer {
         };
         let (turbine, rotor) = (&of.turbine, &of.chosen.rotor);
         let diagram = coupled_campbell_while(turbine, rotor, &options, |_| wanted());
-        let diagram = diagram.map_err(|error| refused(&error))?;
+        let diagram = diagram.map_err(|error| Refusal::of(&error))?;
         Ok(Coupled {
             answer_ms: self.now_ms() - started,
             ..Coupled::new(&diagram, turbine)
@@ -112,7 +112,7 @@ impl Explorer {
         } = self.prepared(&question.state)?;
         let modes = TurbineModel::new(&turbine, &turbine.mesh())
             .and_then(|mut model| model.modes(limit_hz, question.rpm));
-        let modes = modes.map_err(|error| of_turbine(&error))?;
+        let modes = modes.map_err(|error| Refusal::of(&error))?;
         Ok(Whirl {
             modes: modes.modes.iter().map(WhirlMode::new).collect(),
             scene: whirl_animation(&turbine, &modes),
@@ -120,7 +120,7 @@ impl Explorer {
         })
     }
 
-    /// The turbine, its rotor and the limit of its diagram, all as `campbell` has them.
+    /// The turbine, its rotor and the highest frequency of its diagram, as in `campbell`.
     fn prepared(&self, state: &State) -> Result<Prepared, Refusal> {
         let (input, tower) = self.changed(state)?;
         let turbine = turbine_of(&input)?;
@@ -133,7 +133,7 @@ impl Explorer {
         })
     }
 
-    /// The tower with the machine as a rigid body, up to the excitations of the rotor.
+    /// The modes of the tower with rotor and nacelle as a rigid body, up to the highest excitation.
     fn rigid(&self, input: &TowerInput, tower: &Tower) -> Result<(Solution, ChosenRotor), Refusal> {
         let given = &self.exploration.rotor;
         let chosen = given.in_place_of(input.description.rotor, input.blades);
@@ -154,22 +154,13 @@ impl Explorer {
 
 fn turbine_of(input: &TowerInput) -> Result<Turbine, Refusal> {
     let Some(machine) = &input.turbine else {
-        let message = "the file has no turbine with flexible blades".to_owned();
-        return Err(Refusal::new(message, None, Vec::new()));
+        return Err(Refusal::of(&"the file has no turbine with flexible blades"));
     };
     let turbine = Turbine::in_place_of_rna(input.description.clone(), machine.clone());
     turbine.map_err(|error| match &error {
         TurbineError::Tower(error) => Refusal::of_tower(error, &input.description),
-        error => of_turbine(error),
+        error => Refusal::of(error),
     })
-}
-
-fn of_turbine(error: &TurbineError) -> Refusal {
-    Refusal::new(error.to_string(), None, Vec::new())
-}
-
-fn refused(error: &CoupledError) -> Refusal {
-    Refusal::new(error.to_string(), None, Vec::new())
 }
 
 impl Coupled {
@@ -187,8 +178,6 @@ impl Coupled {
 
 impl WhirlMode {
     fn new(mode: &TurbineMode) -> Self {
-        /// A mode with less of its energy in its name shares it with another part.
-        const SHARED: f64 = 0.6;
         let percent = |share: f64| format!("{:.0} %", 100.0 * share);
         let second = mode.second.filter(|_| mode.share < SHARED);
         let remark = second

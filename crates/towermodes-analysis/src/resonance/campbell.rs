@@ -249,6 +249,41 @@ impl Campbell {
         let mut first = self.first_bending.iter();
         first.any(|line| self.lines[*line].is_of_same_mode(own))
     }
+
+    /// Whether tables list a pair by default: it [is near](Margin::is_near), or it is a pair of a
+    /// first bending mode with 1P or the blade passing frequency.
+    #[must_use]
+    pub fn is_listed(&self, margin: &Margin) -> bool {
+        let is_strong = margin.multiple == 1 || margin.multiple == self.rotor.blades;
+        margin.is_near() || (is_strong && self.is_of_first_bending(margin))
+    }
+
+    /// The pair that decides on the mode of a line: the one with the worst verdict, of equal
+    /// verdicts the one with the smallest distance.
+    #[must_use]
+    pub fn decisive(&self, line: &FrequencyLine) -> Option<&Margin> {
+        let margins = self.margins.iter();
+        let own = margins.filter(|margin| self.lines[margin.line].is_of_same_mode(line));
+        own.max_by(|a, b| {
+            let by_distance = || b.distance.abs().total_cmp(&a.distance.abs());
+            a.verdict.cmp(&b.verdict).then_with(by_distance)
+        })
+    }
+
+    /// The lines of each mode, in the order of their first lines: a mode of a turbine has a line
+    /// for each curve with its name.
+    #[must_use]
+    pub fn lines_by_mode(&self) -> Vec<Vec<&FrequencyLine>> {
+        let mut modes: Vec<Vec<&FrequencyLine>> = Vec::new();
+        for line in &self.lines {
+            let mut known = modes.iter_mut();
+            match known.find(|lines| lines[0].is_of_same_mode(line)) {
+                Some(lines) => lines.push(line),
+                None => modes.push(vec![line]),
+            }
+        }
+        modes
+    }
 }
 
 /// Why there is no Campbell diagram.

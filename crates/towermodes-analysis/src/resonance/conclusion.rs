@@ -241,7 +241,7 @@ fn least_distance(campbell: &Campbell, firsts: &[First]) -> Option<String> {
         }
     }
     let least = least?;
-    let percent = percent(campbell, least);
+    let percent = campbell.short_percent(least);
     let percent = percent.trim_start_matches(['+', '-']);
     Some(match least.verdict {
         Verdict::Fail => format!(
@@ -335,7 +335,7 @@ fn in_words(campbell: &Campbell, group: &[&Margin]) -> String {
             (Some(rpm), _) => ("mode not found from".to_owned(), rpm),
             (None, 0.0) => ("crossing at".to_owned(), margin.nearest_rpm),
             (None, _) => (
-                format!("{} % at", percent(campbell, margin)),
+                format!("{} % at", campbell.short_percent(margin)),
                 margin.nearest_rpm,
             ),
         };
@@ -351,14 +351,6 @@ fn listed(items: &[String]) -> String {
     match items {
         [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
         items => items.concat(),
-    }
-}
-
-/// A distance with its sign: no digits after the point where it is ten times the frequency.
-fn percent(campbell: &Campbell, margin: &Margin) -> String {
-    match margin.distance {
-        share if share.abs() < 9.995 => campbell.distance_percent(margin),
-        share => format!("{:+.0}", 100.0 * share),
     }
 }
 

@@ -1,5 +1,7 @@
 //! Distances in percent, with enough digits to distinguish them from the margin.
 
+use towermodes::tower::Rpm;
+
 use super::campbell::{Campbell, Margin};
 use crate::verdict::Verdict;
 
@@ -13,6 +15,25 @@ impl Campbell {
     #[must_use]
     pub fn distance_percent(&self, margin: &Margin) -> String {
         signed_percent(margin.distance, self.margin)
+    }
+
+    /// The distance as tables show it: "+12.3 %", "crossing", or the rotor speed from which the mode
+    /// is missing, if the pair warns for this alone.
+    #[must_use]
+    pub fn distance_text(&self, margin: &Margin) -> String {
+        match (self.missing_from_rpm(margin), margin.distance) {
+            (Some(rpm), _) => format!("no mode from {} rpm", Rpm(rpm)),
+            (None, 0.0) => "crossing".to_owned(),
+            (None, _) => self.short_percent(margin) + " %",
+        }
+    }
+
+    /// A distance in percent with its sign: without decimals if it is ten times the frequency.
+    pub(super) fn short_percent(&self, margin: &Margin) -> String {
+        match margin.distance {
+            share if share.abs() < 9.995 => self.distance_percent(margin),
+            share => format!("{:+.0}", 100.0 * share),
+        }
     }
 
     /// The rotor speed (rpm) from which the mode of a pair is missing, if the pair warns for this

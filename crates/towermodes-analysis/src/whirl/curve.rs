@@ -5,7 +5,7 @@ use towermodes::turbine::{CoupledFrequency, Nodding, TurbineEnergy, TurbineModeN
 use crate::resonance::{LineEnd, ModeClass};
 
 /// A mode with less than this share of its energy in its name shares it with another part. …
-pub(super) const SHARED: f64 = 0.6;
+pub const SHARED: f64 = 0.6;
 /// … If the tower has at least this share, it counts as a mode of the tower too.
 const GOOD_PART: f64 = 0.25;
 

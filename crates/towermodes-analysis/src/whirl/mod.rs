@@ -20,7 +20,7 @@ mod solved;
 mod tests;
 
 pub use compared::{AgainstRigid, Change};
-pub use curve::{CoupledCurve, CurvePoint, NameChange, NameRange};
+pub use curve::{CoupledCurve, CurvePoint, NameChange, NameRange, SHARED};
 pub use diagram::{CoupledCampbell, coupled_campbell, coupled_campbell_while};
 pub use meeting::{Meeting, MeetingKind};
 pub use options::{CoupledError, CoupledOptions, RotorSpeeds, coupled_limit_hz};

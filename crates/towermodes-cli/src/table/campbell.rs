@@ -17,11 +17,7 @@ pub fn campbell(
     has_blade: bool,
     all: bool,
 ) -> String {
-    let is_strong = |multiple| multiple == 1 || multiple == campbell.rotor.blades;
-    let is_shown = |margin: &&Margin| {
-        let is_first = campbell.is_of_first_bending(margin) && is_strong(margin.multiple);
-        all || is_first || margin.is_near()
-    };
+    let is_shown = |margin: &&Margin| all || campbell.is_listed(margin);
     let shown: Vec<&Margin> = campbell.margins.iter().filter(is_shown).collect();
     let mut text = title(tower);
     for sentence in campbell.conclusion() {
@@ -70,7 +66,7 @@ pub(super) fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
             format!("{}P", margin.multiple),
             Rpm(margin.nearest_rpm).to_string(),
             format!("{:.4}", margin.excitation_hz),
-            distance(campbell, margin),
+            campbell.distance_text(margin),
             verdict_word(margin.verdict).to_owned(),
         ];
         row.extend(has_classes.then_some(class));
@@ -90,18 +86,6 @@ pub(super) fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
     table.add_rows(rows);
     align_right(&mut table, 1..=5);
     table.trim_fmt()
-}
-
-/// "+12.3 %", "crossing", or from which speed on the mode is not found, if the pair warns for this.
-fn distance(campbell: &Campbell, margin: &Margin) -> String {
-    if let Some(rpm) = campbell.missing_from_rpm(margin) {
-        return format!("no mode from {} rpm", Rpm(rpm));
-    }
-    match margin.distance {
-        0.0 => "crossing".to_owned(),
-        share if share.abs() < 9.995 => campbell.distance_percent(margin) + " %",
-        share => format!("{:+.0} %", 100.0 * share),
-    }
 }
 
 pub(super) fn hidden(count: usize, is_all: bool) -> Option<String> {
@@ -159,7 +143,7 @@ pub(super) fn summary_or(campbell: &Campbell, without_blades: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{distance, hidden, summary, unresisted};
+    use super::{hidden, summary, unresisted};
     use towermodes::Rotor;
     use towermodes::{Family, Material, Station, Tower, TowerDescription};
     use towermodes_analysis::Verdict;
@@ -210,7 +194,7 @@ mod tests {
 
     #[test]
     fn numbers_are_as_short_as_they_can_be() {
-        let said = |share| distance(&campbell(), &margin(0, 1, share));
+        let said = |share| campbell().distance_text(&margin(0, 1, share));
         assert_eq!(said(0.0), "crossing");
         assert_eq!(said(-0.0376), "-3.8 %");
         assert_eq!(said(0.0498), "+4.98 %");

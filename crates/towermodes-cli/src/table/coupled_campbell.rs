@@ -21,11 +21,7 @@ pub fn coupled_campbell(
     all: bool,
 ) -> String {
     let campbell = &coupled.campbell;
-    let is_strong = |multiple| multiple == 1 || multiple == campbell.rotor.blades;
-    let is_shown = |margin: &&Margin| {
-        let is_first = campbell.is_of_first_bending(margin) && is_strong(margin.multiple);
-        all || is_first || margin.is_near()
-    };
+    let is_shown = |margin: &&Margin| all || campbell.is_listed(margin);
     let shown: Vec<&Margin> = campbell.margins.iter().filter(is_shown).collect();
     let hidden = hidden(campbell.margins.len() - shown.len(), shown.is_empty());
     let mut text = title(tower);

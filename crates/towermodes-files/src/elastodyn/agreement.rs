@@ -1,4 +1,5 @@
-//! SubDyn and HydroDyn of one model compared: diameters and places of members, the seabed.
+//! Compares the SubDyn file and the HydroDyn file of a model: diameters and positions of members,
+//! the seabed.
 
 use towermodes::frame::FrameDescription;
 
@@ -9,17 +10,17 @@ use crate::note::Note;
 use crate::source::Source;
 use crate::subdyn::SubdynInput;
 
-/// Without a joint at the seabed, piles are at most this fraction of the depth long.
+/// The largest length of piles as a fraction of the depth, if no joint is at the seabed.
 const PILES: f64 = 0.5;
 
-/// What SubDyn and HydroDyn say differently, each at its line.
+/// Notes on contradictions between the SubDyn file and the HydroDyn file, each with its line.
 pub(super) fn doubts(subdyn: &SubdynInput, water: &HydrodynInput, sea: &Sea) -> Vec<Note> {
     let stands = !subdyn.description.supports.is_empty();
     let pair = Pair { subdyn, water };
     let mut notes = Vec::new();
     if stands {
         notes.extend(pair.seabed(sea));
-        // The members of a floater are often hulls that the tubes of SubDyn stand for.
+        // For a floater the tubes of SubDyn are often simplified hulls.
         notes.extend(pair.diameters());
     }
     notes.extend(pair.far_members());

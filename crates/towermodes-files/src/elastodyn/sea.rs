@@ -1,4 +1,4 @@
-//! The water of a model in the files that give it.
+//! Density, depth and level of the water of a model, which several files give.
 
 use crate::diagnostic::line_and_column;
 use crate::error::ReadError;
@@ -6,11 +6,11 @@ use crate::hydrodyn::{GivenWater, WaterDefaults, given_in, read_water, water_of_
 use crate::note::Note;
 use crate::source::Source;
 
-/// Values of the water that differ by less than this fraction are one.
+/// Two values that differ by less than this fraction count as equal.
 const SAME: f64 = 1e-3;
 
-/// The files that give the water: that of the `.fst` file, of SeaState, of HydroDyn. A number in
-/// one of them goes before that in those before it.
+/// The files that give the water, in this order: the `.fst` file, the SeaState file, the HydroDyn
+/// file. If several files give a value, the last file is used.
 #[derive(Debug, Default)]
 pub(super) struct Sea {
     files: Vec<Source>,
@@ -21,7 +21,7 @@ impl Sea {
         self.files.push(file);
     }
 
-    /// What the files give for the next one.
+    /// The values of the files added so far: the defaults of the next file.
     pub(super) fn defaults(&self) -> Result<WaterDefaults, ReadError> {
         let Some((fst, others)) = self.files.split_first() else {
             return Ok(WaterDefaults::default());
@@ -31,7 +31,7 @@ impl Sea {
         others.try_fold(of_fst, |before, file| read_water(file, before))
     }
 
-    /// The number of the depth that is used, and its file.
+    /// The depth that is used, and the file that gives it.
     pub(super) fn depth(&self) -> Option<(&Source, GivenWater)> {
         let mut given = self.given().filter(|(_, given)| given.name == "WtrDpth");
         given.next_back()
@@ -42,7 +42,7 @@ impl Sea {
         files.flat_map(|file| given_in(file).into_iter().map(move |given| (file, given)))
     }
 
-    /// Numbers of one value that differ between the files.
+    /// Notes on values that differ between the files.
     pub(super) fn notes(&self) -> Vec<Note> {
         let mut notes = Vec::new();
         let all: Vec<_> = self.given().collect();

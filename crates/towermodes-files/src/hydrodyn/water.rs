@@ -31,11 +31,11 @@ pub struct SeaWater {
     pub level_m: f64,
 }
 
-/// What is nearer to the seabed stands on it: as a fraction of the depth, and in m. Piles stand out
-/// of the seabed.
+/// A structure stands on the seabed if its lowest point is nearer to the seabed than the larger of
+/// this fraction of the depth and this distance, m: piles end above the seabed.
 const NEAR: f64 = 0.1;
 const NEAR_M: f64 = 2.0;
-/// Heights that differ by this fraction of the depth are one.
+/// Two heights that differ by less than this fraction of the depth count as equal.
 const ON_SEABED: f64 = 0.01;
 
 impl SeaWater {
@@ -44,7 +44,7 @@ impl SeaWater {
         (NEAR * self.depth_m).max(NEAR_M)
     }
 
-    /// Whether a height is on the seabed or under it, but for rounded digits.
+    /// Whether a height is on the seabed or below it, apart from rounding.
     pub(crate) fn is_on_seabed(&self, z_m: f64) -> bool {
         z_m <= -self.depth_m * (1.0 - ON_SEABED)
     }
@@ -66,7 +66,8 @@ pub fn read_water(source: &Source, defaults: WaterDefaults) -> Result<WaterDefau
     given(&values, defaults).map_err(|mistake| ReadError::mistake(source, mistake))
 }
 
-/// The water that a `.fst` file gives. The other files take their defaults from it, so it has none.
+/// The water that a `.fst` file gives. The other files take their defaults from this file, so
+/// `default` is a mistake in it.
 ///
 /// # Errors
 /// [`ReadError::Mistakes`] as [`read_water`], and at `default`.

@@ -108,7 +108,7 @@ fn found(source: &Source, site: &MooringSite) -> Result<Found, Diagnostic> {
     let is_anchor = |read: &&ReadPoint| read.point.attachment == Attachment::Fixed;
     let anchor = read.iter().find(is_anchor);
     let mut spans = Spans {
-        // The file has no depth; its anchors show it.
+        // The file contains no depth, so messages about the depth refer to the first anchor.
         site: anchor.map_or(0..0, |anchor| anchor.span.clone()),
         line_types: types_table.rows.iter().map(Row::span).collect(),
         points: read.into_iter().map(|read| read.span).collect(),

@@ -9,8 +9,8 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind, Exact};
 use crate::note::Note;
 use crate::source::Source;
 
-/// Depths, densities and gravities that differ by less than this fraction are one: 9.81 and
-/// 9.80665 m/s².
+/// Two values that differ by less than this fraction count as equal, for example 9.81 and 9.80665
+/// m/s².
 const SAME: f64 = 0.01;
 
 /// Density and gravity.
@@ -38,7 +38,7 @@ pub(super) fn water(site: &MooringSite, notes: &mut Vec<Note>) -> (f64, f64) {
     )
 }
 
-/// The depth of the water; without one, that of the anchors, if they are at one depth.
+/// The depth of the water. If it is not given, the depth of the anchors, if they are at one depth.
 pub(super) fn depth_m(
     given_m: Option<f64>,
     points: &[ReadPoint],

@@ -1,4 +1,4 @@
-//! What a file has and lines at rest do not need.
+//! Columns and options of a mooring file that have no effect on lines at rest.
 
 use crate::note::Note;
 use crate::source::Source;
@@ -11,7 +11,8 @@ pub(super) struct Unused {
 }
 
 impl Unused {
-    /// Adds names of a table that begins at a byte: `columns of POINTS`, `options`.
+    /// Adds unused names of a table, for example "columns of POINTS" or "options". `at` is the byte
+    /// at which the table begins.
     pub(super) fn add(&mut self, what: &str, names: &[&str], at: usize) {
         if !names.is_empty() {
             self.what.push(format!("{what} {}", names.join(", ")));

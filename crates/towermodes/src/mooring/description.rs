@@ -78,6 +78,11 @@ impl LineType {
             seabed_friction: 0.0,
         }
     }
+
+    /// Area of the cylinder that displaces as much water as the line, πd²/4, m².
+    pub(super) fn area_m2(&self) -> f64 {
+        std::f64::consts::FRAC_PI_4 * self.diameter_m * self.diameter_m
+    }
 }
 
 /// A point where lines end.

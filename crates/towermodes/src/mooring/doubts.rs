@@ -1,4 +1,4 @@
-//! What is possible in a mooring system but probably a mistake: where it is found.
+//! Finds the values of a mooring system that are possible but probably mistakes.
 
 use super::description::{Attachment, Carrier, MooringDescription, MooringLine, MooringPoint};
 use super::state::{LineState, MooringState};
@@ -11,26 +11,30 @@ const ROUNDED: f64 = 1e-6;
 /// stretched by 0.1 %, ropes of polyester by 1 %.
 const STRETCH: f64 = 0.02;
 
-/// A line that is stretched by more is of a material that nobody uses: EA is in another unit.
+/// If a line is stretched by more than this fraction, EA is given in another unit: no mooring line
+/// is stretched so much.
 const OTHER_UNIT: f64 = 0.5;
-/// No material is stiffer, Pa.
+/// An upper limit of the modulus of all materials, Pa.
 const STIFFEST_PA: f64 = 1e13;
-/// Water of lakes and seas, kg/m³.
+/// Densities of the water of lakes and seas, kg/m³.
 const WATER_KG_PER_M3: std::ops::RangeInclusive<f64> = 900.0..=1100.0;
 
 impl Mooring {
-    /// What is possible but probably a mistake, at a state of this mooring system.
+    /// Probable mistakes in this mooring system, in a given state.
     pub fn warnings(&self, state: &MooringState) -> Vec<MooringWarning> {
         let mooring = &self.description;
         let mut warnings: Vec<MooringWarning> = self.site().collect();
         warnings.extend(floating(mooring));
-        let of_types = 0..mooring.line_types.len();
-        warnings.extend(of_types.filter_map(|line_type| stiffness(mooring, line_type, state)));
+        let types = 0..mooring.line_types.len();
+        let soft: Vec<_> = types.map(|of| soft(mooring, of, state)).collect();
+        for (line_type, soft) in soft.iter().enumerate() {
+            warnings.extend(stiff(mooring, line_type).or(*soft));
+        }
         warnings.extend(anchors(mooring));
         warnings.extend(without_line(mooring));
         for (line, (given, found)) in mooring.lines.iter().zip(&state.lines).enumerate() {
-            // A line is stretched or slack then because its type is too soft.
-            if soft(mooring, given.line_type, state).is_none() {
+            // Otherwise the line is stretched or slack because its type is too soft.
+            if soft[given.line_type].is_none() {
                 warnings.extend(stretch(mooring, line, given, found));
                 warnings.extend(slack(mooring, line, given, found));
             }
@@ -59,7 +63,7 @@ fn largest_tension_n(mooring: &MooringDescription, line_type: usize, state: &Moo
     tensions_n.fold(0.0, f64::max)
 }
 
-/// A type of lines that is stretched as no material is.
+/// A type of lines that is stretched more than any material allows.
 fn soft(
     mooring: &MooringDescription,
     line_type: usize,
@@ -74,32 +78,26 @@ fn soft(
     })
 }
 
-/// A type of lines that is softer or stiffer than all materials.
-fn stiffness(
-    mooring: &MooringDescription,
-    line_type: usize,
-    state: &MooringState,
-) -> Option<MooringWarning> {
+/// A type of lines that is stiffer than all materials.
+fn stiff(mooring: &MooringDescription, line_type: usize) -> Option<MooringWarning> {
     let kind = &mooring.line_types[line_type];
     let (axial_stiffness_n, diameter_m) = (kind.axial_stiffness_n, kind.diameter_m);
-    let area_m2 = std::f64::consts::FRAC_PI_4 * diameter_m * diameter_m;
+    let area_m2 = kind.area_m2();
     let modulus_pa = axial_stiffness_n / area_m2;
     // Without a diameter nothing is known about the material.
-    let stiff = (area_m2 > 0.0 && modulus_pa > STIFFEST_PA).then_some(MooringWarning::Stiff {
+    (area_m2 > 0.0 && modulus_pa > STIFFEST_PA).then_some(MooringWarning::Stiff {
         line_type,
         axial_stiffness_n,
         diameter_m,
         modulus_pa,
-    });
-    stiff.or_else(|| soft(mooring, line_type, state))
+    })
 }
 
 /// Types of lines that are lighter than the water that they displace.
 fn floating(mooring: &MooringDescription) -> Vec<MooringWarning> {
     let types = mooring.line_types.iter().enumerate();
     let found = types.filter_map(|(line_type, kind)| {
-        let area_m2 = std::f64::consts::FRAC_PI_4 * kind.diameter_m * kind.diameter_m;
-        let water_kg_per_m = mooring.water_density_kg_per_m3 * area_m2;
+        let water_kg_per_m = mooring.water_density_kg_per_m3 * kind.area_m2();
         let floats = kind.mass_kg_per_m < water_kg_per_m;
         floats.then_some(MooringWarning::Floats {
             line_type,
@@ -172,7 +170,7 @@ fn slack(
         .then_some(MooringWarning::Slack { line, length_m })
 }
 
-/// What its ends say about a line.
+/// Warnings about the ends of a line and its highest point.
 fn of_line(
     mooring: &MooringDescription,
     line: usize,

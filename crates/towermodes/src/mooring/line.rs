@@ -31,8 +31,7 @@ pub(super) struct Hung {
 
 impl Rope {
     pub(super) fn new(line: &MooringLine, kind: &LineType, mooring: &MooringDescription) -> Self {
-        let area_m2 = std::f64::consts::FRAC_PI_4 * kind.diameter_m * kind.diameter_m;
-        let displaced_kg_per_m = mooring.water_density_kg_per_m3 * area_m2;
+        let displaced_kg_per_m = mooring.water_density_kg_per_m3 * kind.area_m2();
         let w = (kind.mass_kg_per_m - displaced_kg_per_m) * mooring.gravity_m_per_s2;
         Self {
             cable: Cable {

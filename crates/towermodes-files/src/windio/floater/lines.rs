@@ -76,7 +76,7 @@ pub(super) fn lines(
         lines: found,
         ..MooringDescription::default()
     };
-    // The depth is that of the environment; the anchors show whether it is theirs.
+    // The depth is given elsewhere (environment), so messages about it refer to the first anchor.
     let is_anchor = |point: &MooringPoint| point.attachment == Attachment::Fixed;
     let anchor = description.points.iter().position(is_anchor);
     spans.site = anchor.map_or(mooring.span.clone(), |anchor| spans.points[anchor].clone());

@@ -11,7 +11,8 @@ const EXCITATIONS: usize = 12;
 /// The frequencies at each rotor speed: modes, then excitations. Where a mode takes the name of
 /// another, the cell has the frequencies of both.
 pub(super) fn table(campbell: &Campbell) -> DataTable {
-    let modes = modes(campbell);
+    let mut modes = campbell.lines_by_mode();
+    modes.retain(|lines| lines.iter().any(|line| !line.points.is_empty()));
     let multiples = campbell.multiples.iter().take(EXCITATIONS);
     let multiples: Vec<usize> = multiples.copied().collect();
     let names = modes.iter().map(|lines| format!("{} (Hz)", lines[0].label));
@@ -27,19 +28,6 @@ pub(super) fn table(campbell: &Campbell) -> DataTable {
         header: header.chain(names).chain(excitations).collect(),
         rows: speeds(campbell).into_iter().map(row).collect(),
     }
-}
-
-/// The lines of each mode: a mode of a turbine has one for each curve with its name.
-fn modes(campbell: &Campbell) -> Vec<Vec<&FrequencyLine>> {
-    let mut modes: Vec<Vec<&FrequencyLine>> = Vec::new();
-    for line in campbell.lines.iter().filter(|line| !line.points.is_empty()) {
-        let mut known = modes.iter_mut();
-        match known.find(|lines| lines[0].is_of_same_mode(line)) {
-            Some(lines) => lines.push(line),
-            None => modes.push(vec![line]),
-        }
-    }
-    modes
 }
 
 /// The rotor speeds of the points, and those at the ends of operation, rpm.

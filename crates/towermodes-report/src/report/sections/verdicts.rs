@@ -81,8 +81,8 @@ pub(super) fn of_diagram(
         "#period (s)",
     ];
     let mut table = Table::new(caption, columns);
-    for line in each_mode(campbell) {
-        let decisive = decisive(campbell, line);
+    for line in campbell.lines_by_mode().iter().map(|lines| lines[0]) {
+        let decisive = campbell.decisive(line);
         let objects = decisive.is_some_and(|margin| margin.verdict.is_objection());
         if objects || is_first(line) {
             table.push(row(campbell, line, decisive));
@@ -101,27 +101,6 @@ pub(super) fn is_first_of_turbine(line: &FrequencyLine) -> bool {
 
 fn is_first(name: TurbineModeName) -> bool {
     name.order == 1 && !matches!(name.part, TurbinePart::Blades(..))
-}
-
-/// The first line of each mode.
-fn each_mode(campbell: &Campbell) -> Vec<&FrequencyLine> {
-    let mut modes: Vec<&FrequencyLine> = Vec::new();
-    for line in &campbell.lines {
-        if !modes.iter().any(|mode| mode.is_of_same_mode(line)) {
-            modes.push(line);
-        }
-    }
-    modes
-}
-
-/// The worst distance of a mode, of equal verdicts the smallest.
-fn decisive<'a>(campbell: &'a Campbell, line: &FrequencyLine) -> Option<&'a Margin> {
-    let is_own = |margin: &&Margin| campbell.lines[margin.line].is_of_same_mode(line);
-    let own = campbell.margins.iter().filter(is_own);
-    own.max_by(|a, b| {
-        let by_distance = || b.distance.abs().total_cmp(&a.distance.abs());
-        a.verdict.cmp(&b.verdict).then_with(by_distance)
-    })
 }
 
 fn row(campbell: &Campbell, line: &FrequencyLine, decisive: Option<&Margin>) -> Vec<Cell> {
