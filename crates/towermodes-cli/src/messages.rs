@@ -24,7 +24,7 @@ pub(crate) fn report(text: &str) {
     say(&printable(text, NOT_SHOWN));
 }
 
-/// Prints the notes of a reader, as warnings where the user should check something.
+/// Prints the notes of a reader; notes on something that the user should check are warnings.
 pub(crate) fn note(notes: &[Note]) {
     for note in notes {
         let level = match note.is_warning() {
@@ -35,7 +35,7 @@ pub(crate) fn note(notes: &[Note]) {
     }
 }
 
-/// Prints warnings that are no notes of a reader.
+/// Prints warnings that do not come from a reader.
 pub(crate) fn warn_texts(warnings: &[String]) {
     for warning in warnings {
         say(&message(Level::WARNING, warning, None));

@@ -15,7 +15,7 @@ use super::state::State;
 /// writes the same report.
 pub type Reporter = Box<dyn Fn(TowerInput, &[String]) -> Result<String, String> + Send + Sync>;
 
-/// Whether a long answer is still wanted; otherwise it is given up.
+/// Returns whether a long computation shall continue; if not, it is cancelled.
 pub type Wanted<'a> = &'a dyn Fn() -> bool;
 
 /// Heights of the shapes: as many as the page draws.

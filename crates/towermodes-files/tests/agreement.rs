@@ -80,7 +80,7 @@ fn notes(frame: Rows<'_>, water: Rows<'_>, depths: [&str; 2]) -> String {
 /// What only contradictions say.
 const SAID: [&str; 5] = [
     "diameter of",
-    "nearest of SubDyn",
+    "nearest member of SubDyn",
     "lowest reaction joint",
     "coefficient of added mass",
     "the value here is used",
@@ -180,7 +180,7 @@ fn two_depths_are_doubted() {
 fn other_diameters_and_coefficients_are_doubted() {
     let thin = notes(&[], &[("NPropSets", "1 0.4 0.06")], ["20", "default"]);
     thin.says_all(
-        "wet.dat: & : member 1 has a diameter of 0.4 m at z = -12.5 m, but member 1 of sub.dat: & at the same place one of 4 m & ; so is another member",
+        "wet.dat: & : member 1 has a diameter of 0.4 m at z = -12.5 m, but member 1 of sub.dat: & has a diameter of 4 m there & ; another member has the same problem",
     );
     let simple = "1.0 1.1 9.0 1.2 1 1 0.3 0.4 1 1";
     let heavy = notes(&[], &[("Simpl", simple)], ["20", "default"]);
@@ -193,7 +193,7 @@ fn other_diameters_and_coefficients_are_doubted() {
 fn members_elsewhere_are_doubted() {
     let joints = "1 0 0 -20 1 0\n2 30 0 -5 1 0\n3 0 0 10 1 0";
     let away = notes(&[], &[("NJoints", joints)], ["20", "default"]);
-    away.says_all("wet.dat: & : member 1 is up to 30.0 m from member & of sub.dat: & , the nearest of SubDyn & so is another member");
+    away.says_all("wet.dat: & : member 1 is up to 30.0 m away from member & of sub.dat: & , the nearest member of SubDyn & another member has the same problem");
 }
 
 /// Without reaction joints a structure floats, unless it stands on the seabed.

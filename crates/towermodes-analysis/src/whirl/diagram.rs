@@ -132,7 +132,8 @@ pub fn coupled_campbell(
     })
 }
 
-/// The same, given up before the first solve at a rotor speed (rpm) for which `goes_on` is false.
+/// As [`coupled_campbell`], but cancelled before the first rotor speed (rpm) for which `goes_on`
+/// returns false.
 ///
 /// # Errors
 /// As [`coupled_campbell`], and [`CoupledError::GivenUp`].

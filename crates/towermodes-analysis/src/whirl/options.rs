@@ -257,8 +257,8 @@ pub enum CoupledError {
         /// long for any.
         possible_hz: f64,
     },
-    /// The diagram was given up before its end.
-    #[error("the diagram was given up, because it was no longer wanted")]
+    /// The computation of the diagram was cancelled.
+    #[error("the diagram was cancelled")]
     GivenUp,
     /// A rotor speed that is negative or no number.
     #[error("a rotor speed is {rpm} rpm; it must be a finite number of at least 0")]

@@ -130,7 +130,7 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
         (converted, _) => converted.map_err(Failure::from),
     }?;
     note(&input.notes);
-    // What a file cannot hold is lost.
+    // The written file does not contain what its format cannot store.
     warn_texts(&Vec::from_iter(
         converted.notes.iter().map(ToString::to_string),
     ));

@@ -16,8 +16,8 @@ pub enum DesignError {
     /// There is nothing to change.
     #[error("the design has no variables")]
     NoVariables,
-    /// The design was given up before its end.
-    #[error("the design was given up, because it was no longer wanted")]
+    /// The design was cancelled.
+    #[error("the design was cancelled")]
     GivenUp,
     /// There is nothing to reach.
     #[error("the design has no goal for a frequency")]

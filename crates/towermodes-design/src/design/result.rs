@@ -118,7 +118,7 @@ pub fn design(
     design_while(base, problem, solver, &mut || true)
 }
 
-/// The same, given up before the first tower for which `goes_on` is false.
+/// As [`design`], but cancelled before the first tower for which `goes_on` returns false.
 ///
 /// # Errors
 /// As [`design`], and [`DesignError::GivenUp`].

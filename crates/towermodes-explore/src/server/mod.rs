@@ -32,8 +32,8 @@ const IDLE: Duration = Duration::from_secs(5);
 const SLOW_BODY: Duration = Duration::from_secs(10);
 /// More connections than this at once are closed at once. A browser has six.
 const MOST_CONNECTIONS: usize = 256;
-/// Answers at once, beside those that wait: a page solves one tower at a time, and asks meanwhile
-/// for the diagram of a turbine, its motion, and a design.
+/// The largest number of answers that are computed at the same time: besides the tower a page may
+/// request the diagram of a turbine, its modes at a rotor speed, and a design.
 const THREADS: usize = 4;
 
 /// A server that has its address and waits.

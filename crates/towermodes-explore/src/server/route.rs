@@ -92,7 +92,7 @@ pub(super) async fn answer(routes: Arc<Routes>, route: Route, body: Incoming) ->
         Ok(body) => body,
         Err(response) => return response,
     };
-    // Whoever closes the connection drops this answer, and with it the token.
+    // If the page closes the connection, this answer is dropped, and the computation is cancelled.
     let token = Arc::new(());
     let held = Arc::downgrade(&token);
     let computed = move || {

@@ -52,8 +52,8 @@ impl Pair<'_> {
     fn note(&self, strip: usize, others: usize, message: String) -> Note {
         let others = match others {
             0 => String::new(),
-            1 => "; so is another member".to_owned(),
-            _ => format!("; so are {others} other members"),
+            1 => "; another member has the same problem".to_owned(),
+            _ => format!("; {others} other members have the same problem"),
         };
         let row = self.water.member_rows[strip];
         Note::suspicious(message + &others).at(self.file(), row)
@@ -64,7 +64,7 @@ impl Pair<'_> {
         let found = self.water.other_diameters(self.frame());
         let first = found.first()?;
         let message = format!(
-            "member {} has a diameter of {} m at z = {} m, but {} at the same place one of {} m: the water around it is that of another diameter; correct one of them",
+            "member {} has a diameter of {} m at z = {} m, but {} has a diameter of {} m there: the added mass follows from the first diameter; correct one of the two files",
             self.water.members[first.strip].name,
             Exact(first.strip_m),
             Exact(first.z_m),
@@ -79,7 +79,7 @@ impl Pair<'_> {
         let found = self.water.far_away(self.frame());
         let first = found.first()?;
         let message = format!(
-            "member {} is up to {:.1} m from {}, the nearest of SubDyn, with which its water moves; both files have the same axes: compare the joints",
+            "member {} is up to {:.1} m away from {}, the nearest member of SubDyn, to which its added mass is attached; both files use the same axes: compare the joints",
             self.water.members[first.strip].name,
             first.distance_m,
             self.member(first.member)

@@ -121,7 +121,7 @@ impl<'a> Positional<'a> {
     }
 }
 
-/// Refuses a comment where a value must be: OpenFAST takes its first word for the value.
+/// Refuses a comment in place of a value: OpenFAST would read its first word as the value.
 pub(super) fn check_no_comment(line: &Line<'_>, expected: &str) -> Result<(), Diagnostic> {
     let text = line.text.trim_start();
     if !text.starts_with(['!', '#', '%']) {
@@ -129,7 +129,7 @@ pub(super) fn check_no_comment(line: &Line<'_>, expected: &str) -> Result<(), Di
     }
     let start = line.start + line.text.len() - text.len();
     let kind = DiagnosticKind::misplaced(expected, "a comment");
-    let hint = "lines are read by position, also in OpenFAST: write comments behind the values";
+    let hint = "OpenFAST reads these lines by position: write comments behind the values";
     Err(Diagnostic::new(start..start + text.trim_end().len(), kind).with_hint(hint))
 }
 

@@ -7,9 +7,9 @@ use super::input::HydrodynInput;
 use super::spatial::{difference, norm};
 use super::strip::{Stretch, blend};
 
-/// One member has one diameter in both files; it differs by a larger factor only by mistake.
+/// The largest plausible ratio of the diameters of a member in both files.
 const FACTOR: f64 = 1.5;
-/// Members are further apart only by mistake: in diameters, and in m.
+/// The largest plausible distance between members of both files, in diameters and in m.
 const DIAMETERS: f64 = 2.0;
 const APART_M: f64 = 3.0;
 
@@ -40,7 +40,7 @@ pub(crate) struct FarAway {
 }
 
 impl HydrodynInput {
-    /// Strip members whose water moves and which lie on a tube of another diameter.
+    /// Strip members with added mass that lie on a tube of another diameter.
     pub(crate) fn other_diameters(&self, frame: &FrameDescription) -> Vec<OtherDiameter> {
         let beams = beams::of(frame);
         let mut found = Vec::new();
@@ -67,7 +67,7 @@ impl HydrodynInput {
         found
     }
 
-    /// Strip members whose water moves, far from all members of the frame.
+    /// Strip members with added mass that are far away from all members of the frame.
     pub(crate) fn far_away(&self, frame: &FrameDescription) -> Vec<FarAway> {
         let axes = beams::all(frame);
         let strips = self.members.iter().enumerate();

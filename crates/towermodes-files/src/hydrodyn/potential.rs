@@ -99,7 +99,7 @@ pub(super) fn read(
         return Err(wrong(token.wrong(kind)));
     }
     if volume_m3 == 0.0 {
-        let message = "PtfmVol0 is 0, so the buoyancy of the potential-flow body is not known and the static balance is without it; give the displaced volume of WAMIT in m3";
+        let message = "PtfmVol0 is 0, so the buoyancy of the potential-flow body is not known and there is no static balance; give the displaced volume of WAMIT in m3";
         let token = values.expect("PtfmVol0").map_err(wrong)?;
         notes.push(Note::suspicious(message).at(source, token.span.start));
     }
@@ -240,7 +240,7 @@ fn on_triangle(is_upper: bool, source: &Source) -> Option<Note> {
     is_upper.then(|| Note::compatibility(message).at(source, 0))
 }
 
-/// That of rounded digits.
+/// The largest relative difference due to rounding.
 const ROUNDED_SKEW: f64 = 1e-4;
 /// Differences of panels are small.
 const USUAL_SKEW: f64 = 0.01;
@@ -282,7 +282,7 @@ fn on_outlier(table: &AddedMassTable, source: &Source) -> Option<Note> {
     Some(Note::suspicious(message).at(source, 0))
 }
 
-/// What is in another form than in HydroDyn.
+/// Notes on data that the model uses in another form than HydroDyn.
 fn left_out(values: &Values<'_>, source: &Source) -> Vec<Note> {
     let mut notes = Vec::new();
     let token = values.token("FKMod");

@@ -133,7 +133,7 @@ fn has_potential_flow(values: &Values<'_>) -> bool {
         .any(|name| values.line(name).is_some())
 }
 
-/// The mistake of a file that is none of HydroDyn, or only its beginning.
+/// The error for a file that is not a HydroDyn file, or is only the beginning of one.
 fn not_hydrodyn(values: &Values<'_>) -> Diagnostic {
     if has_potential_flow(values) {
         let kind = DiagnosticKind::missing_key("the HydroDyn file", "NMembers");
@@ -144,7 +144,7 @@ fn not_hydrodyn(values: &Values<'_>) -> Diagnostic {
         .with_hint("such a file has PotMod, AddCLin, NJoints and NMembers")
 }
 
-/// What does not change undamped modes, in one note.
+/// One note on all data that do not change undamped modes.
 fn on_damping(values: &Values<'_>, has_body: bool, source: &Source) -> Option<Note> {
     let named =
         ["AddBLin", "AddBQuad"].map(|name| values.line(name).map(|line| (name, line.start)));

@@ -77,8 +77,7 @@ pub(crate) fn water_of_fst(source: &Source) -> Result<WaterDefaults, ReadError> 
         let token = values.token(name);
         if let Some(token) = token.filter(|token| is_default(token)) {
             let kind = DiagnosticKind::wrong_type(name, "a number", "`DEFAULT`");
-            let hint =
-                "in the .fst file it has no default: HydroDyn and SeaState take theirs from it";
+            let hint = "write a number: the .fst file gives the defaults of the HydroDyn and SeaState files";
             return Err(ReadError::mistake(
                 source,
                 token.wrong(kind).with_hint(hint),

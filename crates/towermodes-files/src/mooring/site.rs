@@ -95,7 +95,7 @@ pub(super) fn contradictions(
     let notes = pairs.into_iter().filter_map(|(name, unit, own, other)| {
         let (own, other) = (own?, other?);
         let message = format!(
-            "{name} is {} {unit} here, but {} {unit} in the other files of the model; the lines have the value of this file: make both equal",
+            "{name} is {} {unit} here, but {} {unit} in the other files of the model; for the lines the value here is used: make both equal",
             Exact(own),
             Exact(other)
         );

@@ -7,7 +7,8 @@ use crate::note::Note;
 use crate::resolver::FileResolver;
 use crate::source::Source;
 
-/// How many there are, since OpenFAST 3.0, or whether there is one, before; and where.
+/// The number of structural controls (since OpenFAST 3.0) or whether there is one (before), and
+/// where the file says so.
 const CONTROLS: [(&str, &str); 6] = [
     ("NumBStC", "blades"),
     ("NumNStC", "nacelle"),

@@ -31,7 +31,7 @@ impl Names {
         }
     }
 
-    /// Of a list; refuses the first name that stands twice, at the place of its second part.
+    /// Refuses the first name that occurs twice in a list, at its second occurrence.
     pub(crate) fn distinct<'n>(
         what: &'static str,
         names: impl Iterator<Item = &'n str>,

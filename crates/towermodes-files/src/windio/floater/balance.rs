@@ -317,7 +317,7 @@ fn scale_to(given_kg: f64, steel: &mut [RigidBody], ballast: &mut [RigidBody]) {
     }
 }
 
-/// A body with this share of its mass.
+/// The body with its mass multiplied by a factor.
 fn scaled(body: &RigidBody, share: f64) -> RigidBody {
     let tensor = body.inertia_kg_m2.tensor();
     RigidBody {

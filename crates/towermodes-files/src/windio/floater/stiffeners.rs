@@ -89,7 +89,7 @@ pub(super) fn note_angles(
         let node = member.structure.find(&[LONGITUDINAL, "spacing"]);
         if let Some(node) = node.filter(|_| is_other) {
             let message = format!(
-                "longitudinal stiffeners with spacing = {} {} are impossible: {} {}, {} degrees, is assumed; in windIO {} it is in {}",
+                "longitudinal stiffeners with spacing = {} {} are impossible: spacing = {} {} ({} degrees) is assumed; in windIO {} the spacing is in {}",
                 profile.spacing,
                 version.angle_unit(),
                 profile.spacing,

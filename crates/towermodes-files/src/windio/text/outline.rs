@@ -179,7 +179,7 @@ impl Version {
         }
     }
 
-    /// The unit of its angles.
+    /// The unit of angles in this version.
     pub(crate) fn angle_unit(self) -> &'static str {
         match self {
             Self::One => "rad",
@@ -187,7 +187,7 @@ impl Version {
         }
     }
 
-    /// Its number, as in the key `windIO_version`.
+    /// The number of the version, as in the key `windIO_version`.
     pub(crate) fn number(self) -> u8 {
         match self {
             Self::One => 1,
@@ -195,7 +195,7 @@ impl Version {
         }
     }
 
-    /// The other one.
+    /// The other version of windIO.
     pub(crate) fn other(self) -> Self {
         match self {
             Self::One => Self::Two,

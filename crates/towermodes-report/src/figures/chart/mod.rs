@@ -31,7 +31,7 @@ pub(super) struct Chart {
     pub title: Option<String>,
     pub x: Axis,
     pub y: Axis,
-    /// Behind the lines.
+    /// Drawn first, so that the lines are above it.
     pub bands: Vec<Band>,
     /// The observed orders, which a triangle in a corner of logarithmic axes shows.
     pub orders: Vec<f64>,

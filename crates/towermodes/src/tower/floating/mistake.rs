@@ -39,7 +39,7 @@ pub enum EquilibriumError {
     },
     /// A stiffness is negative on the way from the reference position, where it is positive.
     #[error(
-        "no equilibrium of the floating tower was found: its forces move it from the reference position, and {} m and {} degrees away its stiffness against {motion} is negative, although the modes, which belong to the reference position, are stable; compare weight, buoyancy and the vertical force of the lines",
+        "the floating tower has no equilibrium near its reference position: where its forces move it, {} m and {} degrees away, its stiffness against {motion} is negative; the modes are computed at the reference position, where the tower is stable; compare weight, buoyancy and the vertical force of the lines",
         Rounded(*.shift_m), Rounded(*.tilt_deg)
     )]
     UnstableAway {
