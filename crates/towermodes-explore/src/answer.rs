@@ -101,8 +101,8 @@ pub struct AnsweredMode {
 /// The damping of a mode, as fractions of critical damping.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DampedMode {
-    /// Damping ratio from the loss factors of the parts of the tower; none if the file gives no loss
-    /// factor.
+    /// Damping ratio from the loss factors of the parts of the tower; none if the file gives no
+    /// loss factor.
     pub ratio: Option<f64>,
     /// Rotor speed (rpm) and damping ratio, including the aerodynamic damping of the rotor.
     pub running: Vec<[f64; 2]>,

@@ -17,8 +17,8 @@ impl Campbell {
         signed_percent(margin.distance, self.margin)
     }
 
-    /// The distance as tables show it: "+12.3 %", "crossing", or the rotor speed from which the mode
-    /// is missing, if the pair warns for this alone.
+    /// The distance as tables show it: "+12.3 %", "crossing", or the rotor speed from which the
+    /// mode is missing, if the pair warns for this alone.
     #[must_use]
     pub fn distance_text(&self, margin: &Margin) -> String {
         match (self.missing_from_rpm(margin), margin.distance) {
