@@ -233,7 +233,7 @@ fn stiffeners_that_overlap_have_their_angle_in_the_other_unit() {
         let input = stiffened(spacing, version);
         let said = notes(&input, words);
         assert_eq!(said.len(), 1, "{said:?}");
-        said[0].says(&format!("in windIO {version} it is in"));
+        said[0].says(&format!("in windIO {version} the spacing is in"));
         assert!(
             (ballast(&input) - ballast(&in_rad)).abs() < 0.2,
             "{version}"
