@@ -73,9 +73,10 @@ pub(crate) fn read_toml(source: Source, files: &dyn FileResolver) -> Result<Towe
     match describe(&source.text, Some(files)) {
         Ok(described) => {
             let mut input = TowerInput::new(FileFormat::Toml, described.description, vec![source]);
+            // The user can correct what these notes are about.
             let notes = described.notes.iter();
             let notes =
-                notes.map(|(at, message)| Note::left_out(*message).at(&input.sources[0], *at));
+                notes.map(|(at, message)| Note::suspicious(*message).at(&input.sources[0], *at));
             input.notes = notes.chain(described.other_notes).collect();
             input.places = described.places;
             input.sources.extend(described.others);
