@@ -385,7 +385,7 @@ export class Explorer {
     const band = own.coupled === null ? this.band : null;
     this.resonance.show(own, other, band, { id: chosen, whirl: turning?.chosen ?? null });
     turning?.show();
-    const refused = turning?.refusal ? `The turbine cannot be solved: ${turning.refusal} The diagram is that of a rigid rotor.` : "";
+    const refused = turning?.refusal ? `The turbine cannot be solved: ${turning.refusal} The diagram shows the tower with a rigid rotor.` : "";
     const state = turning === null ? "" : turning.isDrawing ? "solving the turbine…" : refused;
     setText(byId("resonance-state"), state);
     byId("diagram").classList.toggle("waits", turning?.isDrawing ?? false);
