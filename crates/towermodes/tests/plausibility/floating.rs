@@ -192,6 +192,29 @@ fn short(change: impl FnOnce(&mut FloatingPlatform)) -> Vec<Warning> {
 }
 
 #[test]
+fn wide_platforms_of_short_towers() {
+    let said = |inertia: f64| {
+        let warnings = short(|p| {
+            let own = &mut p.inertia_kg_m2;
+            (own.xx, own.yy, own.zz) = (inertia, inertia, inertia);
+        });
+        let said = warnings.iter().map(ToString::to_string);
+        // The rotor-nacelle assembly of this short tower has such a warning too.
+        said.filter(|said| said.contains("radius of gyration"))
+            .filter(|said| !said.starts_with("rotor-nacelle assembly"))
+            .collect::<Vec<_>>()
+    };
+    // 24 m and 45 m, more than the 20 m from the centre to the top of the tower.
+    assert_eq!(said(1.5e9), Vec::<String>::new());
+    assert_eq!(
+        said(5e9).len(),
+        1,
+        "{:?}",
+        short(|p| p.inertia_kg_m2.xx = 5e9)
+    );
+}
+
+#[test]
 fn lines_may_begin_a_little_above_the_base_of_a_short_tower() {
     let is_above = |z_m: f64| {
         let warnings = short(|p| {
