@@ -12,7 +12,7 @@ use crate::sweep::Sweep;
 use crate::sweep_source::SweepSource;
 
 /// Which sweep a slice is of, and which of its rows it has. Its text is one line:
-/// `towermodes 0.1.0 sweep, tower 01…, values 23…, options 45…, rows 0..2000 of 2000`.
+/// `towermodes 1.0.0 sweep, tower 01…, values 23…, options 45…, rows 0..2000 of 2000`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Header {
     sweep: Identity,
@@ -231,7 +231,7 @@ mod tests {
 
     #[test]
     fn a_header_is_one_line() {
-        let text = "towermodes 0.1.0 sweep, tower 0a, values 1b, options 2c, rows 10..20 of 30";
+        let text = "towermodes 1.0.0 sweep, tower 0a, values 1b, options 2c, rows 10..20 of 30";
         let header: Header = text.parse().expect("a header");
         assert_eq!((header.to_string().as_str(), header.rows), (text, 10..20));
         for wrong in [

@@ -1,7 +1,7 @@
 //! Slices: the results of successive rows of a sweep as a table in CSV or Parquet.
 //!
 //! ```text
-//! # towermodes 0.1.0 sweep, tower 01…, values 23…, options 45…, rows 0..50000 of 100000
+//! # towermodes 1.0.0 sweep, tower 01…, values 23…, options 45…, rows 0..50000 of 100000
 //! row,rna.mass,mass_kg,certified,fore_aft_1_hz,fore_aft_1_error_hz,fore_aft_1_share,error
 //! 0,350000.0,347374.41444767383,true,0.32146,…
 //! ```
