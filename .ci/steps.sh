@@ -7,16 +7,17 @@
 step_times=()
 not_run=()
 
+# A step is a process of its own, so that its first command that fails ends it.
 step() {
-    local started=$SECONDS
+    local started=$SECONDS code verdict=""
     printf '\n== %s\n' "$*"
-    if "$@"; then
-        step_times+=("$((SECONDS - started))	$*")
-    else
-        local code=$?
-        step_times+=("$((SECONDS - started))	failed: $*")
-        return $code
-    fi
+    set +e
+    ( set -e; "$@" )
+    code=$?
+    set -e
+    [ $code = 0 ] || verdict="failed: "
+    step_times+=("$((SECONDS - started))	$verdict$*")
+    return $code
 }
 
 # need COMMAND PACKAGES WHAT: whether a command is there, which WHAT needs.
@@ -28,6 +29,26 @@ need() {
         command -v "$1" > /dev/null && return
     fi
     not_run+=("$3: needs $1; on Debian and Ubuntu: apt-get install $2")
+    return 1
+}
+
+# need_target TARGET WHAT: whether the compiler has the standard library of a target, which WHAT needs.
+need_target() {
+    [ -d "$(rustc --print target-libdir --target "$1")" ] && return
+    if [ "${CI:-}" = true ] && rustup target add "$1"; then
+        return
+    fi
+    not_run+=("$2: needs the standard library of Rust for $1; with rustup: rustup target add $1")
+    return 1
+}
+
+# need_cargo NAME WHAT: whether cargo has a command, which WHAT needs.
+need_cargo() {
+    command -v "cargo-$1" > /dev/null && return
+    if [ "${CI:-}" = true ] && step cargo install --quiet --locked "cargo-$1"; then
+        return
+    fi
+    not_run+=("$2: needs cargo-$1; cargo install --locked cargo-$1")
     return 1
 }
 

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Checks that the source package is complete: it is built in an empty folder, installed and used.
+# Builds the source package, target/wheels/*.tar.gz, and checks that it is complete: it is installed and used in an
+# empty folder.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-maturin=$(command -v target/python/bin/maturin || command -v maturin)
+target/python/bin/maturin sdist --out target/wheels 2> /dev/null
 empty=$(mktemp -d)
 trap 'rm -rf "$empty"' EXIT
-"$maturin" sdist --out "$empty" 2> /dev/null
-cp examples/nrel-5mw.toml "$empty"
+cp target/wheels/*.tar.gz examples/nrel-5mw.toml "$empty"
 cd "$empty"
 python3 -m venv environment
 # What is left out of the package is missed here.
