@@ -2,6 +2,8 @@
 
 use towermodes::Family;
 
+use crate::misprint::Misprint;
+
 /// The uncertainty of the last digit of an expected value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Digits {
@@ -83,6 +85,8 @@ pub struct Expected {
     pub value: f64,
     /// Digits given after the decimal point.
     pub decimals: usize,
+    /// The value that should have been printed, if the printed one is known to be wrong.
+    pub misprint: Option<Misprint>,
 }
 
 impl Expected {
@@ -144,7 +148,15 @@ impl Expected {
             quantity,
             value: text.parse().expect("a number of the manual"),
             decimals: text.split_once('.').map_or(0, |(_, digits)| digits.len()),
+            misprint: None,
         }
+    }
+
+    /// The same value as a misprint, with the correct value.
+    #[must_use]
+    pub fn instead_of(mut self, correct: f64, reason: &'static str) -> Self {
+        self.misprint = Some(Misprint { correct, reason });
+        self
     }
 
     /// The name of its quantity: "bending 2", "mode 2".

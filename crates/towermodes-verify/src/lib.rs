@@ -17,6 +17,7 @@ mod expected;
 mod found;
 mod manual;
 mod markdown;
+mod misprint;
 mod row;
 #[cfg(feature = "serde")]
 mod row_keys;
@@ -29,7 +30,8 @@ pub use chapter::Chapter;
 pub use expected::{Digits, Expected, Hanging, Quantity};
 pub use manual::{CHAPTERS, manual};
 pub use markdown::markdown;
-pub use row::{Row, Verification};
+pub use misprint::Misprint;
+pub use row::{Row, Verdict, Verification, summary};
 pub use subject::Subject;
 pub use turning::Turning;
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::row::Row;
+use crate::row::{Row, summary};
 
 /// All rows, chapter by chapter and case by case, as Markdown.
 pub fn markdown(rows: &[Row]) -> String {
@@ -12,13 +12,7 @@ pub fn markdown(rows: &[Row]) -> String {
          This chapter is the output of `towermodes verify --format markdown`; a test compares both. The tolerance is the rounding of\n\
          the last digit of the reference value plus an allowance for the method or the reference, which the case describes.\n\n",
     );
-    let failures = rows.iter().filter(|row| !row.passes()).count();
-    let _ = writeln!(
-        text,
-        "{} values, {} of them within their tolerance.",
-        rows.len(),
-        rows.len() - failures
-    );
+    let _ = writeln!(text, "{}.", summary(rows));
     for chapter in rows.chunk_by(|a, b| a.chapter == b.chapter) {
         let _ = write!(
             text,
@@ -33,6 +27,9 @@ pub fn markdown(rows: &[Row]) -> String {
             text.push_str("| method | mode | expected | computed | difference | tolerance | |\n|---|---|---|---|---|---|---|\n");
             for row in case {
                 let _ = writeln!(text, "| {} |", cells(row).join(" | "));
+            }
+            for sentence in case.iter().filter_map(Row::misprint) {
+                let _ = write!(text, "\n{sentence}.\n");
             }
         }
     }

@@ -71,7 +71,7 @@ impl Row {
             self.shown(),
             self.shown_difference(),
             format!("{:.0e}", self.tolerance),
-            self.verdict().to_owned(),
+            self.verdict().name().to_owned(),
         ]
     }
 
@@ -104,19 +104,65 @@ impl Row {
             self.got.as_ref().map_or_else(Clone::clone, f64::to_string),
             difference.map_or_else(String::new, |difference| format!("{difference:e}")),
             format!("{:e}", self.tolerance),
-            self.verdict().to_owned(),
+            self.verdict().name().to_owned(),
         ]
     }
 
-    /// PASS or FAIL.
-    pub fn verdict(&self) -> &'static str {
-        if self.passes() { "PASS" } else { "FAIL" }
+    /// The result of the comparison. A misprint explains a difference only if the computed value
+    /// agrees with the correct one.
+    pub fn verdict(&self) -> Verdict {
+        let agrees_with = |value: f64| {
+            let got = self.got.as_ref();
+            got.is_ok_and(|got| (got / value - 1.0).abs() <= self.tolerance)
+        };
+        match self.expected.misprint {
+            _ if agrees_with(self.expected.value) => Verdict::Pass,
+            Some(misprint) if agrees_with(misprint.correct) => Verdict::Misprint,
+            _ => Verdict::Fail,
+        }
     }
 
-    /// Whether the difference is within the tolerance.
+    /// Whether the difference from the printed value is within the tolerance.
     pub fn passes(&self) -> bool {
-        self.relative_difference()
-            .is_some_and(|difference| difference.abs() <= self.tolerance)
+        self.verdict() == Verdict::Pass
+    }
+
+    /// The sentence on the misprint of the source, if the row differs for this reason.
+    pub fn misprint(&self) -> Option<String> {
+        let misprint = self.expected.misprint?;
+        let decimals = self.expected.decimals;
+        let sentence = format!(
+            "{}, {} ({}): printed {:.decimals$}, correct {:.decimals$}; {}",
+            self.method,
+            self.what,
+            self.source,
+            self.expected.value,
+            misprint.correct,
+            misprint.reason
+        );
+        (self.verdict() == Verdict::Misprint).then_some(sentence)
+    }
+}
+
+/// The result of a comparison.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// The computed value agrees with the printed one.
+    Pass,
+    /// It agrees with the correct value of a known misprint, not with the printed one.
+    Misprint,
+    /// It agrees with neither.
+    Fail,
+}
+
+impl Verdict {
+    /// The word in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Pass => "PASS",
+            Self::Misprint => "MISPRINT",
+            Self::Fail => "FAIL",
+        }
     }
 }
 
@@ -127,19 +173,50 @@ impl Row {
 pub struct Verification {
     /// Number of values compared.
     pub values: usize,
-    /// Number of values outside their tolerance.
+    /// Number of values outside their tolerance, without known misprints.
     pub failures: usize,
+    /// Number of values that differ from a known misprint of their source and agree with the
+    /// correct value.
+    pub misprints: usize,
     /// Every value.
     pub rows: Vec<Row>,
 }
 
 impl Verification {
-    /// Counts the rows that do not pass.
+    /// Counts the rows by their verdicts.
     pub fn of(rows: Vec<Row>) -> Self {
         Self {
             values: rows.len(),
-            failures: rows.iter().filter(|row| !row.passes()).count(),
+            failures: count(&rows, Verdict::Fail),
+            misprints: count(&rows, Verdict::Misprint),
             rows,
         }
     }
+}
+
+/// How many rows have a verdict.
+fn count(rows: &[Row], verdict: Verdict) -> usize {
+    rows.iter().filter(|row| row.verdict() == verdict).count()
+}
+
+/// "40 of 43 values are within their tolerance; 3 printed values differ in the last digits, see the
+/// reasons above".
+pub fn summary(rows: &[Row]) -> String {
+    let passed = count(rows, Verdict::Pass);
+    let misprints = count(rows, Verdict::Misprint);
+    let mut text = format!(
+        "{passed} of {} values are within their tolerance",
+        rows.len()
+    );
+    if misprints > 0 {
+        let plural = if misprints == 1 {
+            "value differs"
+        } else {
+            "values differ"
+        };
+        text.push_str(&format!(
+            "; {misprints} printed {plural} in the last digits, see the reasons above"
+        ));
+    }
+    text
 }

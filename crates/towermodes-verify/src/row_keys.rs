@@ -40,6 +40,9 @@ struct RowKeys {
     /// Whether the difference is within the tolerance.
     #[serde(getter = "Row::passes")]
     passes: bool,
+    /// Why the printed value is known to be wrong; null if the value passes or fails.
+    #[serde(getter = "Row::misprint")]
+    misprint: Option<String>,
 }
 
 fn chapter(row: &Row) -> &'static str {

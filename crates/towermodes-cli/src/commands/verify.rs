@@ -16,7 +16,7 @@ const EXAMPLES: &str = "Examples:
   towermodes verify paper bmodes
   towermodes verify --output verification.json
 
-Exit codes: 0 all values are within their tolerance; 1 at least one is not, or the output failed; 2 wrong usage.";
+Exit codes: 0 all values are within their tolerance, or differ from a known misprint of their source (MISPRINT); 1 at least one is not, or the output failed; 2 wrong usage.";
 
 /// The arguments of `verify`.
 #[derive(Debug, Args)]

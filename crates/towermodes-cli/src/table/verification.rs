@@ -1,6 +1,6 @@
 //! The verification manual as text.
 
-use towermodes_verify::Row;
+use towermodes_verify::{Row, summary};
 
 use super::text::{align_right, plain_table};
 
@@ -14,16 +14,12 @@ pub(crate) fn verification(rows: &[Row]) -> String {
             of_chapter(chapter)
         ));
     }
-    let passed = rows.iter().filter(|row| row.passes()).count();
-    text.push_str(&format!(
-        "{passed} of {} values are within their tolerance\n",
-        rows.len()
-    ));
+    text.push_str(&format!("{}\n", summary(rows)));
     text
 }
 
 /// One table, so that all columns of a chapter are aligned, with the name and the source of each
-/// case above its rows.
+/// case above its rows and the misprints of the sources below it.
 fn of_chapter(rows: &[Row]) -> String {
     let mut table = plain_table();
     table.set_header([
@@ -44,6 +40,9 @@ fn of_chapter(rows: &[Row]) -> String {
         for line in lines.by_ref().take(case.len()) {
             text.push_str(&format!("\n{}", line.trim_end()));
         }
+    }
+    for sentence in rows.iter().filter_map(Row::misprint) {
+        text.push_str(&format!("\n\n{sentence}"));
     }
     text
 }

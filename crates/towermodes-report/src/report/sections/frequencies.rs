@@ -154,7 +154,7 @@ fn errors(solution: &Solution) -> String {
         _ => discretization(solution),
     };
     format!(
-        "{source} The algebraic error is an upper bound of the error of the eigenvalue solver. These errors do not include the \
+        "{source} The algebraic error is an estimate of the error of the eigenvalue solver. These errors do not include the \
          uncertainty of the input data and of the model."
     )
 }
