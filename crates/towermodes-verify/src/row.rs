@@ -199,24 +199,21 @@ fn count(rows: &[Row], verdict: Verdict) -> usize {
     rows.iter().filter(|row| row.verdict() == verdict).count()
 }
 
-/// "40 of 43 values are within their tolerance; 3 printed values differ in the last digits, see the
-/// reasons above".
+/// "40 of 43 values are within their tolerance; 3 differ in the last digits from misprints of
+/// their sources".
 pub fn summary(rows: &[Row]) -> String {
     let passed = count(rows, Verdict::Pass);
-    let misprints = count(rows, Verdict::Misprint);
-    let mut text = format!(
+    let within = format!(
         "{passed} of {} values are within their tolerance",
         rows.len()
     );
-    if misprints > 0 {
-        let plural = if misprints == 1 {
-            "value differs"
-        } else {
-            "values differ"
-        };
-        text.push_str(&format!(
-            "; {misprints} printed {plural} in the last digits, see the reasons above"
-        ));
+    match count(rows, Verdict::Misprint) {
+        0 => within,
+        1 => format!("{within}; 1 differs in the last digits from a misprint of its source"),
+        misprints => {
+            format!(
+                "{within}; {misprints} differ in the last digits from misprints of their sources"
+            )
+        }
     }
-    text
 }

@@ -88,7 +88,7 @@ const MISPRINTS: [Misprinted; 3] = [
         60,
         Family::Torsion,
         11.8832,
-        "the printed value has the polar inertia of a thin ring, as Table 2 with the same frequency has not",
+        "computed with the polar inertia of a thin ring; Table 2 prints 11.8832",
     ),
     (TABLE_2, 40, Family::Axial, 7.1017, "the cause is unknown"),
     (TABLE_2, 60, Family::Axial, 7.1059, "the cause is unknown"),
