@@ -134,7 +134,7 @@ def solve_substructure(
             "subdyn", the element of SubDyn with the divisions of the file.
 
     Raises:
-        TowerError: The file has mistakes, or the substructure is a mechanism.
+        TowerError: The file has mistakes, or the substructure is unstable.
         ValueError: An option is unknown, or the file is no SubDyn file.
         OSError: The file cannot be read.
 

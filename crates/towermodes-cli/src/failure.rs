@@ -188,7 +188,9 @@ impl From<FrameSolveError> for Failure {
     fn from(error: FrameSolveError) -> Self {
         let is_usage = matches!(
             error,
-            FrameSolveError::Modes { .. } | FrameSolveError::Degree { .. }
+            FrameSolveError::Modes { .. }
+                | FrameSolveError::Unresolved { .. }
+                | FrameSolveError::Degree { .. }
         );
         Self::new(error, if is_usage { USAGE } else { FAILED })
     }

@@ -412,15 +412,42 @@ fn a_small_frame_has_the_modes_that_there_are() {
     String::from_utf8_lossy(&refused.stderr).says("8 modes are requested; the frame has 6");
 }
 
+/// The spring carries a joint without mass, so only the six modes of the other joint are finite.
+#[test]
+fn a_joint_without_mass_leaves_the_modes_that_there_are() {
+    let folder = Folder::new("without-mass");
+    let spring = "---- SPRING ELEMENT PROPERTIES ----\n1 NSpringPropSets\nPropSetID k11\n(-)\n\
+                  1 1e8 0 0 0 0 0 1e8 0 0 0 0 1e8 0 0 0 1e9 0 0 1e9 0 1e9\n---- OUTPUT";
+    let text = two_tubes("1 1 1 1 1 1 1", "1 0 0 0");
+    let text = text
+        .replace("2 2 3 1 1 1c", "2 2 3 1 1 5")
+        .replace("---- OUTPUT", spring);
+    folder.write("SubDyn.dat", &text);
+    let file = folder.path("SubDyn.dat");
+    let solve = ["solve", &file, "--method", "subdyn"];
+    let solved = run(&[&solve[..], &["--format", "json"]].concat());
+    String::from_utf8_lossy(&solved.stderr)
+        .says("note: the frame has only 6 modes that can be resolved: the others have no mass");
+    let result: Value = serde_json::from_slice(&solved.stdout).expect("JSON");
+    assert_eq!(result["modes"].as_array().expect("modes").len(), 6);
+    let refused = run(&[&solve[..], &["--modes", "8"]].concat());
+    assert_eq!(refused.status.code(), Some(2));
+    String::from_utf8_lossy(&refused.stderr)
+        .says("8 modes are requested, but the frame has only 6 that can be resolved");
+}
+
 /// The pin makes a mechanism while the interface is free.
 #[test]
-fn a_mechanism_under_a_free_interface_has_a_hint() {
+fn a_mechanism_under_a_free_interface_has_a_warning() {
     let folder = Folder::new("mechanism");
     folder.write("SubDyn.dat", &two_tubes("1 1 1 1 1 1 1", "3 0 1 0"));
     let file = folder.path("SubDyn.dat");
-    let refused = run(&["solve", &file]);
-    let said = String::from_utf8_lossy(&refused.stderr);
-    said.says("the frame is a mechanism: 1 motion has no stiffness");
-    said.says("help: --clamped holds the interface joints");
-    done(&["solve", &file, "--clamped"]);
+    let solved = run(&["solve", &file, "--format", "json"]);
+    let said = String::from_utf8_lossy(&solved.stderr);
+    said.says("warning: the frame is a mechanism: 1 motion has no stiffness");
+    said.says("; --clamped holds the interface joints");
+    let result: Value = serde_json::from_slice(&solved.stdout).expect("JSON");
+    assert_eq!(result["modes"][0]["frequency_hz"], 0.0);
+    let held = run(&["solve", &file, "--clamped"]);
+    assert!(!String::from_utf8_lossy(&held.stderr).contains("mechanism"));
 }

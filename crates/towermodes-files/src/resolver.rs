@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Component, Path, PathBuf};
 
+use crate::note::Note;
 use crate::source::{FileError, Source};
 
 /// Gives the text of the files that a main file names: section tables of BModes decks, tower and
@@ -13,6 +14,12 @@ pub trait FileResolver {
     /// # Errors
     /// [`FileError`].
     fn read(&self, path: &str) -> Result<Source, FileError>;
+
+    /// Whether files are in folders: without folders, files are found by their names alone, and no
+    /// note says so.
+    fn has_folders(&self) -> bool {
+        true
+    }
 }
 
 /// A path that is relative to a folder, as seen from where the folder is.
@@ -22,6 +29,39 @@ pub(crate) fn beside(folder: &str, path: &str) -> String {
     } else {
         format!("{folder}/{path}")
     }
+}
+
+/// The folder of a file that was found by this path, as seen from where the path was: that of the
+/// path, or none if it was found elsewhere, by its name alone.
+pub(crate) fn folder_of<'a>(path: &'a str, found: &Source) -> &'a str {
+    let slash = path
+        .rfind(['/', '\\'])
+        .filter(|_| !is_elsewhere(path, found));
+    slash.map_or("", |slash| &path[..slash])
+}
+
+/// The note that the folder of a path, which `key` gives, does not have the file, if another one
+/// of the same name was found.
+pub(crate) fn found_elsewhere(
+    files: &dyn FileResolver,
+    key: &str,
+    path: &str,
+    found: &Source,
+) -> Option<Note> {
+    let message = format!(
+        "{key}: there is no {path}; the file of this name beside the file that refers to it is used"
+    );
+    (files.has_folders() && is_elsewhere(path, found)).then(|| Note::new(message))
+}
+
+/// Whether a file was found at another place than at its path.
+fn is_elsewhere(path: &str, found: &Source) -> bool {
+    let parts = |path: &str| -> Vec<String> {
+        let parts = path.split(['/', '\\']);
+        let parts = parts.filter(|part| !part.is_empty() && *part != ".");
+        parts.map(str::to_ascii_lowercase).collect()
+    };
+    !is_absolute(path) && !parts(&found.name).ends_with(&parts(path))
 }
 
 /// Whether a path is absolute, here or on Windows.

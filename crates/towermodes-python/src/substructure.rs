@@ -88,9 +88,12 @@ pub fn solve_substructure(
     };
     let solution = released(py, || solve_frame(&frame, &options));
     let solution = solution.map_err(|error| refused(&error))?;
-    Ok(Answer::of(Substructure {
+    let mut solved = Substructure {
         input,
         frame,
         solution,
-    }))
+    };
+    let mechanism = solved.solved().mechanism();
+    solved.input.notes.extend(mechanism);
+    Ok(Answer::of(solved))
 }

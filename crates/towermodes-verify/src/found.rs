@@ -41,20 +41,21 @@ impl FoundFrame {
             recipe,
             ..FrameOptions::default()
         };
-        let (still, frequencies_hz) = match solve_frame(&frame, &options) {
-            Ok(solution) => {
-                let modes = solution.modes.iter();
-                (0, modes.map(|mode| mode.frequency_hz).collect())
-            }
-            Err(FrameSolveError::Mechanism { modes: still, .. }) => {
+        let solution = solve_frame(&frame, &options).map_err(|error| error.to_string())?;
+        let (still, frequencies_hz) = match &solution.mechanism {
+            Some(FrameSolveError::Mechanism { modes: still, .. }) => {
                 let recipe = recipe.unwrap_or(FrameRecipe::Spectral { degree: DEGREE });
                 let places = still + 1..=modes;
                 let counted = places.map(|place| by_counts(&frame, recipe, place));
-                let mut frequencies = vec![0.0; still];
+                let mut frequencies = vec![0.0; *still];
                 frequencies.extend(counted.collect::<Result<Vec<_>, _>>()?);
-                (still, frequencies)
+                (*still, frequencies)
             }
-            Err(error) => return Err(error.to_string()),
+            Some(error) => return Err(error.to_string()),
+            None => {
+                let modes = solution.modes.iter();
+                (0, modes.map(|mode| mode.frequency_hz).collect())
+            }
         };
         let is_stiffness =
             |expected: &Expected| matches!(expected.quantity, Quantity::Stiffness(..));

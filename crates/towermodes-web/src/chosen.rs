@@ -139,4 +139,8 @@ impl FileResolver for Siblings<'_> {
         self.named.borrow_mut().insert(found.name.clone());
         Ok(found.clone())
     }
+
+    fn has_folders(&self) -> bool {
+        false
+    }
 }

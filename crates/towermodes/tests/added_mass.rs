@@ -13,8 +13,8 @@ use towermodes::internal::elements::{Borders, Element, Mesh, Recipe, assemble_ch
 use towermodes::internal::subsystem::{Eigenproblem, SubsystemPencil};
 use towermodes::space::{SpatialMatrix, add_scaled, transform_matrix};
 use towermodes::{
-    AddedMassAt, AddedMassTable, Change, FloatingPlatform, Foundation, Options, Solver, Tower,
-    TowerDescription,
+    AddedMassAt, AddedMassTable, Change, FloatingPlatform, Foundation, Options, RigidBody, Solver,
+    Tower, TowerDescription,
 };
 use towermodes_testing::{changed, with};
 
@@ -250,6 +250,32 @@ fn where_a_mode_appears_again_the_list_is_not_called_complete() {
     let warnings: Vec<String> = solution.warnings.iter().map(ToString::to_string).collect();
     let says = |warning: &String| warning.contains("proved complete only outside");
     assert!(warnings.iter().any(says), "{warnings:?}");
+}
+
+/// Heave is below roll and pitch with the added mass at low frequencies and above them with that at
+/// high ones; on a tower with two planes of symmetry it has nothing of their motions. The modes
+/// above, which are solved with the other order, have their own frequencies, names and shapes.
+#[test]
+fn modes_above_others_whose_order_depends_on_the_added_mass_are_solved() {
+    let mut heavy = [[0.0; 6]; 6];
+    heavy[2][2] = 3e6;
+    let mut description = with_table(AddedMassTable {
+        zero: heavy,
+        rows: vec![(0.5, heavy), (1.0, [[0.0; 6]; 6])],
+        infinite: [[0.0; 6]; 6],
+    });
+    description.rna = RigidBody::point(350e3, [0.0, 0.0, 2.0]).into();
+    platform_of(&mut description).hydrostatic.matrix[2][2] = 4.5e5;
+    let at = |added_mass| solved(&description, &with!(Options, modes = 8, added_mass));
+    let [low, own, high] = [AddedMassAt::Zero, AddedMassAt::Own, AddedMassAt::Infinite].map(at);
+    assert_eq!(low.modes[2].name().to_string(), "heave");
+    assert_eq!(high.modes[4].name().to_string(), "heave");
+    for (mode, low) in own.modes.iter().zip(&low.modes) {
+        assert_eq!(mode.name(), low.name());
+        // Modes 1 to 5 are below 0.5 rad/s; the others have no heave.
+        let name = low.name().to_string();
+        assert_close(mode.frequency_hz, low.frequency_hz, 1e-10, &name);
+    }
 }
 
 /// Where it falls as fast but no mode is near, two counts prove that none is there.

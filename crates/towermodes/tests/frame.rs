@@ -102,19 +102,23 @@ const BENT: [[f64; 3]; 4] = [
 const IN_LINE: [[usize; 2]; 2] = [[0, 1], [1, 2]];
 
 #[test]
-fn a_pin_with_nothing_behind_it_is_refused_with_its_joint() {
+fn a_pin_with_nothing_behind_it_has_a_mode_of_0_hz_and_names_its_joint() {
     let pin = JointKind::Pin {
         axis: [0.0, 1.0, 0.0],
         stiffness_n_m_per_rad: 0.0,
     };
     let free = with_joint(frame(&HALVES, &IN_LINE, &[0]), 1, pin);
     let frame = Frame::new(free).expect("a frame");
-    let refused = solve_frame(&frame, &FrameOptions::default()).expect_err("a mechanism");
-    let message = refused.to_string();
+    let solution = solve_frame(&frame, &FrameOptions::default()).expect("modes");
+    let message = solution.mechanism.expect("a mechanism").to_string();
     assert!(
-        message.starts_with("the frame is a mechanism: 1 motion has no stiffness"),
+        message.starts_with(
+            "the frame is a mechanism: 1 motion has no stiffness; the first moves joint 2 about y"
+        ),
         "{message}"
     );
+    assert_eq!(solution.modes[0].frequency_hz, 0.0);
+    assert!(solution.modes[1].frequency_hz > 4.9);
     let below =
         count_frame_modes(&frame, FrameRecipe::Spectral { degree: 6 }, 4.9).expect("a count");
     assert_eq!(below, 1);

@@ -20,7 +20,7 @@ use crate::hydrodyn::{HydrodynInput, HydrodynPlatform, read_hydrodyn};
 use crate::mooring::{MooringInput, MooringSite, read_map, read_moordyn};
 use crate::note::Note;
 use crate::places::TABLE;
-use crate::resolver::FileResolver;
+use crate::resolver::{FileResolver, folder_of, found_elsewhere};
 use crate::source::Source;
 use crate::subdyn::{Interface, SoildynInput, SubdynInput, read_soildyn, read_subdyn};
 
@@ -71,6 +71,8 @@ struct Found<'a> {
     folder: &'a str,
     /// The bytes of its name.
     span: Range<usize>,
+    /// That it was found elsewhere.
+    note: Option<Note>,
 }
 
 impl<'a> Model<'a> {
@@ -96,9 +98,11 @@ impl<'a> Model<'a> {
             );
             ReadError::mistake(self.fst, Diagnostic::new(named.span.clone(), kind).with_hint(hint))
         })?;
+        let note = found_elsewhere(self.files, names[0], path, &source);
         Ok(Some(Found {
+            folder: folder_of(path, &source),
+            note: note.map(|note| note.at(self.fst, named.span.start)),
             source,
-            folder: path.rfind(['/', '\\']).map_or("", |slash| &path[..slash]),
             span: named.span,
         }))
     }
@@ -115,6 +119,7 @@ impl<'a> Model<'a> {
             files: self.files,
         };
         let mut subdyn = read_subdyn(file.source, &within)?;
+        subdyn.notes.extend(file.note);
         let mut parts = vec![MissingPart::Substructure];
         if let Some(soil) = self.soil()? {
             subdyn.stand_on(&soil)?;
@@ -287,6 +292,7 @@ impl<'a> Model<'a> {
         let defaults = sea.defaults()?;
         sea.add(file.source.clone());
         let mut water = read_hydrodyn(file.source, self.files, file.folder, defaults)?;
+        water.notes.extend(file.note);
         water.notes.extend(sea.notes());
         Ok(Some(water))
     }
@@ -310,11 +316,12 @@ impl<'a> Model<'a> {
         let Some(file) = self.file("CompMooring", &["MooringFile"])? else {
             return Ok(None);
         };
-        match is_map {
+        let mut lines = match is_map {
             true => read_map(file.source, site),
             false => read_moordyn(file.source, site),
-        }
-        .map(Some)
+        }?;
+        lines.notes.extend(file.note);
+        Ok(Some(lines))
     }
 
     /// Gravity as OpenFAST has it: in the `.fst` file, or before in the main file of ElastoDyn.

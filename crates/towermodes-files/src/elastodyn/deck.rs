@@ -175,10 +175,17 @@ impl Model {
         description.missing_parts = self.missing_parts();
         description.is_clamped_by_request = options.clamped;
         description.foundation = self.below.foundation.clone();
+        description.rna_inertia_is_partial = true;
+        // Only as a matrix, from the lines, moorings are mirrored with a tower that hangs.
+        let has_lines = self.below.parts.contains(&MissingPart::MooringLines);
+        description.mooring_is_computed = has_lines && main.tower_hangs();
         if self.has_no_blades(options) {
             description.missing_parts.push(MissingPart::Blades);
         }
-        if !options.without_gravity {
+        let under_water = self.under_water();
+        if !options.without_gravity && under_water.is_some() {
+            notes.extend(under_water);
+        } else if !options.without_gravity {
             let fst = self.found.fst.as_ref();
             let of_fst = fst.map(|fst| (self.found.gravity_m_per_s2, fst.name.as_str()));
             let Gravity { m_per_s2, note } = gravity(main, &self.found.source.name, of_fst);
@@ -201,6 +208,16 @@ impl Model {
             ..TowerInput::new(FileFormat::ElastoDyn, description, self.sources())
         }
         .with_turbine(self.turbine(options))
+    }
+
+    /// The note on weight and buoyancy of a turbine under water that stands on its foundation.
+    fn under_water(&self) -> Option<Note> {
+        let below = &self.below.foundation;
+        let frame_floats = below.frame().is_some_and(|own| own.restoring.is_some());
+        let floats = below.platform().is_some() || frame_floats;
+        let fst = self.found.fst.as_ref();
+        let fst = fst.filter(|_| !floats && !self.main.tower_hangs())?;
+        fst::under_water(fst)
     }
 
     /// The turbine, if the rotor-nacelle assembly is wanted.

@@ -10,7 +10,7 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::note::Note;
 use crate::records::{Lines, Token};
-use crate::resolver::FileResolver;
+use crate::resolver::{FileResolver, folder_of, found_elsewhere};
 use crate::source::Source;
 
 const GRAVITY: Record = record("Gravity", "acceleration of gravity, m/s2", NON_NEGATIVE);
@@ -59,12 +59,14 @@ fn named_by(fst: Source, files: &dyn FileResolver) -> Result<Main, ReadError> {
         let hint = "files are looked for in the folder of the .fst file";
         mistake(Diagnostic::new(parameter.span(), kind).with_hint(hint))
     })?;
-    let folder = path.rfind(['/', '\\']).map_or("", |slash| &path[..slash]);
+    let elsewhere = found_elsewhere(files, "EDFile", path, &source);
+    let elsewhere = elsewhere.map(|note| note.at(&fst, parameter.span().start));
+    let notes = elsewhere.into_iter().chain(beamdyn(&fst));
     Ok(Main {
+        folder: folder_of(path, &source).to_owned(),
         source,
-        folder: folder.to_owned(),
         gravity_m_per_s2,
-        notes: beamdyn(&fst).into_iter().chain(in_current(&fst)).collect(),
+        notes: notes.chain(in_current(&fst)).collect(),
         beamdyn_note: blades_of_beamdyn(&fst),
         fst: Some(fst),
     })
@@ -136,6 +138,16 @@ fn in_current(source: &Source) -> Option<Note> {
         );
         Note::missing_part(message).at(source, at)
     })
+}
+
+/// The note that a turbine under water that does not float has neither weight nor buoyancy here,
+/// if the turbine is in water.
+pub(super) fn under_water(source: &Source) -> Option<Note> {
+    let (value, at) = switch(source, "MHK").filter(|(value, _)| *value > 0)?;
+    let message = format!(
+        "MHK is {value}, so the turbine is in water: its weight and its buoyancy, which act against each other, are both left out of the stiffness"
+    );
+    Some(Note::approximation(message).at(source, at))
 }
 
 /// The note that the blades are not those of ElastoDyn.

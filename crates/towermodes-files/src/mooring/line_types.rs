@@ -117,6 +117,29 @@ fn is_file_name(text: &str) -> bool {
 }
 
 impl LineTypes<'_> {
+    /// The note on types that float where others do not: the modules that hold a line up, and no
+    /// mistake in the unit of the masses.
+    pub(super) fn buoyant(
+        &self,
+        table: &Rows<'_>,
+        source: &Source,
+        density_kg_per_m3: f64,
+    ) -> Option<Note> {
+        let floats = |of: &LineType| of.floats_in(density_kg_per_m3);
+        let first = self.types.iter().position(floats)?;
+        if self.types.iter().all(floats) {
+            return None;
+        }
+        let buoyant = self.names.iter().zip(&self.types);
+        let buoyant = buoyant.filter(|(_, of)| floats(of));
+        let names: Vec<String> = buoyant.map(|(name, _)| quoted(name)).collect();
+        let message = format!(
+            "these line types are lighter than the water that they displace, and hold up the lines of the others: {}",
+            names.join(", ")
+        );
+        Some(Note::new(message).at(source, table.rows[first].span().start))
+    }
+
     /// The index of the type whose name is in a column.
     pub(super) fn find(&self, row: &Row<'_>, column: &Column) -> Result<usize, Diagnostic> {
         let token = row.token(column)?;

@@ -19,14 +19,28 @@ const LENGTH: Column = Column::ordered(
 const FIRST: Column = Column::ordered(
     "AttachA",
     &[
-        "attacha", "nodeanch", "nodea", "enda", "pointa", "anch", "anchor",
+        "attacha",
+        "nodeanch",
+        "nodea",
+        "enda",
+        "pointa",
+        "anch",
+        "anchor",
+        "attachanch",
     ],
     [Some(2), Some(4), Some(3)],
 );
 const SECOND: Column = Column::ordered(
     "AttachB",
     &[
-        "attachb", "nodefair", "nodeb", "endb", "pointb", "fair", "fairlead",
+        "attachb",
+        "nodefair",
+        "nodeb",
+        "endb",
+        "pointb",
+        "fair",
+        "fairlead",
+        "attachfair",
     ],
     [Some(3), Some(5), Some(4)],
 );

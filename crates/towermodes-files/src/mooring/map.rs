@@ -103,8 +103,9 @@ fn found(source: &Source, site: &MooringSite) -> Result<Found, Diagnostic> {
     let of_lines = [&lines::NEEDED[..], &[lines::FLAGS]].concat();
     notes.extend(line_table.note_unused(&of_lines, source, &mut unused));
     notes.extend(unused.note(source));
-    notes.extend(types.notes);
     let (water_density_kg_per_m3, gravity_m_per_s2) = water(site, &mut notes);
+    notes.extend(types.buoyant(&types_table, source, water_density_kg_per_m3));
+    notes.extend(types.notes);
     let is_anchor = |read: &&ReadPoint| read.point.attachment == Attachment::Fixed;
     let anchor = read.iter().find(is_anchor);
     let mut spans = Spans {

@@ -90,9 +90,10 @@ fn found(
     notes.extend(line_table.note_unused(&lines::NEEDED, source, &mut unused));
     unused.add("options", &options.of_time, options.heading);
     notes.extend(unused.note(source));
+    let (water_density_kg_per_m3, gravity_m_per_s2) = water(&site, &mut notes);
+    notes.extend(types.buoyant(&parts.line_types, source, water_density_kg_per_m3));
     notes.extend(types.notes);
     notes.extend(parts.rods.notes);
-    let (water_density_kg_per_m3, gravity_m_per_s2) = water(&site, &mut notes);
     notes.sort_by_key(|note| note.place.as_ref().map(|(_, line)| *line));
     let spans = Spans {
         site: options.span,

@@ -10,14 +10,14 @@ use crate::records::Token;
 use crate::source::Source;
 
 const DEPTH: [&str; 3] = ["wtrdpth", "depth", "waterdepth"];
-const DENSITY: [&str; 2] = ["rhow", "rho"];
+const DENSITY: [&str; 5] = ["rhow", "rho", "wtrdnsty", "wtrdens", "waterdensity"];
 const GRAVITY: [&str; 2] = ["g", "gravity"];
 /// Friction on the seabed.
-const FRICTION: [&str; 5] = ["mukt", "muka", "mut", "mua", "mu"];
+const FRICTION: [&str; 6] = ["mukt", "muka", "mut", "mua", "mu", "frictioncoefficient"];
 /// Waves and current.
 const WATER: [&str; 4] = ["waterkin", "wavekin", "currents", "current"];
 /// The simulation in time, damping, seabed contact and output.
-const TIME: [&str; 26] = [
+const TIME: [&str; 27] = [
     "dtm",
     "kbot",
     "kb",
@@ -43,6 +43,7 @@ const TIME: [&str; 26] = [
     "fricdamp",
     "frictdamp",
     "icgendynamic",
+    "fileic",
     "disableouttime",
 ];
 

@@ -202,6 +202,16 @@ impl SolvedSubstructure<'_> {
         transition.is_some_and(|transition| transition.is_held)
     }
 
+    /// The warning on what moves without stiffness.
+    pub fn mechanism(&self) -> Option<Note> {
+        let mechanism = self.solution.mechanism.as_ref()?;
+        let clamp = match self.frame.description().transition.is_some() && !self.is_clamped() {
+            true => "; --clamped holds the interface joints",
+            false => "",
+        };
+        Some(Note::suspicious(format!("{mechanism}{clamp}")))
+    }
+
     /// How members are made into elements.
     pub fn method(&self) -> &'static str {
         match self.solution.degree {

@@ -254,15 +254,12 @@ fn turned(
                 return Ok(member);
             }
             let Some(index) = context.properties.cosines.ids.index(id) else {
-                // Older versions of SubDyn read this number without using it.
-                if of_type == Type::Circular {
-                    let message = format!(
-                        "COSMID {id} is not used: the file has no such matrix, and a tube needs none"
-                    );
-                    notes.push(Note::left_out(message).at(context.source, row.span().start));
-                    return Ok(member);
-                }
-                return Err(row.wrong(TURN, unknown_matrix(id)));
+                let (member, why) = without_matrix(member, of_type, context)
+                    .ok_or_else(|| row.wrong(TURN, unknown_matrix(id)))?;
+                let message =
+                    format!("COSMID {id} is not used: the file has no such matrix, and {why}");
+                notes.push(Note::left_out(message).at(context.source, row.span().start));
+                return Ok(member);
             };
             with_axes(
                 member,
@@ -272,6 +269,28 @@ fn turned(
             )
         }
     }
+}
+
+/// A member whose cosine matrix the file does not have, and why it needs none: older versions of
+/// SubDyn read its number without using it.
+fn without_matrix(
+    mut member: FrameMember,
+    of_type: Type,
+    context: &Context<'_>,
+) -> Option<(FrameMember, &'static str)> {
+    if of_type == Type::Circular {
+        return Some((member, "a tube needs none"));
+    }
+    let [from, to] = member.joints.map(|joint| context.joints[joint].position_m);
+    let MemberKind::Spring(spring) = &mut member.kind else {
+        return None;
+    };
+    if from != to {
+        let why = "the third axis of the spring is that from its first joint to its second";
+        return Some((member, why));
+    }
+    spring.axes = Some([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    Some((member, "the axes of the spring are the global ones"))
 }
 
 fn unknown_matrix(id: i64) -> DiagnosticKind {

@@ -247,3 +247,44 @@ fn a_tower_that_hangs_below_a_substructure_is_refused() {
     let error = hanging().read(1).expect_err("a substructure");
     error.says("a tower that hangs below a substructure of SubDyn is not solved");
 }
+
+/// The couplings of a matrix that was computed from lines have any signs.
+#[test]
+fn moorings_computed_from_lines_have_no_warning_about_their_couplings() {
+    let about = |description: TowerDescription| {
+        let tower = Tower::new(description).expect("a tower");
+        let warnings = tower.warnings().iter().map(ToString::to_string);
+        let about = warnings.filter(|warning| warning.contains("mooring stiffness"));
+        about.collect::<Vec<String>>()
+    };
+    let mut description = hanging().description();
+    assert!(description.mooring_is_computed);
+    let Foundation::Floating(platform) = &mut description.foundation else {
+        panic!("a platform");
+    };
+    // As those of lines on one side: the same sign, with equal planes.
+    let matrix = &mut platform.mooring.matrix;
+    matrix[1][1] = matrix[0][0];
+    matrix[4][4] = matrix[3][3];
+    let coupling = 0.05 * (matrix[0][0] * matrix[4][4]).sqrt();
+    for (i, j) in [(0, 4), (1, 3)] {
+        (matrix[i][j], matrix[j][i]) = (coupling, coupling);
+    }
+    assert_eq!(about(description.clone()), [""; 0]);
+    description.mooring_is_computed = false;
+    let found = about(description.clone());
+    assert!(
+        found[0].contains("has the same sign in the coupling"),
+        "{found:?}"
+    );
+    // Where the planes differ much the signs may be equal.
+    let Foundation::Floating(platform) = &mut description.foundation else {
+        panic!("a platform");
+    };
+    platform.mooring.matrix[1][1] *= 0.1;
+    let found = about(description);
+    assert!(
+        !found.iter().any(|found| found.contains("same sign")),
+        "{found:?}"
+    );
+}

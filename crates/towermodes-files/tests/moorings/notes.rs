@@ -44,6 +44,8 @@ fn what_is_assumed_has_a_note() {
         0.001    dtM | waves.txt WaterKin | 23: WaterKin (`waves.txt`) is not used
         0.001    dtM | 2e5 FricDamp | options FricDamp, kbot (
         0.001    dtM | 0 ICgenDynamic | options ICgenDynamic, kbot (
+        0.001    dtM | -1 fileIC | options fileIC, kbot (
+        0.001    dtM | 0.2 FrictionCoefficient | 23: FrictionCoefficient (0.2) is not used
         0.001    dtM | 1 magic | 23: the option `magic` is not known
         -0.8     0.0 | -0.8     1e4 | 6: the bending stiffness EI of the line is not used
         ------------------------ OUTPUTS | --- FAILURE ---\nID\n(-)\n1 2\n--- OUTPUTS | 28: the section FAILURE is not used
@@ -55,6 +57,48 @@ fn what_is_assumed_has_a_note() {
         let note = note.to_owned();
         assert!(notes.contains(&note), "{notes}\n{note}");
     }
+}
+
+/// The density by another name, and other names of the columns of lines.
+#[test]
+fn other_names_say_the_same() {
+    let plain = moordyn(MOORDYN_2, &SITE).expect("a mooring");
+    let fresh = changed(MOORDYN_2, "1025.0   rhoW", "1000.0   WtrDnsty");
+    let fresh = moordyn(&fresh, &MooringSite::default()).expect("a mooring");
+    assert_eq!(fresh.description.water_density_kg_per_m3, 1000.0);
+    assert_eq!(lines(&fresh.notes), lines(&plain.notes));
+    let named = changed(MOORDYN_2, "AttachA   AttachB", "AttachAnch NodeFair");
+    let named = moordyn(&named, &SITE).expect("a mooring");
+    assert_eq!(named.description, plain.description);
+    assert_eq!(lines(&named.notes), lines(&plain.notes));
+}
+
+/// A line whose middle floats is held up on purpose; where all lines float the mass is wrong.
+#[test]
+fn sections_that_float_have_a_note_and_lines_that_float_a_warning() {
+    let warnings = |text: &str| {
+        let input = moordyn(text, &SITE).expect("a mooring");
+        let mooring = input.mooring().expect("a mooring");
+        let state = input.at_rest(&mooring).expect("an equilibrium");
+        (
+            lines(&input.notes),
+            lines(&input.warnings(&mooring, &state)),
+        )
+    };
+    let float =
+        "float    0.60      77.7066   384.243E6  -0.8     0.0   1.6     1.0    0.1    0.0\n";
+    let both = changed(
+        MOORDYN_2,
+        "---------------------- POINTS",
+        &format!("{float}---------------------- POINTS"),
+    );
+    let (notes, found) = warnings(&both);
+    let note = "7: these line types are lighter than the water that they displace, and hold up the lines of the others: `float`";
+    assert!(notes.contains(note), "{notes}");
+    assert!(!found.contains("floats"), "{found}");
+    let (notes, found) = warnings(&changed(MOORDYN_2, "main     0.09 ", "main     0.60 "));
+    assert!(!notes.contains("lighter"), "{notes}");
+    assert!(found.contains("so that it floats"), "{found}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 //!
 //! `crates/towermodes/tests/frame.rs` has the same structures without files.
 
-use towermodes::frame::{FrameOptions, count_frame_modes, solve_frame};
+use towermodes::frame::{FrameOptions, FrameSolveError, count_frame_modes, solve_frame};
 use towermodes_files::{Interface, SubdynInput};
 use towermodes_testing::numbers;
 
@@ -71,16 +71,30 @@ fn check<const N: usize, const M: usize>(
     );
 }
 
-/// The same for mechanisms, which have no lowest frequency: the number of modes without stiffness,
-/// and counts beside the frequencies.
+/// The same for mechanisms: the modes without stiffness, which have 0 Hz and a warning, and counts
+/// beside the frequencies.
 fn check_mechanism<const N: usize>(changes: &[(&str, &str)], still: usize, subdyn: &str) {
     let input = input(changes);
     let frame = input.frame(Interface::Free).expect("a frame");
-    let error = solve_frame(&frame, &FrameOptions::default()).expect_err("a mechanism");
-    assert!(error.to_string().contains("mechanism"), "{error}");
+    let options = FrameOptions {
+        modes: still + N,
+        recipe: Some(input.recipe()),
+        ..FrameOptions::default()
+    };
+    let solution = solve_frame(&frame, &options).expect("modes");
+    let warning = solution.mechanism.expect("a mechanism").to_string();
+    assert!(warning.contains("joint 2"), "{warning}");
+    let modes_hz: Vec<f64> = solution
+        .modes
+        .iter()
+        .map(|mode| mode.frequency_hz)
+        .collect();
+    assert_eq!(modes_hz[..still], vec![0.0; still]);
     let count = |hz: f64| count_frame_modes(&frame, input.recipe(), hz).expect("a count");
     assert_eq!(count(0.01), still);
     for (below, hz) in (still..).zip(numbers::<N>(subdyn)) {
+        let listed = modes_hz.iter().any(|own| (own / hz - 1.0).abs() < 1e-8);
+        assert!(listed, "{hz}: {modes_hz:?}");
         // Modes without stiffness cost the independent program two digits.
         let near = 1e-8 * hz;
         let (before, after) = (count(hz - near), count(hz + near));
@@ -388,4 +402,44 @@ fn euler_bernoulli_members_do_not_shear() {
     assert!(exact > shearing);
     let subdyn = solved(&input, Interface::Free, true, 1)[0];
     assert!((subdyn / exact - 1.0).abs() < 1e-3);
+}
+
+/// A spring that carries a joint without mass adds no finite mode and changes none.
+#[test]
+fn a_joint_without_mass_has_no_modes_of_its_own() {
+    let changes = [
+        ("NMembers", "1 1 2 1 1 1c 0\n2 2 3 1 1 5 0"),
+        (
+            "NSpringPropSets",
+            "1 1e8 0 0 0 0 0 1e8 0 0 0 0 1e8 0 0 0 1e9 0 0 1e9 0 1e9",
+        ),
+    ];
+    // One element, as in SubDyn, so that no inner node has modes.
+    let read = |changes: &[(&str, &str)]| {
+        let text = super::texts::deck(changes).replace("4 NDiv", "1 NDiv");
+        super::texts::read(&text).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let alone = read(&[
+        ("NJoints", "1 0 0 -20 1 0 0 0 0\n2 0 0 -10 1 0 0 0 0"),
+        ("NInterf", "2 1 1 1 1 1 1 1"),
+        ("NMembers", "1 1 2 1 1 1c 0"),
+    ]);
+    let sprung = read(&changes);
+    let expected = solved(&alone, Interface::Free, true, 6);
+    assert_hz(
+        "sprung",
+        &solved(&sprung, Interface::Free, true, 6),
+        &expected,
+    );
+    let frame = sprung.frame(Interface::Free).expect("a frame");
+    let options = FrameOptions {
+        modes: 8,
+        recipe: Some(sprung.recipe()),
+        ..FrameOptions::default()
+    };
+    let expected = FrameSolveError::Unresolved {
+        modes: 8,
+        resolved: 6,
+    };
+    assert_eq!(solve_frame(&frame, &options), Err(expected));
 }

@@ -164,3 +164,44 @@ fn what_is_not_used_has_a_note_with_its_line() {
         of_kind(&[(table, changed)], kind).says(said);
     }
 }
+
+/// A spring whose cosine matrix is missing has the global axes if its joints are at one place, or
+/// else those of its joints; both have a note.
+#[test]
+fn a_spring_without_its_cosine_matrix_has_a_note() {
+    let axes = |z_m: &str, column: &str| {
+        let joints = format!(
+            "1 0 0 -20 1 0 0 0 0\n2 0 0 -10 1 0 0 0 0\n3 0 0 {z_m} 1 0 0 0 0\n4 0 0 0 1 0 0 0 0"
+        );
+        let text = deck(&[
+            ("NJoints", &joints),
+            ("NInterf", "4 1 1 1 1 1 1 1"),
+            ("NMembers", "1 1 2 1 1 1 0\n2 2 3 1 1 5 7\n3 3 4 1 1 1 0"),
+            (
+                "NSpringPropSets",
+                "1 1e8 0 0 0 0 0 2e8 0 0 0 0 3e8 0 0 0 1e9 0 0 1e9 0 1e9",
+            ),
+        ]);
+        let input = read(&text.replace("MSpin/COSMID", column));
+        let input = input.unwrap_or_else(|error| panic!("{error}"));
+        let notes = input.notes.iter().map(|note| note.message.clone());
+        let notes: Vec<String> = notes.filter(|note| note.contains("COSMID 7")).collect();
+        match &input.description.members[1].kind {
+            MemberKind::Spring(spring) => (spring.axes, notes),
+            other => panic!("{other:?}"),
+        }
+    };
+    let global = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    for column in ["COSMID", "MSpin/COSMID"] {
+        let (found, notes) = axes("-10", column);
+        assert_eq!(found, Some(global));
+        assert_eq!(
+            notes,
+            [
+                "COSMID 7 is not used: the file has no such matrix, and the axes of the spring are the global ones"
+            ]
+        );
+        let (found, notes) = axes("-9", column);
+        assert_eq!((found, notes.len()), (None, 1));
+    }
+}

@@ -28,6 +28,9 @@ pub fn remedy(error: &SolveError) -> Option<&'static str> {
         SolveError::UnstableBlade { .. } => Some(
             "check the rotor speed (rot_rpm in rpm, rpm_mult), GJ and the offsets of the sections",
         ),
+        SolveError::OwnAddedMass { .. } => Some(
+            "check the added mass near this frequency, or use --added-mass infinite, zero or a frequency in Hz",
+        ),
         SolveError::Eigen(EigenError::NotFinite) => Some("check the units of all values"),
         SolveError::Eigen(_) => Some("reduce --modes, or check the units of all values"),
         _ => None,

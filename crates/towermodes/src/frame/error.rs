@@ -86,6 +86,16 @@ pub enum FrameSolveError {
         /// Degrees of freedom.
         available: usize,
     },
+    /// Modes that no double-precision number resolves.
+    #[error(
+        "{modes} modes are requested, but the frame has only {resolved} that can be resolved: the others have no mass, or are too stiff for double precision"
+    )]
+    Unresolved {
+        /// The number requested.
+        modes: usize,
+        /// The number of modes that are resolved.
+        resolved: usize,
+    },
     /// An impossible degree or number of divisions.
     #[error(
         "elements of degree {degree} cannot be made; the degree must be from 2 to {MAX_DEGREE}"

@@ -11,7 +11,7 @@ use super::shape::{FrameShape, ShapeReader};
 use super::statics::{AtRest, with_tensions};
 use super::tension::ForcesAtRest;
 use crate::beam::MAX_DEGREE;
-use crate::eigen::{EigenWorkspace, lowest};
+use crate::eigen::{EigenError, EigenWorkspace, lowest};
 use crate::tower::frame::Frame;
 
 /// Degrees of spectral elements: the first, and by how much it rises.
@@ -71,6 +71,9 @@ pub struct FrameSolution {
     pub degrees_of_freedom: usize,
     /// Degree of spectral elements.
     pub degree: Option<usize>,
+    /// What moves without stiffness, if the frame is a mechanism: these modes have 0 Hz. None for
+    /// the six motions of a frame that nothing holds.
+    pub mechanism: Option<FrameSolveError>,
 }
 
 /// Solves a frame for its lowest modes, and proves that none is missing.
@@ -182,8 +185,17 @@ fn solve_once(
     }
     let mut pencil = FramePencil::new(equations);
     let mut workspace = EigenWorkspace::default();
-    check_stiffness(frame, (&joints, &joint_of_node), &mut pencil)?;
-    lowest(&mut pencil, wanted, &mut workspace)?;
+    let mechanism = match check_stiffness(frame, (&joints, &joint_of_node), &mut pencil)? {
+        Some(error @ FrameSolveError::TooSoft { .. }) => return Err(error),
+        mechanism => mechanism,
+    };
+    lowest(&mut pencil, wanted, &mut workspace).map_err(|error| match error {
+        EigenError::Unresolved { wanted, resolved } => FrameSolveError::Unresolved {
+            modes: wanted,
+            resolved,
+        },
+        error => error.into(),
+    })?;
     let reader = ShapeReader { joints, samples };
     let mut motions = Vec::new();
     let modes = workspace.eigenvalues()[..wanted]
@@ -217,16 +229,18 @@ fn solve_once(
             FrameRecipe::Spectral { degree } => Some(degree),
             FrameRecipe::Subdyn { .. } => None,
         },
+        mechanism,
     })
 }
 
-/// Refuses an unstable frame and a mechanism. A frame that nothing holds has six motions without
-/// stiffness: its spectrum begins below zero.
+/// Refuses an unstable frame; returns what moves without stiffness, if it is a mechanism. The
+/// spectrum of a mechanism begins below zero, as that of a frame that nothing holds, which has six
+/// motions without stiffness.
 pub(super) fn check_stiffness(
     frame: &Frame,
     (joints, joint_of_node): (&[Option<usize>], &[usize]),
     pencil: &mut FramePencil,
-) -> Result<(), FrameSolveError> {
+) -> Result<Option<FrameSolveError>, FrameSolveError> {
     let least = least_lambda();
     match pencil.count_below_lambda(-least) {
         0 => {}
@@ -234,7 +248,7 @@ pub(super) fn check_stiffness(
     }
     let still = pencil.count_below_lambda(least);
     if still == 0 {
-        return Ok(());
+        return Ok(None);
     }
     // Far enough below zero for its digits, near enough for those of the slow modes.
     let mut softest = least;
@@ -245,11 +259,8 @@ pub(super) fn check_stiffness(
     let is_free = frame.description().supports.is_empty() && !frame.has_soil();
     let is_free = is_free && !joints.contains(&None);
     if is_free && still <= 6 {
-        return Ok(());
+        return Ok(None);
     }
     let at = (&pencil.equations, &pencil.order);
-    match mechanism(frame, at, joint_of_node) {
-        Some(mechanism) => Err(mechanism),
-        None => Ok(()),
-    }
+    Ok(mechanism(frame, at, joint_of_node))
 }

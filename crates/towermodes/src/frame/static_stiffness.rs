@@ -38,7 +38,9 @@ pub fn static_stiffness(frame: &Frame, joint: usize) -> Result<[[f64; 6]; 6], Fr
     let modes = pencil.count_below_lambda(least_lambda());
     if modes > 0 {
         let joints = (&assembled.joints[..], &assembled.joint_of_node[..]);
-        check_stiffness(frame, joints, &mut pencil)?;
+        if let Some(mechanism) = check_stiffness(frame, joints, &mut pencil)? {
+            return Err(mechanism);
+        }
         return Err(FrameSolveError::TooSoft { modes });
     }
     pencil.factorize();

@@ -83,6 +83,11 @@ impl LineType {
     pub(super) fn area_m2(&self) -> f64 {
         std::f64::consts::FRAC_PI_4 * self.diameter_m * self.diameter_m
     }
+
+    /// Whether it is lighter than the water, of this density, that it displaces.
+    pub fn floats_in(&self, density_kg_per_m3: f64) -> bool {
+        self.mass_kg_per_m < density_kg_per_m3 * self.area_m2()
+    }
 }
 
 /// A point where lines end.

@@ -93,19 +93,22 @@ fn stiff(mooring: &MooringDescription, line_type: usize) -> Option<MooringWarnin
     })
 }
 
-/// Types of lines that are lighter than the water that they displace.
+/// Types of lines that are lighter than the water that they displace, if all are: where others are
+/// heavier they hold these up.
 fn floating(mooring: &MooringDescription) -> Vec<MooringWarning> {
-    let types = mooring.line_types.iter().enumerate();
-    let found = types.filter_map(|(line_type, kind)| {
-        let water_kg_per_m = mooring.water_density_kg_per_m3 * kind.area_m2();
-        let floats = kind.mass_kg_per_m < water_kg_per_m;
-        floats.then_some(MooringWarning::Floats {
+    let density_kg_per_m3 = mooring.water_density_kg_per_m3;
+    let types = || mooring.line_types.iter();
+    if !types().all(|kind| kind.floats_in(density_kg_per_m3)) {
+        return Vec::new();
+    }
+    let found = types()
+        .enumerate()
+        .map(|(line_type, kind)| MooringWarning::Floats {
             line_type,
             mass_kg_per_m: kind.mass_kg_per_m,
-            water_kg_per_m,
+            water_kg_per_m: density_kg_per_m3 * kind.area_m2(),
             diameter_m: kind.diameter_m,
-        })
-    });
+        });
     found.collect()
 }
 

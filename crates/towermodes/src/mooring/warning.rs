@@ -89,7 +89,7 @@ pub enum MooringWarning {
         /// The point.
         point: usize,
     },
-    /// A line that floats.
+    /// A line that floats, as all others.
     #[error(
         "line type {} has a mass of {} kg/m and displaces {} kg/m of water with its diameter of {} m, so that it floats; give the mass in air in kg/m and the diameter in m",
         .line_type + 1, Plain(*.mass_kg_per_m), Rounded(*.water_kg_per_m), Plain(*.diameter_m)

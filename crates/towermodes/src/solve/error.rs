@@ -99,6 +99,17 @@ pub enum SolveError {
         /// The number requested.
         points: usize,
     },
+    /// A mode whose own frequency, with the added mass at this frequency, was not found.
+    #[error(
+        "the search for the frequency of mode {mode} with the added mass at its own frequency did not end; it was last at {} Hz",
+        Plain(*.hz)
+    )]
+    OwnAddedMass {
+        /// The mode, from 1.
+        mode: usize,
+        /// The last frequency of the search, Hz.
+        hz: f64,
+    },
     /// A frequency of the added mass that is negative or not finite.
     #[error("the frequency of the added mass is {hz} Hz; it must be 0 or positive")]
     AddedMassAt {

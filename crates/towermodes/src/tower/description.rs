@@ -180,10 +180,16 @@ pub struct TowerDescription {
     /// Whether the assembly is a point mass on purpose, as in models of the literature: then there
     /// is no warning about missing inertia.
     pub rna_is_point: bool,
+    /// Whether the format of the file has only some moments of inertia of the assembly, as that of
+    /// ElastoDyn: then there is no warning that they are not those of a body. False by default.
+    pub rna_inertia_is_partial: bool,
     /// Masses along the tower, in any order.
     pub point_masses: Vec<PointMass>,
     /// The support of the base; clamped by default.
     pub foundation: Foundation,
+    /// Whether the matrix of a platform's moorings was computed from lines: then there are no
+    /// warnings about its couplings. False by default.
+    pub mooring_is_computed: bool,
     /// Layers of soil around the tower: each is a list of rows by rising height. Where layers
     /// overlap, their springs add up.
     pub soil: Vec<Vec<SoilRow>>,
@@ -225,8 +231,10 @@ impl Default for TowerDescription {
             shear: Shear::Rigid,
             rna: Rna::default(),
             rna_is_point: false,
+            rna_inertia_is_partial: false,
             point_masses: Vec::new(),
             foundation: Foundation::Clamped,
+            mooring_is_computed: false,
             soil: Vec::new(),
             ground: None,
             added_mass: Vec::new(),

@@ -8,10 +8,10 @@ pub(crate) use arguments::{SolveArguments, SolveFormat};
 use towermodes::frame::{Frame, FrameOptions, FrameSolution, FrameSolveError, solve_frame};
 use towermodes::{Blade, BladeMode, BladeSolution, Solver, Warning};
 use towermodes_files::{
-    BladeInput, FileFormat, Input, Interface, MooringInput, Note, OutNodes, SolvedMooring,
-    SolvedSubstructure, SubdynInput, TowerInput, write_blade_csv, write_blade_json, write_csv,
-    write_json, write_json_with_sensitivities, write_mooring_csv, write_mooring_json,
-    write_substructure_csv, write_substructure_json,
+    BladeInput, FileFormat, Input, MooringInput, Note, OutNodes, SolvedMooring, SolvedSubstructure,
+    SubdynInput, TowerInput, write_blade_csv, write_blade_json, write_csv, write_json,
+    write_json_with_sensitivities, write_mooring_csv, write_mooring_json, write_substructure_csv,
+    write_substructure_json,
 };
 use towermodes_report::terminal::{blade_shapes, shapes};
 
@@ -143,18 +143,16 @@ fn of_substructure(
     let mut notes = input.notes.clone();
     notes.push(input.note_on_parts());
     notes.extend(input.warnings(&frame));
-    let solution = solved_frame(&frame, &options, arguments).map_err(|error| {
+    let (solution, fewer) = solved_frame(&frame, &options, arguments).map_err(|error| {
         note(&notes);
-        let is_free = interface == Interface::Free && !input.interface_joints.is_empty();
-        let is_mechanism = matches!(error, FrameSolveError::Mechanism { .. });
-        let hint = "--clamped holds the interface joints";
-        Failure::from(error).hint((is_free && is_mechanism).then_some(hint))
+        Failure::from(error)
     })?;
     let solved = SolvedSubstructure {
         name: &input.title,
         frame: &frame,
         solution: &solution,
     };
+    notes.extend(fewer.into_iter().chain(solved.mechanism()));
     let mut result = Vec::new();
     match format {
         SolveFormat::Table | SolveFormat::Bmodes => {
@@ -167,24 +165,32 @@ fn of_substructure(
     Ok(result)
 }
 
-/// The modes of a frame: the number that is asked for, or the default as far as it has them.
+/// The modes of a frame: the number that is asked for, or the default as far as it has them, with a
+/// note where they cannot be resolved.
 fn solved_frame(
     frame: &Frame,
     options: &FrameOptions,
     arguments: &SolveArguments,
-) -> Result<FrameSolution, FrameSolveError> {
-    match solve_frame(frame, options) {
-        Err(FrameSolveError::Modes { available, .. })
-            if available > 0 && !arguments.asks_for_modes() =>
-        {
-            let options = FrameOptions {
-                modes: available,
-                ..options.clone()
-            };
-            solve_frame(frame, &options)
+) -> Result<(FrameSolution, Option<Note>), FrameSolveError> {
+    let result = solve_frame(frame, options);
+    let (modes, note) = match &result {
+        Err(FrameSolveError::Modes { available, .. }) => (*available, None),
+        Err(FrameSolveError::Unresolved { resolved, .. }) => {
+            let message = format!(
+                "the frame has only {resolved} modes that can be resolved: the others have no mass, or are too stiff for double precision"
+            );
+            (*resolved, Some(Note::new(message)))
         }
-        result => result,
+        _ => return result.map(|solution| (solution, None)),
+    };
+    if modes == 0 || arguments.asks_for_modes() {
+        return result.map(|solution| (solution, None));
     }
+    let options = FrameOptions {
+        modes,
+        ..options.clone()
+    };
+    Ok((solve_frame(frame, &options)?, note))
 }
 
 fn of_mooring(

@@ -159,6 +159,10 @@ pub(crate) fn notes(
         );
         notes.push(Note::assumption(message));
     }
+    notes.extend(
+        on_inertia(&lump_rna(main, blades, lock))
+            .map(|note| note.at(source, main.place("NacYIner").start)),
+    );
     let at = main.place("GenIner").start;
     let message = rotor_message(&Shaft::of(main, &rotor(main, blades)), lock);
     notes.push(Note::rigid_rotor(message).at(source, at));
@@ -166,6 +170,13 @@ pub(crate) fn notes(
         notes.push(Note::left_out("the furling model (FurlFile) is left out"));
     }
     notes
+}
+
+/// The note that the moments of inertia are not those of a body, because the nacelle has only one.
+fn on_inertia(rna: &RigidBody) -> Option<Note> {
+    let [least, middle, largest] = rna.inertia_kg_m2.principal_kg_m2();
+    let message = "NacYIner, about the yaw axis, is the only moment of inertia of the nacelle that ElastoDyn has and uses: with it alone the rotor-nacelle assembly has moments that no body has, which is no mistake";
+    (largest > least + middle).then(|| Note::new(message))
 }
 
 /// How the rotor is held, with the inertia that the nacelle feels.

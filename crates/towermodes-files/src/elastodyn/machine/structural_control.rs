@@ -36,9 +36,9 @@ pub(crate) fn structural_controls(fst: &Source, files: &dyn FileResolver) -> Vec
             _ => format!("the {count} structural controls of the {place} ({name}) are"),
         };
         let message = format!(
-            "{what} left out: masses on springs, liquid columns and forces are not in this model"
+            "{what} left out, with the mass: masses on springs, liquid columns and forces are not in this model, and without their mass the frequencies are too high"
         );
-        Some(Note::left_out(message).at(&servo, at))
+        Some(Note::missing_part(message).at(&servo, at))
     });
     found.collect()
 }

@@ -29,6 +29,11 @@ const FRACTION: Kind = Kind::Number(|value| (0.0..=1.0).contains(&value), "from 
 /// OpenFAST refuses coefficients whose sum differs from 1 by more.
 const SUM_TOLERANCE: f64 = 0.0015;
 
+/// The factors on mass and stiffness of the rows among all factors, in the order of the columns.
+const ADJUSTMENTS: [usize; 3] = [4, 5, 6];
+/// Factors beyond these change a tower into another one.
+const USUAL_ADJUSTMENTS: std::ops::RangeInclusive<f64> = 0.1..=10.0;
+
 /// The byte ranges of the values in a tower file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct TowerSpans {
@@ -74,7 +79,9 @@ pub(crate) fn read_with_places(source: &Source) -> Result<TowerReading, Diagnost
     }
     let damping = values(&mut lines, &records::DAMPING)?;
     lines.heading("the heading TOWER ADJUSTMENT FACTORS")?;
-    let factors = values(&mut lines, &records::FACTORS)?;
+    let factors = parameters(&mut lines, &records::FACTORS)?;
+    let at = factors.clone().map(|(_, at)| at);
+    let factors = factors.map(|(value, _)| value);
     let mut spans = TowerSpans {
         count: count.span(),
         ..TowerSpans::default()
@@ -82,7 +89,18 @@ pub(crate) fn read_with_places(source: &Source) -> Result<TowerReading, Diagnost
     let rows = rows(&mut lines, &count, &mut spans)?;
     let coefficients = coefficients(&mut lines, &mut spans)?;
     let concentrated_masses = concentrated_masses(&mut lines, &mut spans)?;
-    let notes = notes_on_sums(source, &coefficients, &spans.coefficients);
+    let mut notes = notes_on_sums(source, &coefficients, &spans.coefficients);
+    for (column, index) in (1..).zip(ADJUSTMENTS) {
+        let (value, name) = (factors[index], records::FACTORS[index].name);
+        if !USUAL_ADJUSTMENTS.contains(&value) {
+            notes.push(on_adjustment(name, value).at(source, at[index].start));
+            // What looks wrong in the product is wrong because of the factor.
+            spans
+                .rows
+                .iter_mut()
+                .for_each(|row| row[column] = at[index].clone());
+        }
+    }
     let file = TowerFile {
         header,
         fore_aft_damping_percent: [damping[0], damping[1]],
@@ -99,16 +117,34 @@ pub(crate) fn read_with_places(source: &Source) -> Result<TowerReading, Diagnost
     Ok(TowerReading { file, spans, notes })
 }
 
+/// The note on an adjustment factor that is far from 1.
+fn on_adjustment(name: &str, value: f64) -> Note {
+    Note::suspicious(format!(
+        "{name} is {value} and multiplies its column in all rows; an adjustment factor is about 1, at least {} and at most {}: check it before the rows",
+        USUAL_ADJUSTMENTS.start(),
+        USUAL_ADJUSTMENTS.end()
+    ))
+}
+
 /// The numbers of parameters that follow each other.
 fn values<const N: usize>(
     lines: &mut Positional<'_>,
     records: &[Record; N],
 ) -> Result<[f64; N], Diagnostic> {
-    let mut values = [0.0; N];
-    for (value, record) in values.iter_mut().zip(records) {
-        *value = lines.parameter(record)?.number()?;
+    Ok(parameters(lines, records)?.map(|(value, _)| value))
+}
+
+/// The same with their places.
+fn parameters<const N: usize>(
+    lines: &mut Positional<'_>,
+    records: &[Record; N],
+) -> Result<[(f64, Range<usize>); N], Diagnostic> {
+    let mut found = std::array::from_fn(|_| (0.0, 0..0));
+    for (found, record) in found.iter_mut().zip(records) {
+        let parameter = lines.parameter(record)?;
+        *found = (parameter.number()?, parameter.span());
     }
-    Ok(values)
+    Ok(found)
 }
 
 /// The distributed properties.

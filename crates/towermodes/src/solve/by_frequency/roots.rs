@@ -7,9 +7,9 @@ use super::super::on_mesh::one_mesh::solve_cut;
 use super::super::on_mesh::spectrum::Found;
 use super::super::request::options::Options;
 use super::super::workspace::Workspace;
-use crate::eigen::EigenError;
 use crate::subsystem::Eigenproblem;
 use crate::tower::Tower;
+use std::f64::consts::TAU;
 
 /// The permitted relative difference of μ(ω) and ω².
 const TOLERANCE: f64 = 1e-12;
@@ -81,11 +81,17 @@ impl Search<'_> {
         for _ in 0..MAX_STEPS {
             *last = self.sample(frequency, place)?;
             let (eigenvalue, error) = last.eigenvalues[place];
+            // Halving its interval would never arrive at the 0 of a motion that nothing resists.
+            if eigenvalue == 0.0 {
+                return Ok(Root {
+                    frequency: least,
+                    slope: last.slope,
+                    residual: 0.0,
+                    is_constant: self.is_constant(least),
+                });
+            }
             let lambda = frequency * frequency;
-            let residual = match eigenvalue == lambda {
-                true => 0.0,
-                false => (eigenvalue / lambda - 1.0).abs(),
-            };
+            let residual = (eigenvalue / lambda - 1.0).abs();
             let permitted = TOLERANCE.max(2.0 * error / eigenvalue);
             let is_narrow = high.is_finite() && high - low <= 4.0 * f64::EPSILON * high;
             if residual <= permitted || is_narrow {
@@ -113,7 +119,10 @@ impl Search<'_> {
             }
             frequency = next;
         }
-        Err(EigenError::NotFinite.into())
+        Err(SolveError::OwnAddedMass {
+            mode: place + 1,
+            hz: frequency / TAU,
+        })
     }
 
     /// The end of the interval of an angular frequency (rad/s) in which the added mass is linear.

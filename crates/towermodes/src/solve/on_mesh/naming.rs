@@ -138,9 +138,11 @@ fn identity(
         Some([kinetic, strain]) => shares.with_local(0.5 * (kinetic + strain)),
         None => shares,
     };
-    let shares = known.copied().unwrap_or(shares);
     let is_on_frame = forces.local.is_some();
-    let (family, order) = name((motions, is_on_frame), &shares, body.is_some(), arrears);
+    // Known shares name the mode, but do not describe its vector: modes of other added masses may
+    // have another order, and a motion that this vector has not cannot scale its shape.
+    let by = known.unwrap_or(&shares);
+    let (family, order) = name((motions, is_on_frame), by, body.is_some(), arrears);
     let effective_mass = forces.force.map(|force| force * force * from_origin);
     let [x, y, z, rx, ry, rz] = effective_mass;
     let (energy, effective_mass) = match found.key.is_turned {

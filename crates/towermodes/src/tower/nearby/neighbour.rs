@@ -208,6 +208,8 @@ fn without_rows(description: &TowerDescription) -> TowerDescription {
         // No frequency depends on these.
         name: _,
         rna_is_point: _,
+        rna_inertia_is_partial: _,
+        mooring_is_computed: _,
         rotor: _,
         damping: _,
         drivetrain: _,

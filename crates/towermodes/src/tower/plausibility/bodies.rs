@@ -63,6 +63,7 @@ fn rna(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
         });
     }
     let reach_m = REACH * tower.height_m();
+    let first = warnings.len();
     inertia(
         rna.mass_kg,
         &rna.inertia_kg_m2,
@@ -70,6 +71,10 @@ fn rna(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
         at("inertia"),
         warnings,
     );
+    if given.rna_inertia_is_partial {
+        let of_inertia = warnings.split_off(first).into_iter();
+        warnings.extend(of_inertia.filter(|w| !matches!(w, Warning::TriangleInequality { .. })));
+    }
 }
 
 fn point_mass(tower: &Tower, index: usize, mass: &PointMass, warnings: &mut Vec<Warning>) {

@@ -8,6 +8,10 @@ use crate::tower::Warning;
 /// program that made the matrix.
 const NOISE: f64 = 0.05;
 
+/// Diagonal entries of both planes that differ by a larger factor are those of a structure with
+/// different planes, whose couplings may have any signs.
+const PLANES_APART: f64 = 3.0;
+
 /// A matrix and its name.
 pub(super) struct Named<'a> {
     pub(super) what: &'static str,
@@ -25,7 +29,7 @@ pub(super) fn check(named: &Named<'_>, warnings: &mut Vec<Warning>) {
     } = named;
     along_axis(what, site, matrix, warnings);
     let (fore_aft, side_side) = (matrix[0][4], matrix[1][3]);
-    if fore_aft * side_side > 0.0 {
+    if fore_aft * side_side > 0.0 && has_equal_planes(matrix) {
         warnings.push(Warning::CouplingSigns {
             what,
             site,
@@ -35,6 +39,14 @@ pub(super) fn check(named: &Named<'_>, warnings: &mut Vec<Warning>) {
         return;
     }
     warnings.extend(acts_above(named));
+}
+
+/// Whether the diagonal entries of both planes are so near that the couplings of both must be, too.
+fn has_equal_planes(matrix: &SpatialMatrix) -> bool {
+    [(0, 1), (3, 4)].into_iter().all(|(i, j)| {
+        let (one, other) = (matrix[i][i].abs(), matrix[j][j].abs());
+        one.max(other) <= PLANES_APART * one.min(other)
+    })
 }
 
 /// A translation with the rotation about the same axis: nothing that is the same on both sides of a

@@ -64,11 +64,12 @@ pub(super) fn check(
             "platform's hydrostatic stiffness",
             &platform.hydrostatic,
         ),
-        // The stiffness of lines is computed: nobody can change its signs.
         ("mooring", "platform's mooring stiffness", &own.mooring),
     ];
+    // The stiffness of lines is computed: nobody can change its signs.
+    let is_given = |(key, ..): &(&str, _, _)| *key != "mooring" || !given.mooring_is_computed;
     let is_far = depths(tower, platform, warnings);
-    for (key, what, referred) in matrices {
+    for (key, what, referred) in matrices.into_iter().filter(is_given) {
         let matrix = &referred.matrix;
         let highest_m = (!is_far).then_some((ABOVE * tower.height_m()).max(ABOVE_M));
         couplings::check(

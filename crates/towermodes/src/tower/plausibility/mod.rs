@@ -51,6 +51,10 @@ pub(super) struct Given<'a> {
     pub(super) part_names: &'a PartNames,
     /// Whether the user confirmed that the rotor-nacelle assembly has no inertia.
     pub(super) rna_is_point: bool,
+    /// Whether the format of the file has only some of its moments of inertia.
+    pub(super) rna_inertia_is_partial: bool,
+    /// Whether the matrix of the moorings was computed from lines.
+    pub(super) mooring_is_computed: bool,
 }
 
 impl<'a> Given<'a> {
@@ -67,6 +71,8 @@ impl<'a> Given<'a> {
             drivetrain: description.drivetrain.as_ref(),
             part_names: &description.part_names,
             rna_is_point: description.rna_is_point,
+            rna_inertia_is_partial: description.rna_inertia_is_partial,
+            mooring_is_computed: description.mooring_is_computed,
         }
     }
 }
