@@ -4,6 +4,7 @@
 mod assembly;
 mod controller;
 mod decks;
+mod doubts;
 mod hanging;
 mod hostile;
 mod main_file;
