@@ -23,7 +23,7 @@ const SLOWEST_HZ: f64 = 0.02;
 const ROUNDING: f64 = 1e-13;
 
 /// The lowest modes of the random frame of a number by [`solve_frame`], compared with elements of a
-/// degree of 24; none if the frame is not valid or has fewer modes.
+/// degree of 24; none if the frame is not valid, is a mechanism or has fewer modes.
 pub fn frame_samples(number: u64) -> Option<Vec<Sample>> {
     let description = random_frame(&mut Seed::new(number));
     let frame = Frame::new(description).ok()?;
@@ -32,6 +32,9 @@ pub fn frame_samples(number: u64) -> Option<Vec<Sample>> {
         ..FrameOptions::default()
     };
     let found = solve_frame(&frame, &options).ok()?;
+    if found.mechanism.is_some() {
+        return None;
+    }
     let truth = FrameOptions {
         recipe: Some(FrameRecipe::Spectral { degree: REFERENCE }),
         ..options
