@@ -205,11 +205,7 @@ impl SolvedSubstructure<'_> {
     /// The warning on what moves without stiffness.
     pub fn mechanism(&self) -> Option<Note> {
         let mechanism = self.solution.mechanism.as_ref()?;
-        let clamp = match self.frame.description().transition.is_some() && !self.is_clamped() {
-            true => "; --clamped holds the interface joints",
-            false => "",
-        };
-        Some(Note::suspicious(format!("{mechanism}{clamp}")))
+        Some(Note::suspicious(mechanism.to_string()))
     }
 
     /// How members are made into elements.

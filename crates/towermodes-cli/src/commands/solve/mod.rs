@@ -8,10 +8,10 @@ pub(crate) use arguments::{SolveArguments, SolveFormat};
 use towermodes::frame::{Frame, FrameOptions, FrameSolution, FrameSolveError, solve_frame};
 use towermodes::{Blade, BladeMode, BladeSolution, Solver, Warning};
 use towermodes_files::{
-    BladeInput, FileFormat, Input, MooringInput, Note, OutNodes, SolvedMooring, SolvedSubstructure,
-    SubdynInput, TowerInput, write_blade_csv, write_blade_json, write_csv, write_json,
-    write_json_with_sensitivities, write_mooring_csv, write_mooring_json, write_substructure_csv,
-    write_substructure_json,
+    BladeInput, FileFormat, Input, Interface, MooringInput, Note, OutNodes, SolvedMooring,
+    SolvedSubstructure, SubdynInput, TowerInput, write_blade_csv, write_blade_json, write_csv,
+    write_json, write_json_with_sensitivities, write_mooring_csv, write_mooring_json,
+    write_substructure_csv, write_substructure_json,
 };
 use towermodes_report::terminal::{blade_shapes, shapes};
 
@@ -152,7 +152,12 @@ fn of_substructure(
         frame: &frame,
         solution: &solution,
     };
-    notes.extend(fewer.into_iter().chain(solved.mechanism()));
+    let mut mechanism = solved.mechanism();
+    let is_free = interface == Interface::Free && !input.interface_joints.is_empty();
+    for warning in mechanism.iter_mut().filter(|_| is_free) {
+        warning.message += "; --clamped holds the interface joints";
+    }
+    notes.extend(fewer.into_iter().chain(mechanism));
     let mut result = Vec::new();
     match format {
         SolveFormat::Table | SolveFormat::Bmodes => {
