@@ -6,8 +6,8 @@
 
 use super::error::SolveError;
 use super::errors::estimate::powers;
-use super::errors::guesses::{Guesses, followed};
 use super::on_mesh::cut::Cut;
+use super::on_mesh::guesses::{Guesses, followed};
 use super::on_mesh::model::Model;
 use super::on_mesh::spectrum::{ModeKey, Spectrum};
 use super::on_mesh::stability::find_origin_again;

@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 
 use super::super::error::SolveError;
+use super::super::on_mesh::guesses::{Guesses, followed};
 use super::super::on_mesh::model::Model;
 use super::super::on_mesh::spectrum::{ModeKey, Spectrum};
-use super::guesses::{Guesses, followed};
 use crate::eigen::EigenError;
 use crate::modes::{Estimate, extrapolate};
 

@@ -1,6 +1,7 @@
 //! The lowest modes of all subsystems together, and the proof that none is missing.
 
 use super::alignment::align;
+use super::guesses::Guesses;
 use super::model::Model;
 use crate::eigen::{
     CountCheck, EigenError, EigenWorkspace, Eigenvalue, Pencil, Statistics, lowest, verify,
@@ -21,6 +22,8 @@ pub(crate) struct Spectrum {
     /// Memory for a list of modes.
     spare: Vec<Found>,
     pub(crate) statistics: Statistics,
+    /// Whether the modes of the last solve were all found from the guesses given.
+    pub(crate) is_guessed: bool,
 }
 
 /// The identity of a mode of a tower, the same on any mesh and by any method.
@@ -88,6 +91,26 @@ impl Spectrum {
         self.of_subsystems[key.subsystem].eigenvalues()[key.order - 1].shifted(model.origin)
     }
 
+    /// Solves one subsystem for its `wanted` lowest modes: from guesses, where there are any and
+    /// these lead to them.
+    fn solve_near(
+        &mut self,
+        model: &mut Model,
+        subsystem: usize,
+        wanted: usize,
+        base: Option<&mut Guesses>,
+    ) -> Result<(), EigenError> {
+        if let Some(base) = base {
+            let workspace = &mut self.of_subsystems[subsystem];
+            if let Some(statistics) = base.lowest(model, subsystem, wanted, workspace) {
+                self.statistics += statistics;
+                return Ok(());
+            }
+        }
+        self.is_guessed &= wanted == 0;
+        self.solve_subsystem(model, subsystem, wanted)
+    }
+
     /// Solves one subsystem for its `wanted` lowest modes.
     pub(crate) fn solve_subsystem(
         &mut self,
@@ -95,17 +118,20 @@ impl Spectrum {
         subsystem: usize,
         wanted: usize,
     ) -> Result<(), EigenError> {
-        self.of_subsystems.resize_with(
-            model.count().max(self.of_subsystems.len()),
-            EigenWorkspace::default,
-        );
+        self.reserve(model);
         let workspace = &mut self.of_subsystems[subsystem];
         self.statistics += lowest(&mut model.vibration(subsystem), wanted, workspace)?;
         Ok(())
     }
 
-    /// Solves for at least the `wanted` lowest modes of all subsystems together; returns all found,
-    /// sorted.
+    fn reserve(&mut self, model: &Model) {
+        let most = model.count().max(self.of_subsystems.len());
+        self.of_subsystems
+            .resize_with(most, EigenWorkspace::default);
+    }
+
+    /// Solves for at least the `wanted` lowest modes of all subsystems together, from the modes of
+    /// a similar tower where there are any; returns all found, sorted.
     ///
     /// The first subsystem, which has the bending fore-aft and so is the softest, is solved first;
     /// its highest mode bounds how many the others must give.
@@ -113,15 +139,18 @@ impl Spectrum {
         &mut self,
         model: &mut Model,
         wanted: usize,
+        mut base: Option<&mut Guesses>,
     ) -> Result<Vec<Found>, EigenError> {
         self.statistics = Statistics::default();
+        self.is_guessed = true;
+        self.reserve(model);
         let all_first = model.subsystem(0).degrees_of_freedom();
         // Side-side bending is as soft, or nearly, and gives the other half.
         let is_alone = model.count() == 1;
         let half = if is_alone { wanted } else { wanted.div_ceil(2) };
         let mut first = half.min(all_first);
         loop {
-            self.solve_subsystem(model, 0, first)?;
+            self.solve_near(model, 0, first, base.as_deref_mut())?;
             self.count_below_first(model, wanted);
             let of_first = self.of_subsystems[0].eigenvalues().len() * model.multiplicity(0);
             let total = of_first + self.wanted[1..].iter().sum::<usize>();
@@ -139,7 +168,7 @@ impl Spectrum {
             first = (first + (wanted - total)).min(all_first);
         }
         for index in 1..model.count() {
-            self.solve_subsystem(model, index, self.wanted[index])?;
+            self.solve_near(model, index, self.wanted[index], base.as_deref_mut())?;
         }
         for (index, workspace) in self
             .of_subsystems

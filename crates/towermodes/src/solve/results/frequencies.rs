@@ -75,6 +75,9 @@ pub struct Frequencies {
     /// Whether the list ends within the error of the segments, so that another mesh may have
     /// another mode below its end; see [`Warning::UncertainEnd`](crate::Warning::UncertainEnd).
     pub has_uncertain_end: bool,
+    /// Whether all modes were found from those of a similar tower; see
+    /// [`Solver::start_from`](crate::Solver::start_from).
+    pub is_near_base: bool,
     /// Number of segments or elements used.
     pub segments: usize,
 }
