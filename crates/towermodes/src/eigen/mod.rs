@@ -12,7 +12,7 @@ mod vector;
 pub(crate) use certificate::{CountCheck, verify};
 pub use error::EigenError;
 pub use pencil::{Pencil, ShiftInvert};
-pub(crate) use refine::{Refinement, refine};
+pub(crate) use refine::{OF_ESTIMATES, Refinement, refine};
 
 use std::f64::consts::TAU;
 
@@ -312,7 +312,7 @@ pub(crate) fn lowest_near(
     if wanted > pencil.size() {
         return None;
     }
-    if !refine(pencil, known, wanted, refinement) {
+    if !refine(pencil, known, wanted, refine::OF_LISTS, refinement) {
         return None;
     }
     workspace.adopt(wanted, refinement);

@@ -19,8 +19,10 @@ const MAX_STEPS: usize = 6;
 /// A shift nearer to the eigenvalue than this fraction of the gap is kept: a step with it reduces
 /// the error by as much, and saves a factorization.
 const NEAR: f64 = 0.01;
-/// The permitted relative error of an eigenvalue.
-const TOLERANCE: f64 = 1e-15;
+/// The permitted relative error of an eigenvalue on another mesh, for an estimate …
+pub(crate) const OF_ESTIMATES: f64 = 1e-14;
+/// … and of one that is listed.
+pub(super) const OF_LISTS: f64 = 1e-15;
 /// Eigenvalues that are nearer to each other, relatively, are left to the Lanczos process.
 const NEAREST: f64 = 1e-4;
 /// The relative gap above the highest eigenvalue known, which decides about one step more.
@@ -52,12 +54,13 @@ struct Refined {
 }
 
 /// Computes the `wanted` lowest eigenvalues from guesses of their vectors, where the eigenvalues of
-/// a similar pencil are `known`. False if the guesses do not lead to a list that is proved
+/// a similar pencil are `known`, to a relative tolerance. False if the guesses do not lead to a list that is proved
 /// complete: then another process must find it.
 pub(crate) fn refine(
     pencil: &mut dyn ShiftInvert,
     known: &[f64],
     wanted: usize,
+    tolerance: f64,
     workspace: &mut Refinement,
 ) -> bool {
     workspace.reset(pencil.size(), wanted);
@@ -69,7 +72,7 @@ pub(crate) fn refine(
         if gap < NEAREST {
             return false;
         }
-        let Some(refined) = workspace.refine_one(pencil, gap, index) else {
+        let Some(refined) = workspace.refine_one(pencil, (gap, tolerance), index) else {
             return false;
         };
         let above = refined.lambda + refined.residual;
@@ -117,7 +120,7 @@ impl Refinement {
     fn refine_one(
         &mut self,
         pencil: &mut dyn ShiftInvert,
-        gap: f64,
+        (gap, tolerance): (f64, f64),
         index: usize,
     ) -> Option<Refined> {
         let Self {
@@ -150,7 +153,7 @@ impl Refinement {
             let lambda = energies[0] / energies[1];
             let squared = mass / energies[1] - (lambda - shift) * (lambda - shift);
             let residual_squared = squared.max(0.0);
-            if residual_squared <= TOLERANCE * gap * lambda * lambda {
+            if residual_squared <= tolerance * gap * lambda * lambda {
                 scale(x, 1.0 / energies[0].sqrt());
                 return Some(Refined {
                     lambda,

@@ -2,7 +2,9 @@
 
 use super::model::Model;
 use super::spectrum::{ModeKey, Spectrum};
-use crate::eigen::{EigenWorkspace, Eigenvalue, Refinement, Statistics, lowest_near, refine};
+use crate::eigen::{
+    EigenWorkspace, Eigenvalue, OF_ESTIMATES, Refinement, Statistics, lowest_near, refine,
+};
 use crate::subsystem::InternalForces;
 use crate::tower::{Motions, Tower};
 
@@ -85,7 +87,8 @@ impl Guesses {
             ..
         } = self.guess(model, index, wanted)?;
         let mut pencil = model.vibration(index);
-        let is_found = refine(&mut pencil, &subsystems[index].known, wanted, refinement);
+        let known = &subsystems[index].known;
+        let is_found = refine(&mut pencil, known, wanted, OF_ESTIMATES, refinement);
         is_found.then_some(&refinement.lambdas[..])
     }
 
