@@ -53,11 +53,12 @@ fn quoted(sentence: &str) -> io::Result<Vec<u8>> {
     if sentence.is_empty() {
         return Ok(Vec::new());
     }
-    let mut writer = ::csv::WriterBuilder::new()
-        .flexible(true)
-        .from_writer(Vec::new());
-    writer.write_field(sentence)?;
-    writer.into_inner().map_err(|error| error.into_error())
+    let mut writer = ::csv::Writer::from_writer(Vec::new());
+    writer.write_record([sentence])?;
+    let mut cell = writer.into_inner().map_err(|error| error.into_error())?;
+    // The end of the line.
+    cell.pop();
+    Ok(cell)
 }
 
 /// A number with all its digits, as `{:?}` writes it: with an exponent where it is large or small;
@@ -65,7 +66,8 @@ fn quoted(sentence: &str) -> io::Result<Vec<u8>> {
 fn number(text: &mut Vec<u8>, number: f64) -> io::Result<()> {
     match number.abs() {
         size if size.is_nan() => Ok(()),
-        0.0 | 1e-4..1e16 => {
+        // Above, of two texts that are equally near the two writers choose different ones.
+        0.0 | 1e-4..1e15 => {
             text.extend(ryu::Buffer::new().format_finite(number).as_bytes());
             Ok(())
         }

@@ -54,8 +54,8 @@ struct Refined {
 }
 
 /// Computes the `wanted` lowest eigenvalues from guesses of their vectors, where the eigenvalues of
-/// a similar pencil are `known`, to a relative tolerance. False if the guesses do not lead to a list that is proved
-/// complete: then another process must find it.
+/// a similar pencil are `known`, to a relative tolerance. False if the guesses do not lead to a
+/// list that is proved complete: then another process must find it.
 pub(crate) fn refine(
     pencil: &mut dyn ShiftInvert,
     known: &[f64],

@@ -209,7 +209,7 @@ impl FrozenModes {
             }
             let is_guessed = guesses.refine(model, index, wanted).is_some();
             if !is_guessed {
-                spectrum.solve_subsystem(model, index, wanted)?;
+                spectrum.solve_subsystem(model, index, wanted, None)?;
             }
             let own = self.keys.iter().zip(&mut vectors);
             for (key, vector) in own.filter(|(key, _)| key.subsystem == index) {

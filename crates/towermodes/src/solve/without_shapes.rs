@@ -8,7 +8,7 @@ use super::on_mesh::cut::Cut;
 use super::on_mesh::guesses::Guesses;
 use super::on_mesh::listing::list;
 use super::on_mesh::one_mesh::solve_cut;
-use super::on_mesh::spectrum::{Found, ModeKey};
+use super::on_mesh::spectrum::{Found, ModeKey, SimilarModes};
 use super::request::options::Options;
 use super::results::frequencies::Frequencies;
 use super::results::warnings::is_uncertain_end;
@@ -90,11 +90,12 @@ impl Solver {
     ///     rna: Rna::point(350e3),
     ///     ..TowerDescription::default()
     /// });
-    /// let mut solver = Solver::new(Options { modes: 4, segments: Some(20), ..Options::default() });
+    /// let options = Options { modes: 4, segments: Some(20), ..Options::default() };
+    /// let mut solver = Solver::new(options.clone());
     /// solver.start_from(&tower(0.027)?)?;
     /// for wall_m in [0.025, 0.029] {
     ///     let near = solver.frequencies(&tower(wall_m)?)?.clone();
-    ///     let alone = Solver::new(solver.options.clone()).frequencies(&tower(wall_m)?)?.clone();
+    ///     let alone = Solver::new(options.clone()).frequencies(&tower(wall_m)?)?.clone();
     ///     assert!(near.is_near_base && !alone.is_near_base);
     ///     let ratio = near.modes[0].extrapolated_hz / alone.modes[0].extrapolated_hz;
     ///     assert!((ratio - 1.0).abs() < 1e-13);
@@ -185,7 +186,7 @@ fn solve_listed(
     tower: &Tower,
     cut: &Cut,
     options: &Options,
-    base: Option<&mut Guesses>,
+    base: Option<&mut dyn SimilarModes>,
     workspace: &mut Workspace,
 ) -> Result<(Vec<Found>, f64), SolveError> {
     let found = solve_cut(tower, cut, options, base, workspace)?;

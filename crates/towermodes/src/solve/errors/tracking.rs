@@ -118,7 +118,7 @@ pub(crate) fn frequencies(
             own().for_each(|(place, key)| level[place] = Some(frequency_hz(key)));
             continue;
         }
-        match spectrum.solve_subsystem(model, index, wanted) {
+        match spectrum.solve_subsystem(model, index, wanted, None) {
             Err(EigenError::Unstable { .. }) => continue,
             // Near buckling another mesh can be beyond the origin, or its lowest modes below the
             // rounding of the others.

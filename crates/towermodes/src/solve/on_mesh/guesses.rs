@@ -1,7 +1,7 @@
 //! Guesses of modes from those of the same tower on another mesh, or of a similar tower.
 
 use super::model::Model;
-use super::spectrum::{ModeKey, Spectrum};
+use super::spectrum::{ModeKey, SimilarModes, Spectrum};
 use crate::eigen::{
     EigenWorkspace, Eigenvalue, OF_ESTIMATES, Refinement, Statistics, lowest_near, refine,
 };
@@ -92,25 +92,6 @@ impl Guesses {
         is_found.then_some(&refinement.lambdas[..])
     }
 
-    /// The `wanted` lowest modes of a subsystem, as accurate as those of the Lanczos process, if the
-    /// guesses lead to them.
-    pub(super) fn lowest(
-        &mut self,
-        model: &mut Model,
-        index: usize,
-        wanted: usize,
-        workspace: &mut EigenWorkspace,
-    ) -> Option<Statistics> {
-        let Self {
-            subsystems,
-            refinement,
-            ..
-        } = self.guess(model, index, wanted)?;
-        let mut pencil = model.vibration(index);
-        let known = &subsystems[index].known;
-        lowest_near(&mut pencil, known, wanted, refinement, workspace)
-    }
-
     /// Guesses the vectors of the `wanted` lowest modes of a subsystem on the present mesh; none if
     /// there are not as many guesses, or if they are of other motions.
     fn guess(&mut self, model: &Model, index: usize, wanted: usize) -> Option<&mut Self> {
@@ -138,6 +119,25 @@ impl Guesses {
     /// A vector of the last [`refine`](Self::refine) that succeeded, by its place from 0.
     pub(crate) fn vector(&self, place: usize) -> &[f64] {
         &self.refinement.vectors[place]
+    }
+}
+
+impl SimilarModes for Guesses {
+    fn lowest(
+        &mut self,
+        model: &mut Model,
+        subsystem: usize,
+        wanted: usize,
+        workspace: &mut EigenWorkspace,
+    ) -> Option<Statistics> {
+        let Self {
+            subsystems,
+            refinement,
+            ..
+        } = self.guess(model, subsystem, wanted)?;
+        let mut pencil = model.vibration(subsystem);
+        let known = &subsystems[subsystem].known;
+        lowest_near(&mut pencil, known, wanted, refinement, workspace)
     }
 }
 

@@ -10,9 +10,8 @@ use super::super::results::energy_parts::energy_parts;
 use super::super::results::solution::{Certificate, ErrorBasis, Mode, Solution};
 use super::super::workspace::Workspace;
 use super::cut::Cut;
-use super::guesses::Guesses;
 use super::naming::{Naming, Wanted, identify};
-use super::spectrum::Found;
+use super::spectrum::{Found, SimilarModes};
 use super::stability::{VERGE, begin_below_zero, buckling_load_factor, can_buckle, find_origin};
 use crate::eigen::{EigenError, Statistics};
 use crate::elements::{Mesh, shear_fraction};
@@ -30,7 +29,7 @@ pub(crate) fn solve_cut(
     tower: &Tower,
     cut: &Cut,
     options: &Options,
-    base: Option<&mut Guesses>,
+    base: Option<&mut dyn SimilarModes>,
     workspace: &mut Workspace,
 ) -> Result<Vec<Found>, SolveError> {
     let cost = Cost::of(tower, cut, options);

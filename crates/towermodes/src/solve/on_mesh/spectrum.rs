@@ -1,7 +1,6 @@
 //! The lowest modes of all subsystems together, and the proof that none is missing.
 
 use super::alignment::align;
-use super::guesses::Guesses;
 use super::model::Model;
 use crate::eigen::{
     CountCheck, EigenError, EigenWorkspace, Eigenvalue, Pencil, Statistics, lowest, verify,
@@ -59,6 +58,19 @@ pub(crate) struct Proof {
     pub(crate) below: f64,
 }
 
+/// The modes of a similar tower, from which those of the present one are found.
+pub(crate) trait SimilarModes {
+    /// The `wanted` lowest modes of a subsystem, as accurate as those of the Lanczos process, if
+    /// the modes of the similar tower lead to them.
+    fn lowest(
+        &mut self,
+        model: &mut Model,
+        subsystem: usize,
+        wanted: usize,
+        workspace: &mut EigenWorkspace,
+    ) -> Option<Statistics>;
+}
+
 impl Spectrum {
     /// The eigenvector of a mode of the last solve.
     pub(crate) fn vector(&self, key: ModeKey) -> &[f64] {
@@ -91,36 +103,23 @@ impl Spectrum {
         self.of_subsystems[key.subsystem].eigenvalues()[key.order - 1].shifted(model.origin)
     }
 
-    /// Solves one subsystem for its `wanted` lowest modes: from guesses, where there are any and
-    /// these lead to them.
-    fn solve_near(
-        &mut self,
-        model: &mut Model,
-        subsystem: usize,
-        wanted: usize,
-        base: Option<&mut Guesses>,
-    ) -> Result<(), EigenError> {
-        if let Some(base) = base {
-            let workspace = &mut self.of_subsystems[subsystem];
-            if let Some(statistics) = base.lowest(model, subsystem, wanted, workspace) {
-                self.statistics += statistics;
-                return Ok(());
-            }
-        }
-        self.is_guessed &= wanted == 0;
-        self.solve_subsystem(model, subsystem, wanted)
-    }
-
-    /// Solves one subsystem for its `wanted` lowest modes.
+    /// Solves one subsystem for its `wanted` lowest modes: from those of a similar tower, where
+    /// there are any and these lead to them.
     pub(crate) fn solve_subsystem(
         &mut self,
         model: &mut Model,
         subsystem: usize,
         wanted: usize,
+        base: Option<&mut dyn SimilarModes>,
     ) -> Result<(), EigenError> {
         self.reserve(model);
         let workspace = &mut self.of_subsystems[subsystem];
-        self.statistics += lowest(&mut model.vibration(subsystem), wanted, workspace)?;
+        let near = base.and_then(|base| base.lowest(model, subsystem, wanted, workspace));
+        self.is_guessed &= near.is_some();
+        self.statistics += match near {
+            Some(statistics) => statistics,
+            None => lowest(&mut model.vibration(subsystem), wanted, workspace)?,
+        };
         Ok(())
     }
 
@@ -139,18 +138,17 @@ impl Spectrum {
         &mut self,
         model: &mut Model,
         wanted: usize,
-        mut base: Option<&mut Guesses>,
+        mut base: Option<&mut dyn SimilarModes>,
     ) -> Result<Vec<Found>, EigenError> {
         self.statistics = Statistics::default();
         self.is_guessed = true;
-        self.reserve(model);
         let all_first = model.subsystem(0).degrees_of_freedom();
         // Side-side bending is as soft, or nearly, and gives the other half.
         let is_alone = model.count() == 1;
         let half = if is_alone { wanted } else { wanted.div_ceil(2) };
         let mut first = half.min(all_first);
         loop {
-            self.solve_near(model, 0, first, base.as_deref_mut())?;
+            self.solve_subsystem(model, 0, first, reborrow(&mut base))?;
             self.count_below_first(model, wanted);
             let of_first = self.of_subsystems[0].eigenvalues().len() * model.multiplicity(0);
             let total = of_first + self.wanted[1..].iter().sum::<usize>();
@@ -168,7 +166,7 @@ impl Spectrum {
             first = (first + (wanted - total)).min(all_first);
         }
         for index in 1..model.count() {
-            self.solve_near(model, index, self.wanted[index], base.as_deref_mut())?;
+            self.solve_subsystem(model, index, self.wanted[index], reborrow(&mut base))?;
         }
         for (index, workspace) in self
             .of_subsystems
@@ -258,6 +256,14 @@ impl Spectrum {
                 restarts: self.statistics.restarts,
             }),
         }
+    }
+}
+
+/// The modes of a similar tower for one solve of a subsystem.
+fn reborrow<'b>(base: &'b mut Option<&mut dyn SimilarModes>) -> Option<&'b mut dyn SimilarModes> {
+    match base {
+        Some(base) => Some(&mut **base),
+        None => None,
     }
 }
 

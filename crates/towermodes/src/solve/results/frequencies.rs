@@ -6,7 +6,8 @@ use crate::modes::{Family, ModeName, SecondFamily, Shares};
 
 /// The name and the frequency of a natural mode of a tower, one of [`Frequencies::modes`]: its
 /// values are equal, bit for bit, to those of the [`Mode`](crate::Mode) of a
-/// [`Solution`](crate::Solution).
+/// [`Solution`](crate::Solution), unless they [start from a
+/// base](crate::Solver::start_from).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ModeFrequency {
