@@ -26,8 +26,8 @@ class Sensitivities:
     The frequencies are extrapolated, as in a sweep. The derivatives are computed from the mode
     shapes, not as differences between the frequencies of two towers. If with fewer than 60 segments
     the error of a derivative is above 0.1 %, as often in soil, all derivatives are computed on a
-    finer mesh, where their errors are about 0.1 %; `error_hz_per_unit` is a cautious estimate of
-    these errors.
+    finer mesh, where their errors are about 0.1 %; `error_hz_per_unit` is an estimate of
+    these errors; fewer than one in a thousand is more than three times as large.
 
     `polars.DataFrame(result)`, `pyarrow.table(result)` and other libraries with the Arrow
     interface convert the result to a table; without this interface use

@@ -10,6 +10,15 @@ use towermodes_testing::{Says, number, rows, with};
 use crate::towers::{example, lowest, names, solved, sweep, tower};
 
 /// Each row is the changed tower as `solve` solves it, with all digits.
+/// A row starts from the modes of the base, a solve from nothing: they differ by rounding.
+fn assert_same_frequency(found_hz: f64, expected_hz: f64) {
+    let ratio = found_hz / expected_hz;
+    assert!(
+        (ratio - 1.0).abs() < 1e-13,
+        "{found_hz} Hz, {expected_hz} Hz"
+    );
+}
+
 #[test]
 fn a_row_is_the_changed_tower() {
     let sweep = lowest(&["rna.mass", "scale(stations[*].wall)"], 4);
@@ -27,8 +36,10 @@ fn a_row_is_the_changed_tower() {
         let solution = solve(&tower, &options).expect("a solution");
         for (index, name) in sweep.modes().iter().enumerate() {
             let mode = solution.mode(name.family, name.order).expect("a mode");
-            assert_eq!(results.frequency_hz[4 * row + index], mode.extrapolated_hz);
-            assert_eq!(results.error_hz[4 * row + index], mode.error_hz());
+            let found_hz = results.frequency_hz[4 * row + index];
+            assert_same_frequency(found_hz, mode.extrapolated_hz);
+            let change_hz = results.error_hz[4 * row + index] - mode.error_hz();
+            assert!(change_hz.abs() < 1e-12 * found_hz);
         }
         assert_eq!(results.mass_kg[row], tower.mass_kg());
         assert!(results.certified[row]);
@@ -270,7 +281,7 @@ fn a_row_keeps_its_modes_when_more_cannot_be_computed() {
     let tower = Tower::new(description).expect("a tower");
     let options = with!(Options, segments = Some(20), modes = sweep.options().modes);
     let solution = solve(&tower, &options).expect("the modes that the row has");
-    assert_eq!(results.frequency_hz[0], solution.modes[0].extrapolated_hz);
+    assert_same_frequency(results.frequency_hz[0], solution.modes[0].extrapolated_hz);
     assert!(results.certified[0] && results.frequency_hz[1].is_nan());
 }
 

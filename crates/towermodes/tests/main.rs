@@ -27,6 +27,7 @@ mod invariance;
 mod methods;
 mod moorings;
 mod names;
+mod near_base;
 mod parameters;
 mod pencils;
 mod plausibility;

@@ -40,6 +40,10 @@ impl<'a> RowSolver<'a> {
     /// The same with a solver, whose observer sees every solve.
     pub(crate) fn within(sweep: &'a Sweep, mut solver: Solver) -> Self {
         solver.options = sweep.options().clone();
+        // The sweep has solved its base; if it could not be solved, rows would start from nothing.
+        if let Ok(base) = Tower::new(sweep.base().clone()) {
+            solver.start_from(&base).ok();
+        }
         Self {
             sweep,
             solver,

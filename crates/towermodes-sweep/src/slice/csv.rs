@@ -14,39 +14,64 @@ pub(super) fn names(columns: &[(String, Column)]) -> io::Result<Vec<u8>> {
     writer.into_inner().map_err(|error| error.into_error())
 }
 
-/// The lines of rows.
+/// The lines of rows. Numbers are written as they are, because only sentences can need quotation
+/// marks.
 pub(super) fn rows(part: &Part, columns: &[(String, Column)]) -> io::Result<Vec<u8>> {
-    let mut writer = ::csv::Writer::from_writer(Vec::new());
     let results = &part.results;
     let modes = results.modes.len();
     let changes = part.inputs.len().checked_div(results.rows()).unwrap_or(0);
-    let mut cell = Vec::new();
+    let mut text = Vec::with_capacity(results.rows() * columns.len() * CELL_BYTES);
     for (row, sentence) in results.sentences().enumerate() {
-        for (_, column) in columns {
-            cell.clear();
-            match *column {
-                Column::Row => write!(cell, "{}", results.first_row + row as u64)?,
-                Column::Input(input) => number(&mut cell, part.inputs[row * changes + input])?,
-                Column::MassKg => number(&mut cell, results.mass_kg[row])?,
-                Column::Certified => write!(cell, "{}", results.certified[row])?,
-                Column::Hz(mode) => number(&mut cell, results.frequency_hz[row * modes + mode])?,
-                Column::ErrorHz(mode) => number(&mut cell, results.error_hz[row * modes + mode])?,
-                Column::Share(mode) => number(&mut cell, results.share[row * modes + mode])?,
-                Column::Sentence => cell.extend(sentence.unwrap_or_default().bytes()),
+        for (place, (_, column)) in columns.iter().enumerate() {
+            if place > 0 {
+                text.push(b',');
             }
-            writer.write_field(&cell)?;
+            match *column {
+                Column::Row => write!(text, "{}", results.first_row + row as u64)?,
+                Column::Input(input) => number(&mut text, part.inputs[row * changes + input])?,
+                Column::MassKg => number(&mut text, results.mass_kg[row])?,
+                Column::Certified => text.extend(match results.certified[row] {
+                    true => &b"true"[..],
+                    false => b"false",
+                }),
+                Column::Hz(mode) => number(&mut text, results.frequency_hz[row * modes + mode])?,
+                Column::ErrorHz(mode) => number(&mut text, results.error_hz[row * modes + mode])?,
+                Column::Share(mode) => number(&mut text, results.share[row * modes + mode])?,
+                Column::Sentence => text.extend(quoted(sentence.unwrap_or_default())?),
+            }
         }
-        writer.write_record(None::<&[u8]>)?;
+        text.push(b'\n');
     }
-    writer.into_inner().map_err(|error| error.into_error())
+    Ok(text)
 }
 
-/// A number with all its digits; nothing for NaN.
-fn number(cell: &mut Vec<u8>, number: f64) -> std::io::Result<()> {
-    match number.is_nan() {
-        true => Ok(()),
-        // With an exponent where the number is large or small.
-        false => write!(cell, "{number:?}"),
+/// About the length of a number with its comma.
+const CELL_BYTES: usize = 20;
+
+/// A text as a cell that is not the only one of its row.
+fn quoted(sentence: &str) -> io::Result<Vec<u8>> {
+    if sentence.is_empty() {
+        return Ok(Vec::new());
+    }
+    let mut writer = ::csv::Writer::from_writer(Vec::new());
+    writer.write_record([sentence])?;
+    let mut cell = writer.into_inner().map_err(|error| error.into_error())?;
+    // The end of the line.
+    cell.pop();
+    Ok(cell)
+}
+
+/// A number with all its digits, as `{:?}` writes it: with an exponent where it is large or small;
+/// nothing for NaN.
+fn number(text: &mut Vec<u8>, number: f64) -> io::Result<()> {
+    match number.abs() {
+        size if size.is_nan() => Ok(()),
+        // Above, of two texts that are equally near the two writers choose different ones.
+        0.0 | 1e-4..1e15 => {
+            text.extend(ryu::Buffer::new().format_finite(number).as_bytes());
+            Ok(())
+        }
+        _ => write!(text, "{number:?}"),
     }
 }
 
@@ -132,4 +157,51 @@ fn put(results: &mut Results, place: usize, column: &Column, cell: &[u8]) -> Res
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{number, quoted};
+
+    #[test]
+    fn numbers_are_written_as_the_standard_library_does() {
+        let edges = [
+            0.0,
+            -0.0,
+            1.0,
+            -2.5,
+            1e-4,
+            9.999e-5,
+            0.1 + 0.2,
+            1e15,
+            1e16,
+            9.999e15,
+            1.5e300,
+            -1e-300,
+            f64::INFINITY,
+            5e-324,
+        ];
+        let powers = (-3200..3200).map(|k| 1.2345678901234567 * 1.1_f64.powi(k));
+        for value in edges.into_iter().chain(powers) {
+            let mut text = Vec::new();
+            number(&mut text, value).expect("a vector takes all");
+            assert_eq!(String::from_utf8_lossy(&text), format!("{value:?}"));
+        }
+        let mut text = Vec::new();
+        number(&mut text, f64::NAN).expect("a vector takes all");
+        assert!(text.is_empty());
+    }
+
+    #[test]
+    fn sentences_are_quoted_where_they_must_be() {
+        for (sentence, cell) in [
+            ("", ""),
+            ("plain", "plain"),
+            ("a, b", "\"a, b\""),
+            ("say \"a\"", "\"say \"\"a\"\"\""),
+        ] {
+            let quoted = quoted(sentence).expect("a vector takes all");
+            assert_eq!(String::from_utf8_lossy(&quoted), cell);
+        }
+    }
 }

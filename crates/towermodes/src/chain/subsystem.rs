@@ -11,7 +11,7 @@ use crate::subsystem::{
     Branch, Coefficients, Coordinates, Energies, InternalForces, JointState, MatrixKind, Resultant,
     SegmentCurves, ShearFraction, Subsystem, Subsystems, dimension,
 };
-use crate::tower::{Motions, Tower};
+use crate::tower::{Axisymmetric, Motions, Tower};
 
 /// A subsystem that is a chain of rigid bodies and elastic joints in D components.
 #[derive(Debug)]
@@ -160,6 +160,10 @@ pub trait ChainAssembly: Subsystem {
     /// Reserves memory for `joints` joints.
     fn reserve(&mut self, joints: usize);
 
+    /// Adds the matrix of a piece of tower, given for the motion of the point at `reference_m` (m),
+    /// to what was added last.
+    fn add_axisymmetric(&mut self, kind: MatrixKind, reference_m: f64, matrix: &Axisymmetric);
+
     /// Adds a joint at a height (m) under a compression (N), with the flexibility of each component
     /// (x, y, z, rotation about x, y, z); see [`Chain::add_joint`].
     fn add_joint(&mut self, height_m: f64, flexibility: &[f64; 6], compression_n: f64);
@@ -168,6 +172,11 @@ pub trait ChainAssembly: Subsystem {
 impl<const D: usize> ChainAssembly for ChainSubsystem<D> {
     fn reserve(&mut self, joints: usize) {
         self.chain.reserve(joints);
+    }
+
+    fn add_axisymmetric(&mut self, kind: MatrixKind, reference_m: f64, matrix: &Axisymmetric) {
+        let matrix = self.coordinates.restrict_axisymmetric(matrix);
+        self.chain.add(kind, reference_m, matrix);
     }
 
     fn add_joint(&mut self, height_m: f64, flexibility: &[f64; 6], compression_n: f64) {
@@ -190,6 +199,19 @@ impl Chains {
         });
         for chain in self.members_mut() {
             chain.reserve(joints);
+        }
+    }
+
+    /// Adds the matrix of a piece of tower, given for the motion of the point at `reference_m` (m),
+    /// to what was added last.
+    pub(crate) fn add_axisymmetric(
+        &mut self,
+        kind: MatrixKind,
+        reference_m: f64,
+        matrix: &Axisymmetric,
+    ) {
+        for chain in self.members_mut() {
+            chain.add_axisymmetric(kind, reference_m, matrix);
         }
     }
 

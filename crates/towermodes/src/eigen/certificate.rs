@@ -44,22 +44,50 @@ pub(crate) fn verify(
     check
 }
 
+/// A relative residual ρ of a vector u with eigenvalue λ = 1/θ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Residual {
+    /// ‖M u − θ K u‖/θ in the norm of K⁻¹, where uᵀKu = 1.
+    OfTheta(f64),
+    /// ‖K u − λ M u‖/λ in the norm of M⁻¹, where uᵀMu = 1.
+    OfLambda(f64),
+}
+
+impl Residual {
+    pub(super) fn value(self) -> f64 {
+        match self {
+            Self::OfTheta(residual) | Self::OfLambda(residual) => residual,
+        }
+    }
+
+    /// The distance of an eigenvalue λ to another one, relative to it: in θ or in λ.
+    fn distance(self, lambda: f64, other: f64) -> f64 {
+        match self {
+            Self::OfTheta(_) => (1.0 - lambda / other).abs(),
+            Self::OfLambda(_) => (1.0 - other / lambda).abs(),
+        }
+    }
+}
+
 /// The relative error bound of eigenvalue `index` of a complete list, from its relative residual ρ.
 ///
 /// min(ρ, ρ²/gap): the residual bound, or Kato's and Temple's (Kato 1949) with the relative gap to
 /// the neighbours, which is proved because the list is complete up to `margin` above its last
 /// member.
-pub(super) fn residual_bound(eigenvalues: &[f64], index: usize, residual: f64, margin: f64) -> f64 {
-    // Distances in θ = 1/λ, relative to θ of this eigenvalue, because the residual is one of θ.
+pub(super) fn residual_bound(
+    eigenvalues: &[f64],
+    index: usize,
+    residual: Residual,
+    margin: f64,
+) -> f64 {
     let value = eigenvalues[index];
-    let distance = |other: f64| (1.0 - value / other).abs();
+    let distance = |other: f64| residual.distance(value, other);
     let below = index
         .checked_sub(1)
         .map_or(f64::INFINITY, |i| distance(eigenvalues[i]));
-    let above = match eigenvalues.get(index + 1) {
-        Some(&other) => distance(other),
-        None => margin / (1.0 + margin),
-    };
+    let above = eigenvalues.get(index + 1).copied();
+    let above = distance(above.unwrap_or(value * (1.0 + margin)));
+    let residual = residual.value();
     residual.min(residual * residual / below.min(above))
 }
 

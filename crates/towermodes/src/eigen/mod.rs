@@ -12,10 +12,11 @@ mod vector;
 pub(crate) use certificate::{CountCheck, verify};
 pub use error::EigenError;
 pub use pencil::{Pencil, ShiftInvert};
-pub(crate) use refine::{Refinement, refine};
+pub(crate) use refine::{OF_ESTIMATES, Refinement, refine};
 
 use std::f64::consts::TAU;
 
+use certificate::Residual;
 use lanczos::Lanczos;
 
 /// Restarts after a count that disagrees, before giving up.
@@ -24,12 +25,18 @@ const MAX_RESTARTS: usize = 8;
 /// The relative distances above the last eigenvalue at which a count is tried.
 const MARGINS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];
 
+/// The same for a list that was found from guesses.
+const WIDE_MARGINS: [f64; 4] = [0.1, 1e-2, 1e-3, 1e-4];
+
 /// With a larger relative residual a mode is below the rounding errors of the lowest one.
 const MAX_RESIDUAL: f64 = 1e-4;
 
 /// Cancellation in the stiffness that leaves a larger relative error is refused: soil or guy wires
 /// 10¹⁴ times as stiff as the tower.
 const MAX_ROUNDING: f64 = 1e-7;
+
+/// The relative error that an eigenvalue from a guess of its vector may have.
+const ACCURATE: f64 = 1e-13;
 
 /// One eigenvalue with its bound.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -95,7 +102,7 @@ pub struct EigenWorkspace {
     vectors: Vec<Vec<f64>>,
     thetas: Vec<f64>,
     lambdas: Vec<f64>,
-    residuals: Vec<f64>,
+    residuals: Vec<Residual>,
     eigenvalues: Vec<Eigenvalue>,
     scratch: Vec<f64>,
 }
@@ -138,12 +145,10 @@ impl EigenWorkspace {
                 .ritz_pair(pencil, index, &mut self.vectors[index]);
             self.thetas.push(theta);
             self.lambdas.push(1.0 / theta);
-            self.residuals.push(residual);
+            self.residuals.push(Residual::OfTheta(residual));
         }
         self.sort();
-        // Nearer to the ends of the range counts overflow, which would look like missing modes.
-        let usable = |lambda: &f64| (1e-200..1e200).contains(lambda);
-        self.lambdas.iter().all(usable) && self.residuals.iter().all(|r| r.is_finite())
+        self.lambdas.iter().all(is_usable) && self.residuals.iter().all(|r| r.value().is_finite())
     }
 
     /// Rayleigh quotients differ from Ritz values in the last digit, which can swap a
@@ -173,7 +178,7 @@ impl EigenWorkspace {
         wanted: usize,
         restarts: usize,
     ) -> Result<Option<usize>, EigenError> {
-        if let Some(resolved) = self.residuals.iter().position(|&r| r > MAX_RESIDUAL) {
+        if let Some(resolved) = self.residuals.iter().position(|r| r.value() > MAX_RESIDUAL) {
             return Err(EigenError::Unresolved { wanted, resolved });
         }
         let last = self.lambdas[wanted - 1];
@@ -191,6 +196,27 @@ impl EigenWorkspace {
             }
             CountCheck::Disagrees { count, .. } => Ok(Some(count)),
         }
+    }
+
+    /// Takes the eigenvalues and vectors of a refinement over.
+    fn adopt(&mut self, wanted: usize, refinement: &mut Refinement) {
+        let most = self.vectors.len().max(wanted);
+        self.vectors.resize_with(most, Vec::new);
+        let refined = refinement.vectors.iter_mut();
+        for (vector, refined) in self.vectors.iter_mut().zip(refined).take(wanted) {
+            std::mem::swap(vector, refined);
+        }
+        self.lambdas.clear();
+        self.lambdas.extend_from_slice(&refinement.lambdas);
+        let residuals = refinement.residuals.iter().copied();
+        self.residuals.clear();
+        self.residuals.extend(residuals.map(Residual::OfLambda));
+    }
+
+    /// Whether an eigenvalue is as accurate as one of the Lanczos process.
+    fn is_accurate(&self, index: usize, margin: f64) -> bool {
+        let residual = self.residuals[index];
+        certificate::residual_bound(&self.lambdas, index, residual, margin) <= ACCURATE
     }
 
     /// Keeps the vectors found; missed modes are in their orthogonal complement.
@@ -264,6 +290,51 @@ pub fn lowest(
     }
 }
 
+/// Nearer to the ends of the range counts overflow, which would look like missing modes.
+fn is_usable(lambda: &f64) -> bool {
+    (1e-200..1e200).contains(lambda)
+}
+
+/// The results of [`lowest`] from guesses of the vectors, where the eigenvalues of a similar pencil
+/// are `known`. None if the guesses do not lead to a list that is proved complete and accurate;
+/// then [`lowest`] must find it.
+pub(crate) fn lowest_near(
+    pencil: &mut dyn ShiftInvert,
+    known: &[f64],
+    wanted: usize,
+    refinement: &mut Refinement,
+    workspace: &mut EigenWorkspace,
+) -> Option<Statistics> {
+    workspace.eigenvalues.clear();
+    if wanted == 0 {
+        return Some(Statistics::default());
+    }
+    if wanted > pencil.size() {
+        return None;
+    }
+    if !refine(pencil, known, wanted, refine::OF_LISTS, refinement) {
+        return None;
+    }
+    workspace.adopt(wanted, refinement);
+    let last = workspace.lambdas[wanted - 1];
+    // A wide gap proves more digits of the last eigenvalue.
+    let check = verify(last, wanted, &WIDE_MARGINS, |shift| {
+        pencil.count_below(shift)
+    });
+    let CountCheck::Complete { margin } = check else {
+        return None;
+    };
+    let is_accurate = (0..wanted).all(|index| workspace.is_accurate(index, margin));
+    if !(workspace.lambdas.iter().all(is_usable) && is_accurate) {
+        return None;
+    }
+    workspace.bound(pencil, margin).ok()?;
+    Some(Statistics {
+        products: refinement.products,
+        restarts: 0,
+    })
+}
+
 /// Factors K.
 ///
 /// # Errors
@@ -301,7 +372,7 @@ pub(crate) fn least(
         }
         let lambda = workspace.lambdas[0];
         below = pencil.count_below(lambda * (1.0 - LEAST));
-        if below == 0 && workspace.residuals[0] <= MAX_RESIDUAL {
+        if below == 0 && workspace.residuals[0].value() <= MAX_RESIDUAL {
             return Ok(lambda);
         }
     }

@@ -12,14 +12,17 @@
 
 use super::certificate::{CountCheck, verify};
 use super::pencil::ShiftInvert;
+use super::vector::scale;
 
 /// More steps than a good guess needs.
-const MAX_STEPS: usize = 4;
+const MAX_STEPS: usize = 6;
 /// A shift nearer to the eigenvalue than this fraction of the gap is kept: a step with it reduces
 /// the error by as much, and saves a factorization.
 const NEAR: f64 = 0.01;
-/// The permitted relative error of an eigenvalue.
-const TOLERANCE: f64 = 1e-14;
+/// The permitted relative error of an eigenvalue on another mesh, for an estimate …
+pub(crate) const OF_ESTIMATES: f64 = 1e-14;
+/// … and of one that is listed.
+pub(super) const OF_LISTS: f64 = 1e-15;
 /// Eigenvalues that are nearer to each other, relatively, are left to the Lanczos process.
 const NEAREST: f64 = 1e-4;
 /// The relative gap above the highest eigenvalue known, which decides about one step more.
@@ -32,6 +35,10 @@ pub(crate) struct Refinement {
     pub(crate) vectors: Vec<Vec<f64>>,
     /// The eigenvalues of the last [`refine`].
     pub(crate) lambdas: Vec<f64>,
+    /// r/ρ of each.
+    pub(super) residuals: Vec<f64>,
+    /// Products with the mass matrix in the last [`refine`].
+    pub(super) products: usize,
     load: Vec<f64>,
 }
 
@@ -47,22 +54,16 @@ struct Refined {
 }
 
 /// Computes the `wanted` lowest eigenvalues from guesses of their vectors, where the eigenvalues of
-/// a similar pencil are `known`. False if the guesses do not lead to a list that is proved
-/// complete: then another process must find it.
+/// a similar pencil are `known`, to a relative tolerance. False if the guesses do not lead to a
+/// list that is proved complete: then another process must find it.
 pub(crate) fn refine(
     pencil: &mut dyn ShiftInvert,
     known: &[f64],
     wanted: usize,
+    tolerance: f64,
     workspace: &mut Refinement,
 ) -> bool {
-    let Refinement {
-        vectors,
-        lambdas,
-        load,
-    } = workspace;
-    lambdas.clear();
-    lambdas.resize(wanted, 0.0);
-    load.resize(pencil.size(), 0.0);
+    workspace.reset(pencil.size(), wanted);
     let mut is_complete = false;
     let mut end = f64::INFINITY;
     // The highest first: its guess is the worst.
@@ -71,7 +72,7 @@ pub(crate) fn refine(
         if gap < NEAREST {
             return false;
         }
-        let Some(refined) = refine_one(pencil, gap, &mut vectors[index], load) else {
+        let Some(refined) = workspace.refine_one(pencil, (gap, tolerance), index) else {
             return false;
         };
         let above = refined.lambda + refined.residual;
@@ -82,9 +83,10 @@ pub(crate) fn refine(
             return false;
         }
         end = refined.lambda - refined.residual;
-        lambdas[index] = refined.lambda;
+        workspace.lambdas[index] = refined.lambda;
+        workspace.residuals[index] = refined.residual / refined.lambda;
     }
-    let last = lambdas[wanted - 1];
+    let last = workspace.lambdas[wanted - 1];
     let count = |shift| pencil.count_below(shift);
     end > 0.0
         && (is_complete
@@ -103,46 +105,68 @@ fn relative_gap(known: &[f64], index: usize) -> f64 {
     below.unwrap_or(1.0).min(above.unwrap_or(GAP_ABOVE))
 }
 
-/// Iterates from a guess until its eigenvalue is known.
-fn refine_one(
-    pencil: &mut dyn ShiftInvert,
-    gap: f64,
-    x: &mut [f64],
-    load: &mut [f64],
-) -> Option<Refined> {
-    let mut energies = pencil.energies(x);
-    let (mut shift, mut count) = (f64::NAN, 0);
-    for _ in 0..MAX_STEPS {
-        let [stiffness, mass] = energies;
-        let quotient = stiffness / mass;
-        if !(quotient > 0.0 && quotient.is_finite()) {
-            return None;
+impl Refinement {
+    fn reset(&mut self, size: usize, wanted: usize) {
+        for of_modes in [&mut self.lambdas, &mut self.residuals] {
+            of_modes.clear();
+            of_modes.resize(wanted, 0.0);
         }
-        // A shift that is near enough serves once more. The first one is no number, so not near.
-        let is_near = (quotient - shift).abs() <= NEAR * gap * quotient;
-        if !is_near {
-            shift = quotient;
-            count = pencil.factorize_shifted(shift);
-        }
-        pencil.mass_times(x, load);
-        x.copy_from_slice(load);
-        pencil.solve_shifted(x);
-        energies = pencil.energies(x);
-        let lambda = energies[0] / energies[1];
-        let squared = mass / energies[1] - (lambda - shift) * (lambda - shift);
-        let residual_squared = squared.max(0.0);
-        if residual_squared <= TOLERANCE * gap * lambda * lambda {
-            return Some(Refined {
-                lambda,
-                residual: residual_squared.sqrt(),
-                shift,
-                count,
-            });
-        }
-        // The vector has grown as the shift is near to the eigenvalue.
-        let scale = 1.0 / energies[1].sqrt();
-        super::vector::scale(x, scale);
-        energies = energies.map(|energy| energy * scale * scale);
+        self.load.resize(size, 0.0);
+        self.products = 0;
     }
-    None
+
+    /// Iterates from a guess until its eigenvalue is known; then the vector with xᵀKx = 1 is in its
+    /// place.
+    fn refine_one(
+        &mut self,
+        pencil: &mut dyn ShiftInvert,
+        (gap, tolerance): (f64, f64),
+        index: usize,
+    ) -> Option<Refined> {
+        let Self {
+            vectors,
+            load,
+            products,
+            ..
+        } = self;
+        let x = &mut vectors[index][..];
+        let mut energies = pencil.energies(x);
+        let (mut shift, mut count) = (f64::NAN, 0);
+        for _ in 0..MAX_STEPS {
+            let [stiffness, mass] = energies;
+            let quotient = stiffness / mass;
+            if !(quotient > 0.0 && quotient.is_finite()) {
+                return None;
+            }
+            // A shift that is near enough serves once more. The first one is no number, so not
+            // near.
+            let is_near = (quotient - shift).abs() <= NEAR * gap * quotient;
+            if !is_near {
+                shift = quotient;
+                count = pencil.factorize_shifted(shift);
+            }
+            pencil.mass_times(x, load);
+            *products += 1;
+            x.copy_from_slice(load);
+            pencil.solve_shifted(x);
+            energies = pencil.energies(x);
+            let lambda = energies[0] / energies[1];
+            let squared = mass / energies[1] - (lambda - shift) * (lambda - shift);
+            let residual_squared = squared.max(0.0);
+            if residual_squared <= tolerance * gap * lambda * lambda {
+                scale(x, 1.0 / energies[0].sqrt());
+                return Some(Refined {
+                    lambda,
+                    residual: residual_squared.sqrt(),
+                    shift,
+                    count,
+                });
+            }
+            // The vector has grown as the shift is near to the eigenvalue.
+            let factor = 1.0 / energies[1].sqrt();
+            scale(x, factor);
+            energies = energies.map(|energy| energy * factor * factor);
+        }
+        None
+    }
 }

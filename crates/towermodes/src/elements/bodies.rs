@@ -30,11 +30,11 @@ impl Assembly<'_> {
             axial: masses.mass_kg_per_m * length,
         };
         self.chains
-            .add(MatrixKind::Inertia, middle_m, &inertia.spatial());
+            .add_axisymmetric(MatrixKind::Inertia, middle_m, &inertia);
         if section.soil != SoilStiffness::default() {
             let soil = prismatic_soil(&section.soil, length);
             self.chains
-                .add(MatrixKind::Foundation, middle_m, &soil.spatial());
+                .add_axisymmetric(MatrixKind::Foundation, middle_m, &soil);
         }
         if self.tower.gravity_m_per_s2() != 0.0 {
             let moment_n_m = self.tower.compression_integral_n_m(base_m, top_m);
@@ -50,10 +50,10 @@ impl Assembly<'_> {
         let mass = mass_integrals(piece, base_m, top_m, reference_m);
         let inertia = mass.axisymmetric(self.recipe.rotary_inertia);
         self.chains
-            .add(MatrixKind::Inertia, reference_m, &inertia.spatial());
+            .add_axisymmetric(MatrixKind::Inertia, reference_m, &inertia);
         if let Some(soil) = soil_integrals(piece, base_m, top_m, reference_m) {
             self.chains
-                .add(MatrixKind::Foundation, reference_m, &soil.spatial());
+                .add_axisymmetric(MatrixKind::Foundation, reference_m, &soil);
         }
         let gravity = self.tower.gravity_m_per_s2();
         if gravity != 0.0 {

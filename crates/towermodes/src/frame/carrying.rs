@@ -578,6 +578,10 @@ impl Subsystem for OnFrame {
     }
 
     fn with_internal_forces(&self, forces: &InternalForces, jumps_m: &[f64], out: &mut [f64]) {
+        // Those of a tower on another frame are no guess.
+        if forces.base.len() != self.base_coordinates() + self.of_frame() {
+            return out.fill(0.0);
+        }
         let (base, of_frame) = forces.base.split_at(self.base_coordinates());
         out[..of_frame.len()].copy_from_slice(of_frame);
         let own = InternalForces {

@@ -1,7 +1,8 @@
 //! Derivatives of eigenvalues with the vectors held.
 
-use super::slope::{Derivatives, Slope, Slopes};
-use super::step::{LARGE, SMALL, is_linear, step};
+use super::NoDerivative;
+use super::slope::{Bends, Derivatives, Slope, Slopes};
+use super::step::{LARGE, RELATIVE, SHORTER, SMALL, is_linear, size_of};
 use crate::parameter::Change;
 use crate::solve::FrozenModes;
 use crate::tower::{Motions, Neighbour, Neighbours, TowerDescription};
@@ -10,6 +11,9 @@ use crate::tower::{Motions, Neighbour, Neighbours, TowerDescription};
 const ENLARGE: f64 = 30.0;
 /// How often it is enlarged at most.
 const MOST_ENLARGEMENTS: usize = 8;
+
+/// The rounding of a quotient over that of a sum of gradients.
+const ROUGH: f64 = 10.0;
 
 /// The held modes of a tower with the memory to differentiate them.
 pub(super) struct Held<'a> {
@@ -23,6 +27,8 @@ pub(super) struct Held<'a> {
 /// The differences of quotients over one step.
 struct Difference {
     slopes: Slopes,
+    /// For each mode by how much the changes of its first eigenvalue in both directions differ.
+    bends: Vec<f64>,
     mass_kg_per_unit: f64,
     /// The sets of motions that are coupled on the neighbours.
     coupled: Vec<Motions>,
@@ -46,7 +52,8 @@ impl<'a> Held<'a> {
 
     /// The derivatives with respect to a change; none if it changes the structure of the tower.
     pub(super) fn derivatives(&mut self, change: &Change, value: f64) -> Option<Derivatives> {
-        let mut h = step(change, value, self.neighbours);
+        let size = size_of(change, value, self.neighbours);
+        let mut h = RELATIVE * size;
         let mut whole = self.difference(change, value, h)?;
         if is_linear(change) {
             for _ in 0..MOST_ENLARGEMENTS {
@@ -63,9 +70,25 @@ impl<'a> Held<'a> {
                 (h, whole) = (h * wanted, larger);
             }
         }
-        let half = self.difference(change, value, 0.5 * h)?;
-        let derivatives = (0..self.frozen.modes.len()).map(|mode| {
+        let mut half = self.difference(change, value, 0.5 * h)?;
+        let modes = 0..self.frozen.modes.len();
+        // Sums of stiffness and inertia have no kink.
+        let may_kink = !is_linear(change);
+        if may_kink
+            && modes
+                .clone()
+                .any(|mode| self.is_kink(mode, &whole, &half, h))
+        {
+            // The kink may be beside the value.
+            h *= SHORTER;
+            whole = self.difference(change, value, h)?;
+            half = self.difference(change, value, 0.5 * h)?;
+        }
+        let derivatives = modes.map(|mode| {
             self.frozen.check(mode, &whole.coupled)?;
+            if may_kink && self.is_kink(mode, &whole, &half, h) {
+                return Err(NoDerivative::OneSided);
+            }
             let of_mesh = |mesh: usize| {
                 let lambda = self.frozen.meshes[mesh].lambdas[mode];
                 let [whole, half] = [&whole, &half].map(|of| of.slopes[mesh][mode]);
@@ -73,9 +96,19 @@ impl<'a> Held<'a> {
                 slope.error += 8.0 * f64::EPSILON * lambda / h;
                 slope
             };
-            Ok(self.frozen.derivative(mode, of_mesh))
+            Ok(self.frozen.derivative(mode, size, of_mesh))
         });
         Some((derivatives.collect(), half.mass_kg_per_unit))
+    }
+
+    /// Whether the eigenvalue of a mode has a kink, by its changes over a step and over its half.
+    fn is_kink(&self, mode: usize, whole: &Difference, half: &Difference, h: f64) -> bool {
+        let bends = Bends {
+            whole: whole.bends[mode],
+            half: half.bends[mode],
+        };
+        let lambda = ROUGH * self.frozen.meshes[0].lambdas[mode];
+        bends.are_of_kink(half.slopes[0][mode] * h, lambda)
     }
 
     /// The central difference of every quotient over a step.
@@ -91,7 +124,10 @@ impl<'a> Held<'a> {
         let lambdas = &self.frozen.meshes[0].lambdas;
         let changes = slopes[0].iter().zip(lambdas);
         let changes = changes.filter(|(_, lambda)| **lambda > 0.0);
+        let quotients = upper[0].iter().zip(&self.quotients[0]).zip(lambdas);
+        let bends = quotients.map(|((upper, lower), own)| (upper - own) - (own - lower));
         Some(Difference {
+            bends: bends.collect(),
             largest: changes.fold(0.0, |most, (s, lambda)| most.max((s * h / lambda).abs())),
             mass_kg_per_unit: (above.tower.structure_mass_kg() - below.tower.structure_mass_kg())
                 / (2.0 * h),

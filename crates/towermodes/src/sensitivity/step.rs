@@ -7,7 +7,10 @@ use crate::tower::{Neighbours, Tower, TowerDescription};
 
 /// The step relative to a value, to the distance to the next height, or to the numbers to which it
 /// is added.
-const RELATIVE: f64 = 2e-3;
+pub(super) const RELATIVE: f64 = 2e-3;
+/// The numbers of a tower are differenced over this fraction of the step of quotients, because they
+/// are no small differences of large sums; quotients too where they may have a kink.
+pub(super) const SHORTER: f64 = 0.1;
 /// A step that changes no eigenvalue by more than this, relatively, is enlarged if the tower
 /// depends on the number linearly.
 pub(super) const SMALL: f64 = 1e-6;

@@ -1,23 +1,13 @@
 //! Derivatives from the gradient with respect to all numbers of a tower: what is left is how these
 //! numbers follow from those of the description, and that needs no assembly.
 
-use super::slope::{Derivatives, Slope};
-use super::step::{is_quadratic, step};
+use super::slope::{Bends, Derivatives, Slope};
+use super::step::{RELATIVE, SHORTER, is_quadratic, size_of};
 use super::{Derivative, NoDerivative};
 use crate::parameter::Change;
 use crate::solve::FrozenModes;
 use crate::tower::{Motions, Neighbours, TowerDescription};
 
-/// The numbers of a tower are differenced over this fraction of the step of quotients: they are no
-/// small differences of large sums.
-const SHORTER: f64 = 0.1;
-/// At a kink half the step leaves half of the difference between the slopes on both sides; of a
-/// smooth function it leaves a quarter.
-const KINK: f64 = 0.375;
-/// The slopes on both sides differ by less, relatively, if there is no kink.
-const SMOOTH: f64 = 1e-6;
-/// The part of an eigenvalue that is rounding.
-const ROUNDING: f64 = 1e-11;
 /// The relative error of the gradient itself: of the vectors, and of the sums.
 const OF_GRADIENT: f64 = 1e-12;
 
@@ -71,19 +61,19 @@ impl<'a> Swept<'a> {
         value: f64,
     ) -> Option<Derivatives> {
         let gradients = frozen.gradients.as_ref()?;
-        let h = SHORTER * step(change, value, self.neighbours);
-        let sums = frozen.meshes.len() * frozen.modes.len();
-        let around = self.difference(gradients, sums, (0, change, value, h))?;
+        let size = size_of(change, value, self.neighbours);
+        let h = SHORTER * RELATIVE * size;
+        let around = self.difference(frozen, gradients, (0, change, value, h))?;
         if is_quadratic(change) {
             let [whole, half] = &mut self.differences;
+            whole.iter_mut().for_each(|sum| sum.bend = 0.0);
             half.clone_from(whole);
-            half.iter_mut().for_each(|sum| sum.bend = 0.0);
         } else {
-            self.difference(gradients, sums, (1, change, value, 0.5 * h))?;
+            self.difference(frozen, gradients, (1, change, value, 0.5 * h))?;
         }
         let derivatives = (0..frozen.modes.len()).map(|mode| {
             frozen.check(mode, &around.coupled)?;
-            self.derivative(frozen, mode, h)
+            self.derivative(frozen, mode, (size, h))
         });
         Some((derivatives.collect(), around.mass_kg_per_unit))
     }
@@ -92,20 +82,20 @@ impl<'a> Swept<'a> {
         &self,
         frozen: &FrozenModes,
         mode: usize,
-        h: f64,
+        (size, h): (f64, f64),
     ) -> Result<Derivative, NoDerivative> {
         let modes = frozen.modes.len();
         let [whole, half] = [&self.differences[0], &self.differences[1]];
         let (whole_own, half_own) = (&whole[mode], &half[mode]);
         let lambda = frozen.meshes[0].lambdas[mode];
-        let bend = half_own.bend.abs();
-        if bend > KINK * whole_own.bend.abs()
-            && bend > SMOOTH * half_own.gross * h
-            && bend > ROUNDING * lambda
-        {
+        let bends = Bends {
+            whole: whole_own.bend,
+            half: half_own.bend,
+        };
+        if bends.are_of_kink(half_own.gross * h, lambda) {
             return Err(NoDerivative::OneSided);
         }
-        Ok(frozen.derivative(mode, |mesh| {
+        Ok(frozen.derivative(mode, size, |mesh| {
             let (whole, half) = (&whole[mesh * modes + mode], &half[mesh * modes + mode]);
             let mut slope = Slope::extrapolated(whole.slope, half.slope);
             slope.error += half.rounding + OF_GRADIENT * half.gross;
@@ -116,8 +106,8 @@ impl<'a> Swept<'a> {
     /// Computes the differences over a step, as the first or the second.
     fn difference(
         &mut self,
+        frozen: &FrozenModes,
         gradients: &[f64],
-        sums: usize,
         (which, change, value, h): (usize, &Change, f64, f64),
     ) -> Option<Around> {
         let [own, upper, lower] = &mut self.numbers;
@@ -126,10 +116,11 @@ impl<'a> Swept<'a> {
             change.apply(&mut self.description, value);
             let neighbour = self.neighbours.near(&self.description)?;
             neighbour.write_numbers(numbers);
-            Some((neighbour.tower.structure_mass_kg(), neighbour.coupled))
+            Some(neighbour)
         };
-        let (above_kg, coupled) = write(value + h, upper)?;
-        let (below_kg, _) = write(value - h, lower)?;
+        let above = write(value + h, upper)?;
+        let below = write(value - h, lower)?;
+        let sums = frozen.meshes.len() * frozen.modes.len();
         let differences = &mut self.differences[which];
         differences.clear();
         differences.resize(sums, Difference::default());
@@ -148,10 +139,33 @@ impl<'a> Swept<'a> {
                 sum.rounding += (gradient * rounding).abs();
             }
         }
+        add_arms(frozen, [&above.arms_m, &below.arms_m], h, differences);
         let is_finite = differences.iter().all(|sum| sum.slope.is_finite());
+        let [above_kg, below_kg] = [&above, &below].map(|at| at.tower.structure_mass_kg());
         is_finite.then_some(Around {
             mass_kg_per_unit: (above_kg - below_kg) / (2.0 * h),
-            coupled,
+            coupled: above.coupled,
         })
+    }
+}
+
+/// Adds what is attached beyond the ends that carry it, on the towers above and below.
+fn add_arms(frozen: &FrozenModes, arms_m: [&[f64]; 2], h: f64, differences: &mut [Difference]) {
+    if arms_m.iter().all(|arms_m| arms_m.is_empty()) {
+        return;
+    }
+    let modes = frozen.modes.len();
+    let of_meshes = frozen
+        .meshes
+        .iter()
+        .zip(differences.chunks_exact_mut(modes));
+    for (mesh, differences) in of_meshes {
+        for (mode, sum) in differences.iter_mut().enumerate() {
+            let [upper, lower] = arms_m.map(|arms_m| mesh.change_by_arms(mode, arms_m));
+            let slope = (upper - lower) / (2.0 * h);
+            sum.slope += slope;
+            sum.bend += upper + lower;
+            sum.gross += slope.abs();
+        }
     }
 }

@@ -233,14 +233,16 @@ fn solve_cut(
     if !model.is_finite() {
         return Err(EigenError::NotFinite.into());
     }
-    spectrum.solve(model, modes).map_err(|error| match error {
-        // Without rotation every blade is stable.
-        EigenError::Unstable { negative } => SolveError::UnstableBlade {
-            rotor_speed_rpm: 60.0 * blade.description().rotor_speed_rad_per_s / TAU,
-            negative,
-        },
-        error => error.into(),
-    })
+    spectrum
+        .solve(model, modes, None)
+        .map_err(|error| match error {
+            // Without rotation every blade is stable.
+            EigenError::Unstable { negative } => SolveError::UnstableBlade {
+                rotor_speed_rpm: 60.0 * blade.description().rotor_speed_rad_per_s / TAU,
+                negative,
+            },
+            error => error.into(),
+        })
 }
 
 /// A mode with its shape; the discretization error is not known yet.

@@ -4,10 +4,11 @@
 //! the vector held is that of the eigenvalue (Hellmann 1937, Feynman 1939; Fox & Kapoor 1968). The
 //! scaled coordinates of a vector are held: they are the same on every tower of one structure.
 
+use super::attached::{AttachedEnds, AttachedForces};
 use super::error::SolveError;
 use super::errors::estimate::powers;
-use super::errors::guesses::{Guesses, followed};
 use super::on_mesh::cut::Cut;
+use super::on_mesh::guesses::{Guesses, followed};
 use super::on_mesh::model::Model;
 use super::on_mesh::spectrum::{ModeKey, Spectrum};
 use super::on_mesh::stability::find_origin_again;
@@ -17,9 +18,9 @@ use super::without_shapes::solve_keeping_vectors;
 use super::workspace::Workspace;
 use crate::Method;
 use crate::eigen::{EigenError, ShiftInvert};
-use crate::elements::{GradientMesh, Mesh};
+use crate::elements::{GradientMesh, Mesh, shear_fraction};
 use crate::subsystem::Eigenproblem;
-use crate::tower::{Motions, Neighbour, Neighbours, Tower};
+use crate::tower::{Motions, Neighbour, Neighbours, Plane, Tower};
 
 /// The lowest modes of a tower on its meshes.
 pub(crate) struct FrozenModes {
@@ -49,6 +50,19 @@ pub(crate) struct FrozenMesh {
     vectors: Vec<Vec<f64>>,
     /// The eigenvalue λ of each mode, rad²/s².
     pub(crate) lambdas: Vec<f64>,
+    /// What each mode does where attachments can leave the end of a piece; empty if none can.
+    attached: Vec<AttachedEnds>,
+}
+
+impl FrozenMesh {
+    /// The change of the eigenvalue (rad²/s²) of a mode if attachments are at these distances (m)
+    /// above the ends of pieces that carry them.
+    pub(crate) fn change_by_arms(&self, mode: usize, arms_m: &[f64]) -> f64 {
+        match (self.attached.get(mode), arms_m) {
+            (None, _) | (_, []) => 0.0,
+            (Some(ends), arms_m) => ends.change(arms_m),
+        }
+    }
 }
 
 impl FrozenModes {
@@ -184,14 +198,36 @@ impl FrozenModes {
         let keys = self.keys.iter().zip(&vectors);
         let quotients = keys.map(|(key, vector)| quotient(model, key.subsystem, vector));
         let lambdas: Vec<f64> = quotients.collect();
-        match lambdas.iter().all(|lambda| lambda.is_finite()) {
-            true => Ok(FrozenMesh {
-                cut,
-                vectors,
-                lambdas,
-            }),
-            false => Err(EigenError::NotFinite.into()),
+        if !lambdas.iter().all(|lambda| lambda.is_finite()) {
+            return Err(EigenError::NotFinite.into());
         }
+        let mut mesh = FrozenMesh {
+            cut,
+            vectors,
+            lambdas,
+            attached: Vec::new(),
+        };
+        self.add_attached(tower, model, &mut mesh);
+        Ok(mesh)
+    }
+
+    /// Adds what the modes do where attachments can leave the end of a piece, for the model on
+    /// this mesh.
+    fn add_attached(&self, tower: &Tower, model: &mut Model, mesh: &mut FrozenMesh) {
+        let options = &self.options;
+        let included = (options.method.has_shear(), options.rotary_inertia);
+        let Some(forces) = AttachedForces::of(tower, &mesh.cut.mesh, included) else {
+            return;
+        };
+        let shear = |plane: Plane, base_m, top_m| shear_fraction(tower, plane, base_m, top_m);
+        let modes = self.keys.iter().zip(&mesh.vectors).zip(&mesh.lambdas);
+        let attached = modes.map(|((key, vector), &lambda)| {
+            let [_, mass] = energies(model, key.subsystem, vector);
+            let subsystem = model.subsystem(key.subsystem);
+            let curves = subsystem.curves(mesh.cut.mesh.borders_m(), &shear, vector);
+            forces.in_mode(lambda, &*curves, mass)
+        });
+        mesh.attached = attached.collect();
     }
 
     /// The vectors of the modes on the present mesh, from their guesses or from nothing.
@@ -209,7 +245,7 @@ impl FrozenModes {
             }
             let is_guessed = guesses.refine(model, index, wanted).is_some();
             if !is_guessed {
-                spectrum.solve_subsystem(model, index, wanted)?;
+                spectrum.solve_subsystem(model, index, wanted, None)?;
             }
             let own = self.keys.iter().zip(&mut vectors);
             for (key, vector) in own.filter(|(key, _)| key.subsystem == index) {
@@ -238,13 +274,14 @@ impl FrozenModes {
             let moved = mesh.cut.mesh.moved(&moves);
             model.assemble(tower, &moved, mesh.cut.degree, &self.options);
             quotients.clear();
-            for (key, vector) in self.keys.iter().zip(&mesh.vectors) {
+            for (mode, (key, vector)) in self.keys.iter().zip(&mesh.vectors).enumerate() {
                 let is_same = key.subsystem < model.count()
                     && model.subsystem(key.subsystem).degrees_of_freedom() == vector.len();
                 if !is_same {
                     return false;
                 }
-                quotients.push(quotient(model, key.subsystem, vector));
+                let carried = quotient(model, key.subsystem, vector);
+                quotients.push(carried + mesh.change_by_arms(mode, &neighbour.arms_m));
             }
         }
         true

@@ -4,6 +4,7 @@
 //! spectrum → stability → naming and solution → one mesh → error estimates → warnings →
 //! [`Solver`], whose methods are in `tower`, `certain`, `until`, `without_shapes` and `blade`.
 
+mod attached;
 mod blade;
 mod by_frequency;
 mod certain;

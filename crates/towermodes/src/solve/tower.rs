@@ -78,7 +78,7 @@ fn solve_segments(
     workspace: &mut Workspace,
 ) -> Result<Solution, SolveError> {
     let cut = Cut::new(tower, options)?;
-    let found = solve_cut(tower, &cut, options, workspace)?;
+    let found = solve_cut(tower, &cut, options, None, workspace)?;
     let statistics = workspace.spectrum.statistics;
     let mut result = describe(tower, &cut, options, &found, workspace)?;
     workspace.spectrum.recycle(found);

@@ -1,8 +1,8 @@
 //! The memory of a solve.
 
-use super::errors::guesses::Guesses;
 use super::errors::tracking::{Ladder, Levels};
 use super::on_mesh::cut::{Cut, LastCut};
+use super::on_mesh::guesses::Guesses;
 use super::on_mesh::model::Model;
 use super::on_mesh::naming::Naming;
 use super::on_mesh::spectrum::{ModeKey, Spectrum};
@@ -18,6 +18,8 @@ pub(crate) struct Workspace {
     pub(super) errors: ErrorWorkspace,
     pub(super) frequencies: Frequencies,
     pub(super) cut: LastCut,
+    /// The modes of a similar tower, from which solves for frequencies alone start.
+    pub(super) base: Option<Guesses>,
     /// The last cut of the spectral method.
     pub(super) spectral_cut: Option<Cut>,
 }

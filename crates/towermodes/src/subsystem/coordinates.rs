@@ -1,7 +1,7 @@
 //! The motion components of a subsystem among the six of a section.
 
 use crate::space::{Matrix, SpatialMatrix};
-use crate::tower::{Component, Motion, Motions};
+use crate::tower::{Axisymmetric, Component, Motion, Motions, Plane};
 
 /// How many components the equations of coupled motions have: 1 for torsion or axial motion, 2 for
 /// a bending plane, 3 for a bending plane with torsion or axial motion, 6 for any other set.
@@ -21,6 +21,9 @@ pub fn dimension(motions: Motions) -> usize {
 pub struct Coordinates<const D: usize> {
     motions: Motions,
     components: [Component; D],
+    /// The bending plane, and the motion along or about the axis, if there are one at most of each.
+    plane: Option<Plane>,
+    straight: Option<Motion>,
 }
 
 impl<const D: usize> Coordinates<D> {
@@ -33,7 +36,13 @@ impl<const D: usize> Coordinates<D> {
             6 => in_space.next().map(|component| (component, 1.0)),
             _ => own.next().copied(),
         };
+        let plane = motions.iter().find_map(|motion| match motion {
+            Motion::Bending(plane) => Some(plane),
+            Motion::Torsion | Motion::Axial => None,
+        });
         Self {
+            plane,
+            straight: motions.iter().find(|motion| !motion.bends()),
             motions,
             components: std::array::from_fn(|_| next().unwrap_or_default()),
         }
@@ -52,6 +61,28 @@ impl<const D: usize> Coordinates<D> {
             for (entry, (j, t)) in row.iter_mut().zip(&self.components) {
                 *entry = s * t * matrix[*i][*j];
             }
+        }
+        own
+    }
+
+    /// The same of the matrix of a piece of tower.
+    #[inline]
+    pub fn restrict_axisymmetric(&self, matrix: &Axisymmetric) -> Matrix<D> {
+        if D == 6 {
+            return self.restrict(&matrix.spatial());
+        }
+        let mut own = [[0.0; D]; D];
+        if let Some(plane) = self.plane
+            && D > 1
+        {
+            let [[ww, wt], [_, tt]] = matrix.plane(plane);
+            (own[0][0], own[0][1], own[1][0], own[1][1]) = (ww, wt, wt, tt);
+        }
+        // Behind the bending plane.
+        match self.straight {
+            Some(Motion::Torsion) => own[D - 1][D - 1] = matrix.torsion,
+            Some(Motion::Axial) => own[D - 1][D - 1] = matrix.axial,
+            Some(Motion::Bending(_)) | None => {}
         }
         own
     }
@@ -104,7 +135,7 @@ impl<const D: usize> Coordinates<D> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tower::Plane;
+    use crate::tower::Planes;
 
     const SIDE_SIDE: Motion = Motion::Bending(Plane::SideSide);
 
@@ -118,6 +149,35 @@ mod tests {
         let mut matrix = [[0.0; 6]; 6];
         (matrix[1][3], matrix[3][1], matrix[3][3]) = (-5.0, -5.0, 7.0);
         assert_eq!(coordinates.restrict(&matrix), [[0.0, 5.0], [5.0, 7.0]]);
+    }
+
+    #[test]
+    fn the_matrix_of_a_piece_is_restricted_as_that_of_the_space() {
+        let bending = Planes {
+            fore_aft: [2.0, 3.0, 5.0],
+            side_side: [7.0, 11.0, 13.0],
+        };
+        let piece = Axisymmetric {
+            bending,
+            torsion: 17.0,
+            axial: 19.0,
+        };
+        fn check<const D: usize>(motions: Motions, piece: &Axisymmetric) {
+            let coordinates = Coordinates::<D>::new(motions);
+            let expected = coordinates.restrict(&piece.spatial());
+            assert_eq!(coordinates.restrict_axisymmetric(piece), expected);
+        }
+        let only = Motions::only;
+        let (torsion, axial) = (only(Motion::Torsion), only(Motion::Axial));
+        check::<1>(torsion, &piece);
+        check::<1>(axial, &piece);
+        for plane in [Plane::ForeAft, Plane::SideSide] {
+            let bending = only(Motion::Bending(plane));
+            check::<2>(bending, &piece);
+            check::<3>(bending.and(torsion), &piece);
+            check::<3>(bending.and(axial), &piece);
+            check::<6>(bending.and(torsion).and(axial), &piece);
+        }
     }
 
     #[test]

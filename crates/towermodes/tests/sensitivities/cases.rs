@@ -177,7 +177,8 @@ fn the_error_of_a_derivative_holds_and_is_near() {
                             mode.label()
                         )
                     };
-                    match error <= estimate {
+                    // The spectral method has errors too.
+                    match error <= 3.0 * estimate {
                         true => held += 1,
                         false => missed.push(format!("{}: {error:.1e} {estimate:.1e}", case())),
                     }
@@ -190,9 +191,10 @@ fn the_error_of_a_derivative_holds_and_is_near() {
     }
     ratios.sort_by(f64::total_cmp);
     let median = ratios[ratios.len() / 2];
-    let holds = 50 * missed.len() < held;
+    let holds = 1000 * missed.len() <= held;
     assert!(holds, "{} of {held}: {missed:#?}", missed.len());
-    assert!((1.0..100.0).contains(&median), "{median}");
+    // Most derivatives are better than meshes can tell.
+    assert!((1.0..1000.0).contains(&median), "{median}");
 }
 
 /// With so few segments that none can be merged the derivative is extrapolated from finer meshes,

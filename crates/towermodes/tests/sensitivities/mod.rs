@@ -2,6 +2,7 @@
 
 mod cases;
 mod laws;
+mod leaving;
 mod oracle;
 
 use crate::towers;

@@ -196,7 +196,7 @@ fn lowest(
         return p_refinement::lowest(tower, options, workspace);
     }
     let cut = workspace.cut.take(tower, options)?;
-    let found = solve_cut(tower, &cut, options, workspace)?;
+    let found = solve_cut(tower, &cut, options, None, workspace)?;
     Ok((cut, found))
 }
 

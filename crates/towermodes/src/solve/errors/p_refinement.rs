@@ -81,7 +81,7 @@ fn refine(
     let mut statistics = Statistics::default();
     let first = first_cut(tower, options)?;
     let solve = |cut: &Cut| {
-        let found = solve_cut(tower, cut, options, workspace)?;
+        let found = solve_cut(tower, cut, options, None, workspace)?;
         statistics += workspace.spectrum.statistics;
         Ok::<_, SolveError>(found)
     };

@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 
 use super::super::error::SolveError;
+use super::super::on_mesh::guesses::{Guesses, followed};
 use super::super::on_mesh::model::Model;
 use super::super::on_mesh::spectrum::{ModeKey, Spectrum};
-use super::guesses::{Guesses, followed};
 use crate::eigen::EigenError;
 use crate::modes::{Estimate, extrapolate};
 
@@ -118,7 +118,7 @@ pub(crate) fn frequencies(
             own().for_each(|(place, key)| level[place] = Some(frequency_hz(key)));
             continue;
         }
-        match spectrum.solve_subsystem(model, index, wanted) {
+        match spectrum.solve_subsystem(model, index, wanted, None) {
             Err(EigenError::Unstable { .. }) => continue,
             // Near buckling another mesh can be beyond the origin, or its lowest modes below the
             // rounding of the others.

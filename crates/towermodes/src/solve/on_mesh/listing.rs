@@ -63,6 +63,7 @@ pub(crate) fn list(
     }
     frequencies.certificate = Certificate::of(&proof);
     frequencies.has_uncertain_end = false;
+    frequencies.is_near_base = false;
     frequencies.segments = cut.mesh.segments();
     Ok(proof.below)
 }

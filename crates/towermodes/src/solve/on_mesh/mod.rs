@@ -2,6 +2,7 @@
 
 pub(super) mod alignment;
 pub(super) mod cut;
+pub(super) mod guesses;
 pub(super) mod listing;
 pub(super) mod model;
 pub(super) mod naming;

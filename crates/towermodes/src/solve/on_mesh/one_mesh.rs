@@ -11,7 +11,7 @@ use super::super::results::solution::{Certificate, ErrorBasis, Mode, Solution};
 use super::super::workspace::Workspace;
 use super::cut::Cut;
 use super::naming::{Naming, Wanted, identify};
-use super::spectrum::Found;
+use super::spectrum::{Found, SimilarModes};
 use super::stability::{VERGE, begin_below_zero, buckling_load_factor, can_buckle, find_origin};
 use crate::eigen::{EigenError, Statistics};
 use crate::elements::{Mesh, shear_fraction};
@@ -23,11 +23,13 @@ use crate::tower::{Plane, Tower};
 /// A tower on a frame that is slower than any turbine may stand on a mechanism, Hz.
 const SLOW_HZ: f64 = 1e-3;
 
-/// Assembles a tower on a mesh and solves it for at least the modes requested.
+/// Assembles a tower on a mesh and solves it for at least the modes requested, from the modes of a
+/// similar tower if there are any.
 pub(crate) fn solve_cut(
     tower: &Tower,
     cut: &Cut,
     options: &Options,
+    base: Option<&mut dyn SimilarModes>,
     workspace: &mut Workspace,
 ) -> Result<Vec<Found>, SolveError> {
     let cost = Cost::of(tower, cut, options);
@@ -58,7 +60,7 @@ pub(crate) fn solve_cut(
         model.degrees_of_freedom(),
     )?;
     find_origin(tower, model)?;
-    let solved = spectrum.solve(model, options.modes);
+    let solved = spectrum.solve(model, options.modes, base);
     let is_slow = |found: &Found| found.eigenvalue.frequency_hz() < SLOW_HZ;
     let is_doubtful = solved
         .as_ref()
@@ -91,7 +93,7 @@ fn solve_again(
     match buckling_load_factor(tower, model, None) {
         Ok(Some(factor)) if factor < VERGE => {
             begin_below_zero(model);
-            Ok(spectrum.solve(model, options.modes)?)
+            Ok(spectrum.solve(model, options.modes, None)?)
         }
         Err(SolveError::Buckles { load_factor }) => {
             Err(buckles(tower, cut, options, load_factor, workspace))

@@ -21,6 +21,8 @@ pub(crate) struct Spectrum {
     /// Memory for a list of modes.
     spare: Vec<Found>,
     pub(crate) statistics: Statistics,
+    /// Whether the modes of the last solve were all found from the guesses given.
+    pub(crate) is_guessed: bool,
 }
 
 /// The identity of a mode of a tower, the same on any mesh and by any method.
@@ -56,6 +58,19 @@ pub(crate) struct Proof {
     pub(crate) below: f64,
 }
 
+/// The modes of a similar tower, from which those of the present one are found.
+pub(crate) trait SimilarModes {
+    /// The `wanted` lowest modes of a subsystem, as accurate as those of the Lanczos process, if
+    /// the modes of the similar tower lead to them.
+    fn lowest(
+        &mut self,
+        model: &mut Model,
+        subsystem: usize,
+        wanted: usize,
+        workspace: &mut EigenWorkspace,
+    ) -> Option<Statistics>;
+}
+
 impl Spectrum {
     /// The eigenvector of a mode of the last solve.
     pub(crate) fn vector(&self, key: ModeKey) -> &[f64] {
@@ -88,24 +103,34 @@ impl Spectrum {
         self.of_subsystems[key.subsystem].eigenvalues()[key.order - 1].shifted(model.origin)
     }
 
-    /// Solves one subsystem for its `wanted` lowest modes.
+    /// Solves one subsystem for its `wanted` lowest modes: from those of a similar tower, where
+    /// there are any and these lead to them.
     pub(crate) fn solve_subsystem(
         &mut self,
         model: &mut Model,
         subsystem: usize,
         wanted: usize,
+        base: Option<&mut dyn SimilarModes>,
     ) -> Result<(), EigenError> {
-        self.of_subsystems.resize_with(
-            model.count().max(self.of_subsystems.len()),
-            EigenWorkspace::default,
-        );
+        self.reserve(model);
         let workspace = &mut self.of_subsystems[subsystem];
-        self.statistics += lowest(&mut model.vibration(subsystem), wanted, workspace)?;
+        let near = base.and_then(|base| base.lowest(model, subsystem, wanted, workspace));
+        self.is_guessed &= near.is_some();
+        self.statistics += match near {
+            Some(statistics) => statistics,
+            None => lowest(&mut model.vibration(subsystem), wanted, workspace)?,
+        };
         Ok(())
     }
 
-    /// Solves for at least the `wanted` lowest modes of all subsystems together; returns all found,
-    /// sorted.
+    fn reserve(&mut self, model: &Model) {
+        let most = model.count().max(self.of_subsystems.len());
+        self.of_subsystems
+            .resize_with(most, EigenWorkspace::default);
+    }
+
+    /// Solves for at least the `wanted` lowest modes of all subsystems together, from the modes of
+    /// a similar tower where there are any; returns all found, sorted.
     ///
     /// The first subsystem, which has the bending fore-aft and so is the softest, is solved first;
     /// its highest mode bounds how many the others must give.
@@ -113,15 +138,17 @@ impl Spectrum {
         &mut self,
         model: &mut Model,
         wanted: usize,
+        mut base: Option<&mut dyn SimilarModes>,
     ) -> Result<Vec<Found>, EigenError> {
         self.statistics = Statistics::default();
+        self.is_guessed = true;
         let all_first = model.subsystem(0).degrees_of_freedom();
         // Side-side bending is as soft, or nearly, and gives the other half.
         let is_alone = model.count() == 1;
         let half = if is_alone { wanted } else { wanted.div_ceil(2) };
         let mut first = half.min(all_first);
         loop {
-            self.solve_subsystem(model, 0, first)?;
+            self.solve_subsystem(model, 0, first, reborrow(&mut base))?;
             self.count_below_first(model, wanted);
             let of_first = self.of_subsystems[0].eigenvalues().len() * model.multiplicity(0);
             let total = of_first + self.wanted[1..].iter().sum::<usize>();
@@ -139,7 +166,7 @@ impl Spectrum {
             first = (first + (wanted - total)).min(all_first);
         }
         for index in 1..model.count() {
-            self.solve_subsystem(model, index, self.wanted[index])?;
+            self.solve_subsystem(model, index, self.wanted[index], reborrow(&mut base))?;
         }
         for (index, workspace) in self
             .of_subsystems
@@ -229,6 +256,14 @@ impl Spectrum {
                 restarts: self.statistics.restarts,
             }),
         }
+    }
+}
+
+/// The modes of a similar tower for one solve of a subsystem.
+fn reborrow<'b>(base: &'b mut Option<&mut dyn SimilarModes>) -> Option<&'b mut dyn SimilarModes> {
+    match base {
+        Some(base) => Some(&mut **base),
+        None => None,
     }
 }
 

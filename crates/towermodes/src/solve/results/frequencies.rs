@@ -6,7 +6,8 @@ use crate::modes::{Family, ModeName, SecondFamily, Shares};
 
 /// The name and the frequency of a natural mode of a tower, one of [`Frequencies::modes`]: its
 /// values are equal, bit for bit, to those of the [`Mode`](crate::Mode) of a
-/// [`Solution`](crate::Solution).
+/// [`Solution`](crate::Solution), unless they [start from a
+/// base](crate::Solver::start_from).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ModeFrequency {
@@ -75,6 +76,9 @@ pub struct Frequencies {
     /// Whether the list ends within the error of the segments, so that another mesh may have
     /// another mode below its end; see [`Warning::UncertainEnd`](crate::Warning::UncertainEnd).
     pub has_uncertain_end: bool,
+    /// Whether all modes were found from those of a similar tower; see
+    /// [`Solver::start_from`](crate::Solver::start_from).
+    pub is_near_base: bool,
     /// Number of segments or elements used.
     pub segments: usize,
 }

@@ -40,6 +40,9 @@ pub(crate) struct Neighbour {
     /// Soil and water that begin or end a little off the border between pieces that they have on
     /// the first tower.
     pub(crate) slivers: Vec<Sliver>,
+    /// How far (m) each attachment is above the end of a piece that carries it; empty if all are
+    /// where they are carried.
+    pub(crate) arms_m: Vec<f64>,
 }
 
 impl Neighbours {
@@ -118,7 +121,7 @@ impl Neighbours {
             return None;
         }
         base.units = own.base.units;
-        self.attach(description, &mut tower)?;
+        let arms_m = self.attach(description, &mut tower)?;
         tower.planes_are_equal = false;
         tower.planes_are_apart = true;
         let coupled = std::mem::replace(&mut tower.independent, own.independent.clone());
@@ -127,29 +130,36 @@ impl Neighbours {
             tower,
             coupled,
             slivers,
+            arms_m,
         })
     }
 
     /// Puts the attachments of a neighbour in the order of the first tower. What is at the end of a
-    /// piece there is carried by the end of this piece.
-    fn attach(&self, description: &TowerDescription, tower: &mut Tower) -> Option<()> {
+    /// piece there is carried by the end of this piece. The result is how far (m) above it each is,
+    /// if one is not there.
+    fn attach(&self, description: &TowerDescription, tower: &mut Tower) -> Option<Vec<f64>> {
         let attached = attachments_of(description, tower.top_m());
         if attached.len() != self.places.len() {
             return None;
         }
+        let mut arms_m = Vec::new();
         for (attachment, &place) in attached.iter().zip(&self.places) {
             let height_m = self.tower.attachments[place].height_m;
             let ends = self
                 .tower
                 .border_of(height_m)
                 .map(|end| tower.border_m(end));
+            if let Some(border_m) = ends.filter(|border_m| *border_m != attachment.height_m) {
+                arms_m.resize(attached.len(), 0.0);
+                arms_m[place] = attachment.height_m - border_m;
+            }
             tower.attachments[place] = match ends {
                 Some(border_m) => attachment.carried_at(border_m),
                 None => *attachment,
             };
         }
         tower.weigh_again();
-        Some(())
+        Some(arms_m)
     }
 
     /// Whether a tower has the structure of the first.

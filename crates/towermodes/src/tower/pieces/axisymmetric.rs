@@ -20,7 +20,7 @@ pub struct Axisymmetric {
 impl Axisymmetric {
     /// The matrix of a bending plane for (w, θ).
     #[inline]
-    fn plane(&self, plane: Plane) -> Matrix<2> {
+    pub(crate) fn plane(&self, plane: Plane) -> Matrix<2> {
         let [ww, wt, tt] = self.bending.of(plane);
         [[ww, wt], [wt, tt]]
     }

@@ -1,16 +1,18 @@
-//! Guesses of the modes of a tower on other meshes, from those on its own.
+//! Guesses of modes from those of the same tower on another mesh, or of a similar tower.
 
-use super::super::on_mesh::model::Model;
-use super::super::on_mesh::spectrum::{ModeKey, Spectrum};
-use crate::eigen::{Eigenvalue, Refinement, refine};
+use super::model::Model;
+use super::spectrum::{ModeKey, SimilarModes, Spectrum};
+use crate::eigen::{
+    EigenWorkspace, Eigenvalue, OF_ESTIMATES, Refinement, Statistics, lowest_near, refine,
+};
 use crate::subsystem::InternalForces;
-use crate::tower::Tower;
+use crate::tower::{Motions, Tower};
 
 /// A mode is guessed if its eigenvalue is so many times its error.
 const CERTAIN: f64 = 1e6;
 
-/// The internal forces of modes, which hardly depend on the mesh, and the eigenvalues on another
-/// mesh that were found from them.
+/// The internal forces of modes, which hardly depend on the mesh and little on the dimensions of
+/// the tower, and the eigenvalues that were found from them.
 #[derive(Debug, Default)]
 pub(crate) struct Guesses {
     subsystems: Vec<OfSubsystem>,
@@ -24,8 +26,9 @@ pub(crate) struct Guesses {
 struct OfSubsystem {
     /// How many modes can be guessed: all that are followed, or none.
     count: usize,
+    motions: Motions,
     forces: Vec<InternalForces>,
-    /// The eigenvalues on the modes' own mesh, rad²/s².
+    /// The eigenvalues of the modes where they were taken, rad²/s².
     known: Vec<f64>,
 }
 
@@ -49,6 +52,7 @@ impl Guesses {
             guesses.known.clear();
             guesses.known.extend(eigenvalues.iter().map(|e| e.lambda));
             guesses.count = 0;
+            guesses.motions = model.motions(index);
             let count = followed(keys, index);
             // Near zero the digits of a mode are few, and those of its guess are none.
             let is_certain = |e: &Eigenvalue| e.lambda > CERTAIN * e.error;
@@ -77,28 +81,63 @@ impl Guesses {
         index: usize,
         wanted: usize,
     ) -> Option<&[f64]> {
-        let guesses = self.subsystems.get(index)?;
-        if guesses.count < wanted || model.origin != 0.0 {
+        let Self {
+            subsystems,
+            refinement,
+            ..
+        } = self.guess(model, index, wanted)?;
+        let mut pencil = model.vibration(index);
+        let known = &subsystems[index].known;
+        let is_found = refine(&mut pencil, known, wanted, OF_ESTIMATES, refinement);
+        is_found.then_some(&refinement.lambdas[..])
+    }
+
+    /// Guesses the vectors of the `wanted` lowest modes of a subsystem on the present mesh; none if
+    /// there are not as many guesses, or if they are of other motions.
+    fn guess(&mut self, model: &Model, index: usize, wanted: usize) -> Option<&mut Self> {
+        let Self {
+            subsystems,
+            jumps_m,
+            refinement,
+        } = self;
+        let guesses = subsystems.get(index)?;
+        let subsystem = model.subsystem(index);
+        let is_same = guesses.motions == subsystem.motions() && model.origin == 0.0;
+        if guesses.count < wanted || !is_same {
             return None;
         }
-        let subsystem = model.subsystem(index);
         let size = subsystem.degrees_of_freedom();
-        let vectors = &mut self.refinement.vectors;
+        let vectors = &mut refinement.vectors;
         vectors.resize_with(vectors.len().max(wanted), Vec::new);
         for (vector, forces) in vectors.iter_mut().zip(&guesses.forces[..wanted]) {
             vector.resize(size, 0.0);
-            subsystem.with_internal_forces(forces, &self.jumps_m, vector);
+            subsystem.with_internal_forces(forces, jumps_m, vector);
         }
-        let mut pencil = model.vibration(index);
-        let is_found = refine(&mut pencil, &guesses.known, wanted, &mut self.refinement);
-        is_found.then_some(&self.refinement.lambdas[..])
+        Some(self)
     }
-}
 
-impl Guesses {
     /// A vector of the last [`refine`](Self::refine) that succeeded, by its place from 0.
     pub(crate) fn vector(&self, place: usize) -> &[f64] {
         &self.refinement.vectors[place]
+    }
+}
+
+impl SimilarModes for Guesses {
+    fn lowest(
+        &mut self,
+        model: &mut Model,
+        subsystem: usize,
+        wanted: usize,
+        workspace: &mut EigenWorkspace,
+    ) -> Option<Statistics> {
+        let Self {
+            subsystems,
+            refinement,
+            ..
+        } = self.guess(model, subsystem, wanted)?;
+        let mut pencil = model.vibration(subsystem);
+        let known = &subsystems[subsystem].known;
+        lowest_near(&mut pencil, known, wanted, refinement, workspace)
     }
 }
 
