@@ -114,7 +114,7 @@ fn rows_of_every_class_near_a_base() {
         for class in Class::ALL {
             let tally = check(class, 50, 40, spread);
             let alone = tally.rows - tally.near;
-            println!(
+            eprintln!(
                 "± {spread} {}: {} rows, {alone} from nothing",
                 class.name(),
                 tally.rows

@@ -4,8 +4,8 @@ use crate::towers::assert_close;
 
 use super::{clay, first_hz, ground_of, layer, oc3};
 use towermodes::{
-    Change, Family, LayerSoil, Method, NoDerivative, Options, Parameter, ShearModulus, SoilModel,
-    Solver, TowerDescription,
+    ApiEdition, Change, Family, LayerSoil, Method, NoDerivative, Options, Parameter, ShearModulus,
+    SoilModel, Solver, TowerDescription,
 };
 use towermodes_testing::{Says, with};
 
@@ -106,24 +106,31 @@ fn scour_of_zero_has_a_derivative() {
 /// The modulus of sand of API is linear between the rows of its table, one of which is 35°.
 #[test]
 fn every_method_reports_the_kink_at_a_row_of_the_table_of_sand() {
-    let description = oc3(SoilModel::Api);
+    let mut description = oc3(SoilModel::Api);
+    // The other edition has a figure in place of the table.
+    let ground = description.ground.as_mut().expect("layers");
+    ground.edition = ApiEdition::Rp2Geo;
     let names = [
         "ground.layer[1].friction_angle",
         "ground.layer[0].friction_angle",
     ];
     let changes = names.map(|name| Change::parse(name, &description).expect(name));
     for method in Method::ALL {
-        let options = with!(Options, modes = 4, method);
+        let options = with!(Options, modes = 6, method);
         let result = Solver::new(options).sensitivities(&description, &changes);
         let result = result.expect("solved");
         let [at_row, between] = [0, 1].map(|change| &result.changes[change].modes);
+        let mut second = 0;
         for (place, mode) in result.modes.iter().enumerate() {
             let case = format!("{}, {}: {:?}", method.name(), mode.label(), at_row[place]);
-            let bends = matches!(mode.family, Family::ForeAft | Family::SideSide);
-            let is_one_sided = at_row[place] == Err(NoDerivative::OneSided);
-            assert!(is_one_sided || !bends, "{case}");
+            // The first bending modes hardly move the second layer.
+            if matches!(mode.family, Family::ForeAft | Family::SideSide) && mode.order == 2 {
+                assert_eq!(at_row[place], Err(NoDerivative::OneSided), "{case}");
+                second += 1;
+            }
             assert!(between[place].is_ok(), "{case}: {:?}", between[place]);
         }
+        assert_eq!(second, 2, "{}", method.name());
     }
 }
 
