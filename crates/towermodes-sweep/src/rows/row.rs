@@ -40,7 +40,7 @@ impl<'a> RowSolver<'a> {
     /// The same with a solver, whose observer sees every solve.
     pub(crate) fn within(sweep: &'a Sweep, mut solver: Solver) -> Self {
         solver.options = sweep.options().clone();
-        // The sweep has solved its base; if it could not be solved, rows would start from nothing.
+        // The sweep has solved its base before; without a base, rows are solved alone.
         if let Ok(base) = Tower::new(sweep.base().clone()) {
             solver.start_from(&base).ok();
         }

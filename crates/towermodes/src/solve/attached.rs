@@ -1,12 +1,13 @@
-//! Bodies and springs that are attached at the end of a piece and leave it.
+//! Changes of an eigenvalue when a body or a spring that is attached at the end of a piece moves
+//! away from this end.
 //!
-//! On a neighbour of the tower such an end still carries them, through a rigid arm. The tower
-//! between that end and their true height then bends under the wrong force of the mode. With the
-//! internal force F where they are carried and F' where they are, a length a of the flexibility c
-//! changes the eigenvalue by −c a (F'² − F²).
+//! A tower with a slightly changed value keeps its mesh: the end of the piece carries the body
+//! through a rigid arm of length a. Between the end and the true height of the body, the mesh has
+//! the internal force F of the mode instead of the true one F'. With the flexibility c per length,
+//! the eigenvalue changes by −c a (F'² − F²).
 //!
-//! The forces are those that all inertia, soil and weight above the end exert on it, so they do not
-//! depend on the kind of element.
+//! F and F' are sums of the forces of all inertia, soil and weight above the end, so they do not
+//! depend on the element.
 
 use std::ops::Range;
 

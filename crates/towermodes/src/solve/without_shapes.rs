@@ -62,23 +62,20 @@ impl Solver {
         solve_keeping_vectors(tower, options, workspace, &mut None)?;
         Ok(&workspace.frequencies)
     }
-}
 
-impl Solver {
-    /// Solves a tower to which the towers that follow are similar, for instance the base of a
-    /// sweep: each later call of [`frequencies`](Self::frequencies) starts from its modes, in place
-    /// of a process that starts from nothing. Each frequency found is proved to be in an interval,
-    /// and the list by eigenvalue counts; a tower whose modes cannot be proved so is solved from
-    /// nothing. What such a call gives depends on its tower, on the base and on the options alone.
+    /// Solves a base tower and keeps its modes. Later calls of [`frequencies`](Self::frequencies)
+    /// start from these modes, which takes less time for towers similar to the base, for instance
+    /// the rows of a sweep. Each frequency is proved to lie in an interval of its own, and the list
+    /// is proved complete by eigenvalue counts. If a proof fails, the tower is solved without the
+    /// base. The results depend only on the tower, the base and the options.
     ///
-    /// Frequencies differ from those of [`solve`](Self::solve) by 10⁻¹³ or less, relative, shares
-    /// of the energy by 10⁻⁶ or less. With [`Bmodes`](crate::Method::Bmodes) and
-    /// [`Spectral`](crate::Method::Spectral), for an added mass by frequency and for floating
-    /// towers that nothing holds in some direction the base has no effect.
+    /// Frequencies differ from those of [`solve`](Self::solve) by at most 10⁻¹³ relative, shares of
+    /// the energy by at most 10⁻⁶. The base has no effect with [`Bmodes`](crate::Method::Bmodes)
+    /// and [`Spectral`](crate::Method::Spectral), with an added mass that depends on frequency, and
+    /// for floating towers without stiffness in some direction.
     ///
     /// # Errors
-    /// [`SolveError`], if the base cannot be solved; then the towers that follow are solved from
-    /// nothing.
+    /// [`SolveError`], if the base cannot be solved. Later towers are then solved without a base.
     ///
     /// # Example
     /// ```
@@ -159,9 +156,9 @@ pub(super) fn solve_keeping_vectors(
     }
 }
 
-/// The modes found, and where their list was proved to end: from the modes of the base if there are
-/// any. Where these do not lead to the modes, or to an error, the tower is solved from nothing, so
-/// that errors do not depend on the base.
+/// The modes found, and where their list was proved to end. The search starts from the modes of the
+/// base if there is one. If it fails for any reason, the tower is solved without the base, so that
+/// errors do not depend on the base.
 fn solve_near(
     tower: &Tower,
     cut: &Cut,

@@ -148,7 +148,7 @@ impl Spectrum {
         let half = if is_alone { wanted } else { wanted.div_ceil(2) };
         let mut first = half.min(all_first);
         loop {
-            self.solve_subsystem(model, 0, first, reborrow(&mut base))?;
+            self.solve_subsystem(model, 0, first, base.as_deref_mut().map(|base| base as _))?;
             self.count_below_first(model, wanted);
             let of_first = self.of_subsystems[0].eigenvalues().len() * model.multiplicity(0);
             let total = of_first + self.wanted[1..].iter().sum::<usize>();
@@ -166,7 +166,12 @@ impl Spectrum {
             first = (first + (wanted - total)).min(all_first);
         }
         for index in 1..model.count() {
-            self.solve_subsystem(model, index, self.wanted[index], reborrow(&mut base))?;
+            self.solve_subsystem(
+                model,
+                index,
+                self.wanted[index],
+                base.as_deref_mut().map(|base| base as _),
+            )?;
         }
         for (index, workspace) in self
             .of_subsystems
@@ -256,14 +261,6 @@ impl Spectrum {
                 restarts: self.statistics.restarts,
             }),
         }
-    }
-}
-
-/// The modes of a similar tower for one solve of a subsystem.
-fn reborrow<'b>(base: &'b mut Option<&mut dyn SimilarModes>) -> Option<&'b mut dyn SimilarModes> {
-    match base {
-        Some(base) => Some(&mut **base),
-        None => None,
     }
 }
 
