@@ -42,16 +42,6 @@ need_target() {
     return 1
 }
 
-# need_cargo NAME WHAT: whether cargo has a command, which WHAT needs.
-need_cargo() {
-    command -v "cargo-$1" > /dev/null && return
-    if [ "${CI:-}" = true ] && step cargo install --quiet --locked "cargo-$1"; then
-        return
-    fi
-    not_run+=("$2: needs cargo-$1; cargo install --locked cargo-$1")
-    return 1
-}
-
 install_packages() {
     apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq "$@" > /dev/null
 }

@@ -66,7 +66,7 @@ fn quoted(sentence: &str) -> io::Result<Vec<u8>> {
 fn number(text: &mut Vec<u8>, number: f64) -> io::Result<()> {
     match number.abs() {
         size if size.is_nan() => Ok(()),
-        // Above, of two texts that are equally near the two writers choose different ones.
+        // For larger numbers the two writers may round a tie differently.
         0.0 | 1e-4..1e15 => {
             text.extend(ryu::Buffer::new().format_finite(number).as_bytes());
             Ok(())

@@ -36,7 +36,7 @@ pub(crate) fn structural_controls(fst: &Source, files: &dyn FileResolver) -> Vec
             _ => format!("the {count} structural controls of the {place} ({name}) are"),
         };
         let message = format!(
-            "{what} left out, with the mass: masses on springs, liquid columns and forces are not in this model, and without their mass the frequencies are too high"
+            "{what} left out, with the mass: this model has no masses on springs, liquid columns or control forces; without the mass the frequencies are too high"
         );
         Some(Note::missing_part(message).at(&servo, at))
     });
