@@ -30,8 +30,12 @@ type BladeState = (String, [f64; 4], Vec<[f64; 11]>, Vec<f64>, [f64; 10], bool);
 /// Method, modes, blades.
 type Prescribed = (Option<String>, Option<usize>, Option<usize>);
 
+/// Whether the moments of inertia of the assembly are partial, and whether the stiffness of the
+/// moorings was computed.
+type Origins = (bool, bool);
+
 /// Text of the tower file, format, notes, rotor notes, prescribed options, element borders, joint
-/// with the monopile, blade, text of a tower file with the turbine.
+/// with the monopile, blade, text of a tower file with the turbine, origins of values.
 type State = (
     String,
     String,
@@ -42,6 +46,7 @@ type State = (
     Option<f64>,
     Option<BladeState>,
     Option<String>,
+    Origins,
 );
 
 const FORMATS: [FileFormat; 9] = [
@@ -88,6 +93,10 @@ pub fn state<'py>(py: Python<'py>, input: &TowerInput) -> PyResult<Bound<'py, Py
         input.joint_m,
         input.blade.as_ref().map(blade_state),
         with_turbine(input),
+        (
+            input.description.rna_inertia_is_partial,
+            input.description.mooring_is_computed,
+        ),
     );
     state.into_pyobject(py)
 }
@@ -98,9 +107,21 @@ pub fn state<'py>(py: Python<'py>, input: &TowerInput) -> PyResult<Bound<'py, Py
 /// `ValueError` if the state is of another version.
 pub fn restored(state: &Bound<'_, PyTuple>) -> PyResult<TowerInput> {
     let state: State = state.extract()?;
-    let (text, format, notes, rotor, (method, modes, blades), borders_m, joint_m, blade, whole) =
-        state;
+    let (
+        text,
+        format,
+        notes,
+        rotor,
+        (method, modes, blades),
+        borders_m,
+        joint_m,
+        blade,
+        whole,
+        (rna_inertia_is_partial, mooring_is_computed),
+    ) = state;
     let mut input = input_of_text(text, PICKLED.to_owned())?;
+    input.description.rna_inertia_is_partial = rna_inertia_is_partial;
+    input.description.mooring_is_computed = mooring_is_computed;
     let format = FORMATS.into_iter().find(|own| own.name() == format);
     input.format = format.ok_or_else(unknown)?;
     input.notes = notes_of(notes)?;
