@@ -7,7 +7,7 @@ use towermodes::{
     BeamFormula, CircularFooting, FloatingPlatform, FootingFormula, Foundation, FoundationSprings,
     Ground, GroundLayer, Inertia, LayerSoil, Monopile, Options, PileFormula, PileTube,
     RectangularFooting, ReferredMatrix, Rna, Sand, Scour, SoilModel, SoilProfile, SoilRow,
-    SoilSpring, SoilStiffness, StiffnessFoundation, SuctionCaisson, Tower, TowerDescription,
+    SoilSpring, SoilStiffness, StiffnessFoundation, SuctionCaisson, Tower, TowerDescription, Water,
     WinklerPile, solve,
 };
 use towermodes_report::figures::{self, Substance};
