@@ -256,3 +256,92 @@ fn columns(linked: &Linked, description: &TowerDescription) -> Vec<Slider> {
     };
     numbers.into_iter().filter_map(factor).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+    use std::sync::atomic::{AtomicU32, Ordering};
+
+    use towermodes_files::{Input, ReadOptions, read};
+
+    use super::{BUDGET_MS, ElasticityQuestion};
+    use crate::explorer::{Exploration, Explorer};
+    use crate::state::State;
+
+    fn explorer(clock: fn() -> f64) -> Explorer {
+        let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+        let file = examples.join("monopile.toml");
+        let Ok(Input::Tower(input)) = read(&file, &ReadOptions::default()) else {
+            panic!("no tower");
+        };
+        let report = Box::new(|_, _: &[String]| Err("no report".to_owned()));
+        Explorer::new(Exploration::of_file(
+            input,
+            "monopile.toml".to_owned(),
+            report,
+            clock,
+        ))
+    }
+
+    fn question(names: Option<Vec<String>>) -> ElasticityQuestion {
+        ElasticityQuestion {
+            state: State::default(),
+            mode: 1,
+            label: Some("1st fore-aft bending".to_owned()),
+            names,
+        }
+    }
+
+    /// Each look at this clock takes half the time of an answer.
+    fn slow() -> f64 {
+        static LOOKS: AtomicU32 = AtomicU32::new(0);
+        0.5 * BUDGET_MS * f64::from(LOOKS.fetch_add(1, Ordering::Relaxed))
+    }
+
+    /// A slow model is answered in parts, the most wanted first, and each part ends; the mode is
+    /// that of the label.
+    #[test]
+    fn slow_answers_come_in_parts() {
+        let explorer = explorer(slow);
+        let names = [
+            "rna.mass",
+            "stations[*].wall",
+            "stations[0].wall",
+            "stations[1].height",
+            "stations[1].wall",
+            "stations[2].wall",
+            "stations[3].wall",
+            "stations[3].height",
+            "stations[3].diameter",
+            "foundation.lateral",
+        ];
+        let mut left: Vec<String> = names.map(str::to_owned).to_vec();
+        let mut parts = 0;
+        let mut known = Vec::new();
+        while !left.is_empty() {
+            let of = explorer.elasticities(&question(Some(left.clone())), &|| true);
+            let of = of.expect("elasticities");
+            assert_eq!(of.mode, "1st fore-aft bending");
+            assert!(of.left.len() < left.len(), "nothing is answered");
+            known.extend(of.elasticities.into_keys().chain(of.columns.into_keys()));
+            left = of.left;
+            parts += 1;
+        }
+        assert_eq!(parts, 2);
+        // A joint is one slider of two stations and the point mass that stands there.
+        for name in names
+            .iter()
+            .chain(&["stations[2].height", "point_mass[0].height"])
+        {
+            assert!(known.iter().any(|one| one == name), "{name}: {known:?}");
+        }
+    }
+
+    #[test]
+    fn an_answer_that_nobody_wants_is_given_up() {
+        let explorer = explorer(|| 0.0);
+        let refused = explorer.elasticities(&question(None), &|| false);
+        let refused = refused.expect_err("nobody waits");
+        assert!(refused.refused.message.contains("cancelled"));
+    }
+}

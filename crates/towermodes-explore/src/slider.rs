@@ -168,7 +168,10 @@ fn deepest_scour_m(tower: &Tower, description: &TowerDescription) -> Option<f64>
 
 #[cfg(test)]
 mod tests {
-    use towermodes::{Material, Parameter, Rna, Station, TowerDescription, Wires};
+    use towermodes::{
+        Ground, GroundLayer, LayerSoil, Material, Parameter, Rna, Sand, SoilModel, Station,
+        TowerDescription, Wires,
+    };
 
     use super::Sliders;
 
@@ -223,5 +226,45 @@ mod tests {
             let [low, high] = sliders.range(parameter);
             assert!(low <= value && value <= high && low < high, "{parameter}");
         }
+    }
+
+    /// Scour, factors on springs and products of inertia have ranges of their own.
+    #[test]
+    fn soil_and_products_of_inertia_have_their_usual_ranges() {
+        let layer = GroundLayer::new(
+            [-20.0, -90.0],
+            LayerSoil::Sand(Sand::default()),
+            SoilModel::Api,
+        );
+        let mut rna = Rna::point(350e3);
+        rna.inertia_kg_m2.xz = -1e6;
+        let description = TowerDescription {
+            materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+            stations: vec![
+                Station::new(-56.0, 6.0, 0.06),
+                Station::new(80.0, 6.0, 0.03),
+            ],
+            rna,
+            ground: Some(Ground {
+                pile_diameter_m: Some(6.0),
+                ..Ground::new(-20.0, vec![layer])
+            }),
+            ..TowerDescription::default()
+        };
+        let sliders = Sliders {
+            // Without the tower, whose soil is incomplete.
+            scour_m: Some(12.0),
+            ..Sliders::new(&description)
+        };
+        let range = |name| {
+            let parameter = Parameter::parse(name, &description).expect("a number");
+            sliders.range(parameter)
+        };
+        assert_eq!(range("ground.scour.local"), [0.0, 12.0]);
+        assert_eq!(range("ground.factor"), [0.25, 4.0]);
+        assert_eq!(range("ground.layer[0].factor"), [0.25, 4.0]);
+        assert_eq!(range("rna.inertia.xz"), [-1.3e6, 1.3e6]);
+        let [low, high] = range("rna.inertia.xy");
+        assert!(low == -high && high > 0.0, "{low} {high}");
     }
 }
