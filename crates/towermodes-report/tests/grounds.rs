@@ -7,7 +7,7 @@ use towermodes::{
     BeamFormula, CircularFooting, FloatingPlatform, FootingFormula, Foundation, FoundationSprings,
     Ground, GroundLayer, Inertia, LayerSoil, Monopile, Options, PileFormula, PileTube,
     RectangularFooting, ReferredMatrix, Rna, Sand, Scour, SoilModel, SoilProfile, SoilRow,
-    SoilSpring, SoilStiffness, StiffnessFoundation, SuctionCaisson, Tower, TowerDescription, Water,
+    SoilSpring, SoilStiffness, StiffnessFoundation, SuctionCaisson, Tower, TowerDescription,
     WinklerPile, solve,
 };
 use towermodes_report::figures::{self, Substance};
@@ -198,8 +198,8 @@ fn much_around_a_tower() {
     svg.says("North &lt;sea&gt; &amp; &quot;more&quot;");
 }
 
-/// Local scour is a hole beside the pile; general scour lowers the whole surface, and the level before
-/// it is labelled too.
+/// Local scour is a hole beside the pile; general scour lowers the whole surface, and the level
+/// before it is labelled too.
 #[test]
 fn local_scour_is_a_hole_beside_the_pile() {
     let sand = LayerSoil::Sand(with!(Sand, friction_angle_deg = Some(35.0)));
@@ -213,7 +213,7 @@ fn local_scour_is_a_hole_beside_the_pile() {
     };
     let description = TowerDescription {
         ground: Some(ground),
-        water: Some(with!(Water, level_m = 0.0, bed_m = Some(-30.0))),
+        water: Some(parts::water(0.0, Some(-30.0), 1025.0, 1.0, false)),
         foundation: Foundation::Springs(parts::springs(0.0, 0.0, 0.0, 1e9, 1e9)),
         rna: Rna::point(350e3),
         ..steel(stations(&[(-66.0, 6.0, 0.06), (88.0, 3.87, 0.019)]))
