@@ -276,7 +276,7 @@ mod tests {
         };
         let report = Box::new(|_, _: &[String]| Err("no report".to_owned()));
         Explorer::new(Exploration::of_file(
-            input,
+            *input,
             "monopile.toml".to_owned(),
             report,
             clock,
