@@ -79,11 +79,16 @@ impl<'d> Sliders<'d> {
 
     /// Scour and the factors on springs, whose usual ranges do not depend on their values.
     fn of_soil(&self, parameter: Parameter, value: f64) -> Option<[f64; 2]> {
-        match parameter.place() {
-            Place::Ground {
-                key: "general" | "local",
-            } => Some([0.0, self.scour_m?.max((1.0 + SHARE) * value)]),
-            Place::Ground { key: "factor" } | Place::GroundLayer { key: "factor", .. } => {
+        let [_, key] = parameter.pattern();
+        let is_of_ground = matches!(
+            parameter.place(),
+            Place::Ground { .. } | Place::GroundLayer { .. }
+        );
+        match parameter.to_string().as_str() {
+            "ground.scour.general" | "ground.scour.local" => {
+                Some([0.0, self.scour_m?.max((1.0 + SHARE) * value)])
+            }
+            _ if is_of_ground && key == "factor" => {
                 let [low, high] = SPRINGS;
                 Some([
                     low.min((1.0 - SHARE) * value),
