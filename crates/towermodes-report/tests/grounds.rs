@@ -218,6 +218,7 @@ fn local_scour_is_a_hole_beside_the_pile() {
         rna: Rna::point(350e3),
         ..steel(stations(&[(-66.0, 6.0, 0.06), (88.0, 3.87, 0.019)]))
     };
+    look("scour", &description, 8);
     let tower = Tower::new(description.clone()).expect("a tower");
     let svg = figures::tower(&description, &tower).to_svg(Look::Standalone);
     for label in [
@@ -239,7 +240,9 @@ fn local_scour_is_a_hole_beside_the_pile() {
     // 8 m beside the pile at 30°.
     let nearest_m = rim.map(|point| point[0].abs().max(point[1].abs()));
     let nearest_m = nearest_m.fold(f64::INFINITY, f64::min);
-    let expected_m = 3.0 + 8.0 / 30.0_f64.to_radians().tan();
+    // The tower tapers from 6 m at -66 m to 3.87 m at 88 m.
+    let radius_m = 0.5 * (6.0 - 2.13 * 27.0 / 154.0);
+    let expected_m = radius_m + 8.0 / 30.0_f64.to_radians().tan();
     assert!((nearest_m - expected_m).abs() < 0.01, "{nearest_m}");
 }
 
