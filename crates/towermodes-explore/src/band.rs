@@ -1,6 +1,6 @@
 //! The frequencies of the tower in softer and stiffer soil.
 
-use towermodes::SolveError;
+use towermodes::{SolveError, Solver};
 use towermodes_analysis::soil_band::{DEFAULT_FACTORS, SoilBand, soil_band};
 
 use super::explorer::Explorer;
@@ -23,11 +23,10 @@ impl Explorer {
         let mut options = self.options(&solved.input);
         options.modes = options.modes.max(solution.modes.len());
         options.points = 2;
-        let mut solver = self.solver();
-        let band = solver.with(options, |solver| {
-            let solve = |tower: &_| -> Result<_, SolveError> { solver.solve_certain(tower) };
-            soil_band(description, solution, &DEFAULT_FACTORS, rotor, solve)
-        });
+        // A solver of its own: the page asks on while it runs.
+        let mut solver = Solver::new(options);
+        let solve = |tower: &_| -> Result<_, SolveError> { solver.solve_certain(tower) };
+        let band = soil_band(description, solution, &DEFAULT_FACTORS, rotor, solve);
         band.map_err(|error| Refusal::of(&error))
     }
 }

@@ -1,15 +1,27 @@
 //! What moves a frequency: its elasticities.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde::{Deserialize, Serialize};
-use towermodes::{Change, Options, Parameter, TowerDescription};
+use towermodes::number::digits;
+use towermodes::{Change, Options, Parameter, Solver, TowerDescription};
 use towermodes_analysis::influence::{Influence, Influences, influences};
 
-use super::explorer::Explorer;
+use super::explorer::{Explorer, Wanted};
+use super::linked::Linked;
 use super::refusal::Refusal;
-use super::sheet::column_of;
+use super::sheet::{also_in, column_of, numbers};
 use super::state::State;
+
+/// An answer to a question that names its numbers ends after this time, ms: the page asks again for
+/// the rest, unless something else has been asked by then.
+const BUDGET_MS: f64 = 300.0;
+/// The numbers of the first batch. Each batch solves the tower once.
+const FIRST_BATCH: usize = 8;
+/// A batch that takes no longer than this, ms, is followed by a larger one.
+const QUICK_MS: f64 = 60.0;
+/// How much larger.
+const GROWTH: usize = 16;
 
 /// A question for the elasticities of a mode.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -19,6 +31,13 @@ pub struct ElasticityQuestion {
     pub state: State,
     /// The number of the mode in the list, from 1.
     pub mode: usize,
+    /// Its name: "1st fore-aft bending". Sensitivities have a mesh of their own, on which modes
+    /// with nearly equal frequencies can have another order.
+    #[serde(default)]
+    pub label: Option<String>,
+    /// The numbers and columns that are wanted, by name, the most wanted first; all if it is absent.
+    #[serde(default)]
+    pub names: Option<Vec<String>>,
 }
 
 /// Percent of a frequency per percent of each number.
@@ -26,88 +45,303 @@ pub struct ElasticityQuestion {
 pub struct Elasticities {
     /// The name of the mode: "1st fore-aft bending".
     pub mode: String,
-    /// By the name of the number; those that are zero or have no derivative are left out.
+    /// By the name of the number.
     pub elasticities: BTreeMap<String, f64>,
     /// Percent of the frequency per percent of a factor on all numbers of a column, by the name of
     /// the column: `stations[*].wall`. It is no sum of the others: percent of a height are percent
     /// of the height of the tower.
     pub columns: BTreeMap<String, f64>,
+    /// Why a number or a column has no elasticity, by its name.
+    pub reasons: BTreeMap<String, NoElasticity>,
+    /// The names that are wanted and not yet answered.
+    pub left: Vec<String>,
+    /// How long it took, ms.
+    pub answer_ms: f64,
+}
+
+/// Why a number has no elasticity.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct NoElasticity {
+    /// In place of the elasticity: the derivative of a number that is zero, "−0.72 %/m".
+    pub short: String,
+    /// The reason in a sentence.
+    pub text: String,
+}
+
+/// A slider of the page: a number with those that follow it, or a column.
+struct Slider {
+    name: String,
+    change: Change,
+    /// The names of the numbers; none of a column.
+    numbers: Vec<String>,
 }
 
 impl Explorer {
-    /// The elasticities of one mode with respect to all numbers.
+    /// The elasticities of one mode with respect to what the sliders move. The computation ends when
+    /// `wanted` returns false.
     ///
     /// # Errors
     /// [`Refusal`].
-    pub fn elasticities(&self, question: &ElasticityQuestion) -> Result<Elasticities, Refusal> {
+    pub fn elasticities(
+        &self,
+        question: &ElasticityQuestion,
+        wanted: Wanted<'_>,
+    ) -> Result<Elasticities, Refusal> {
+        let started = self.now_ms();
         if question.mode == 0 {
             let message = "the number of the mode is 0; modes are counted from 1";
             return Err(Refusal::of(&message));
         }
         let (input, _) = self.changed(&question.state)?;
-        let options = Options {
-            modes: question.mode,
+        let mut left = self.sliders(&input.description, question.names.as_deref());
+        let mut found = Elasticities::none(question);
+        // A solver of its own: the page asks on while it runs.
+        let mut solver = Solver::new(Options {
+            // A mode with nearly the same frequency may come first.
+            modes: question.mode + 1,
             points: 2,
             ..self.options(&input)
-        };
-        let description = &input.description;
-        let columns = columns(description);
-        let mut changes = Change::every(description);
-        changes.extend(columns.iter().map(|(_, factor)| factor.clone()));
-        let of = self.solver().with(options, |solver| {
-            influences(description, Some(&changes), solver)
         });
-        of.map(|of| Elasticities::new(&of, question.mode, description, &columns))
-            .map_err(|error| Refusal::of(&error))
+        let mut size = match question.names {
+            Some(_) => FIRST_BATCH,
+            None => left.len(),
+        };
+        while !left.is_empty() && (question.names.is_none() || self.now_ms() - started < BUDGET_MS)
+        {
+            if !wanted() {
+                return Err(Refusal::of(&"the elasticities were cancelled"));
+            }
+            let begun = self.now_ms();
+            let batch: Vec<Slider> = left.drain(..size.min(left.len())).collect();
+            let changes: Vec<Change> = batch.iter().map(|one| one.change.clone()).collect();
+            let of = influences(&input.description, Some(&changes), &mut solver);
+            found.add(&batch, &of.map_err(|error| Refusal::of(&error))?, question);
+            if self.now_ms() - begun < QUICK_MS {
+                size = size.saturating_mul(GROWTH);
+            }
+        }
+        found.left = left.into_iter().map(|one| one.name).collect();
+        found.answer_ms = self.now_ms() - started;
+        Ok(found)
+    }
+
+    /// The sliders with names, in their order, or all. What moves together is that of the file.
+    fn sliders(&self, description: &TowerDescription, names: Option<&[String]>) -> Vec<Slider> {
+        let file = &self.exploration.input;
+        let linked = Linked::new(numbers(file), &file.description);
+        let columns = columns(&linked, description);
+        let asked: Option<BTreeSet<&str>> =
+            names.map(|names| names.iter().map(String::as_str).collect());
+        let is_asked = |name: &str| asked.as_ref().is_none_or(|asked| asked.contains(name));
+        let singles = linked.with_sliders().filter(|one| !one.is_of_rotor());
+        let singles = singles.filter(|one| is_asked(&one.to_string()));
+        let singles = singles.filter_map(|one| single(&linked.moved_by(one), description));
+        let columns = columns.into_iter().filter(|one| is_asked(&one.name));
+        let mut sliders: Vec<Slider> = singles.chain(columns).collect();
+        let places = names.into_iter().flatten().enumerate();
+        let places: BTreeMap<&str, usize> =
+            places.map(|(place, name)| (name.as_str(), place)).collect();
+        sliders.sort_by_key(|one| places.get(one.name.as_str()).copied());
+        sliders
     }
 }
 
 impl Elasticities {
-    /// The elasticities of the mode with a number, from 1; none of a mode that is not in the list.
-    /// Numbers that change together, such as the heights of both ends of a step, share one. The
-    /// factors of columns are the last influences.
-    fn new(
-        of: &Influences,
-        mode: usize,
-        description: &TowerDescription,
-        columns: &[(String, Change)],
-    ) -> Self {
-        let index = mode.saturating_sub(1);
-        let of_mode = |number: &Influence| number.elasticities.get(index).copied().flatten();
-        let (numbers, factors) = of.numbers.split_at(of.numbers.len() - columns.len());
-        let mut elasticities = BTreeMap::new();
-        for number in numbers {
-            let change = Change::parse(&number.name, description);
-            let (Some(elasticity), Ok(change)) = (of_mode(number), change) else {
-                continue;
-            };
-            let names = change.parameters().iter().map(ToString::to_string);
-            elasticities.extend(names.map(|name| (name, elasticity)));
-        }
-        let factors = columns.iter().zip(factors);
-        let factors = factors.filter_map(|((name, _), of)| Some((name.clone(), of_mode(of)?)));
-        let label = of.modes.get(index).map(|mode| mode.label.clone());
+    fn none(question: &ElasticityQuestion) -> Self {
         Self {
-            mode: label.unwrap_or_default(),
-            elasticities,
-            columns: factors.collect(),
+            mode: question.label.clone().unwrap_or_default(),
+            elasticities: BTreeMap::new(),
+            columns: BTreeMap::new(),
+            reasons: BTreeMap::new(),
+            left: Vec::new(),
+            answer_ms: 0.0,
+        }
+    }
+
+    /// Adds the influences of a batch of sliders on the mode of the question.
+    fn add(&mut self, batch: &[Slider], of: &Influences, question: &ElasticityQuestion) {
+        let named = question.label.as_ref();
+        let named = named.and_then(|label| of.modes.iter().position(|mode| mode.label == *label));
+        let index = named.unwrap_or(question.mode - 1);
+        let Some(mode) = of.modes.get(index) else {
+            return;
+        };
+        self.mode.clone_from(&mode.label);
+        for (slider, influence) in batch.iter().zip(&of.numbers) {
+            match influence.elasticities[index] {
+                Some(elasticity) if slider.numbers.is_empty() => {
+                    self.columns.insert(slider.name.clone(), elasticity);
+                }
+                Some(elasticity) => {
+                    let names = slider.numbers.iter().cloned();
+                    self.elasticities
+                        .extend(names.map(|name| (name, elasticity)));
+                }
+                None => {
+                    let reason = NoElasticity::of(influence, index);
+                    self.reasons.insert(slider.name.clone(), reason);
+                }
+            }
         }
     }
 }
 
-/// The columns by name, each with the factor on all its numbers; infinite ones have no multiple.
-fn columns(description: &TowerDescription) -> Vec<(String, Change)> {
-    let mut numbers: BTreeMap<String, Vec<String>> = BTreeMap::new();
-    for parameter in Parameter::all(description) {
-        let is_finite = parameter.value(description).is_finite();
-        if let Some(column) = column_of(parameter).filter(|_| is_finite) {
-            let own = numbers.entry(column).or_default();
-            own.push(parameter.to_string());
+impl NoElasticity {
+    fn of(influence: &Influence, mode: usize) -> Self {
+        if let Err(reason) = influence.derivatives[mode] {
+            return Self {
+                short: String::new(),
+                text: format!("No elasticity: {reason}."),
+            };
+        }
+        // One percent of zero is zero.
+        let percent = influence.percent_per_unit(mode).unwrap_or(0.0);
+        let unit = influence.unit;
+        let size = digits(percent.abs(), 2);
+        let number = match (percent == 0.0, percent < 0.0) {
+            (true, _) => "0".to_owned(),
+            (_, true) => format!("−{size}"),
+            (_, false) => format!("+{size}"),
+        };
+        let per_unit = if unit.is_empty() { "" } else { "/" };
+        let short = format!("{number} %{per_unit}{unit}");
+        Self {
+            text: format!(
+                "The value is 0, so it has no elasticity: the frequency changes by {short}."
+            ),
+            short,
         }
     }
-    let factor = |(column, names): (String, Vec<String>)| {
-        let factor = Change::parse(&format!("scale({})", names.join(",")), description);
-        Some((column, factor.ok()?))
+}
+
+/// A number with those that follow it.
+fn single(moved: &[Parameter], description: &TowerDescription) -> Option<Slider> {
+    let numbers: Vec<String> = moved.iter().map(ToString::to_string).collect();
+    let name = numbers.first()?.clone();
+    let written = match &numbers[..] {
+        [one] => one.clone(),
+        several => format!("add({})", several.join(",")),
+    };
+    let change = Change::parse(&written, description).ok()?;
+    Some(Slider {
+        name,
+        change,
+        numbers,
+    })
+}
+
+/// The columns by name, each with the factor on all its numbers; infinite ones have no multiple.
+fn columns(linked: &Linked, description: &TowerDescription) -> Vec<Slider> {
+    let mut numbers: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for &parameter in linked.numbers() {
+        if !parameter.value(description).is_finite() {
+            continue;
+        }
+        let columns = column_of(parameter).into_iter();
+        let columns = columns.chain(also_in(parameter, linked));
+        for column in columns {
+            numbers
+                .entry(column)
+                .or_default()
+                .push(parameter.to_string());
+        }
+    }
+    let factor = |(name, names): (String, Vec<String>)| {
+        let change = Change::parse(&format!("scale({})", names.join(",")), description).ok()?;
+        Some(Slider {
+            name,
+            change,
+            numbers: Vec::new(),
+        })
     };
     numbers.into_iter().filter_map(factor).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+    use std::sync::atomic::{AtomicU32, Ordering};
+
+    use towermodes_files::{Input, ReadOptions, read};
+
+    use super::{BUDGET_MS, ElasticityQuestion};
+    use crate::explorer::{Exploration, Explorer};
+    use crate::state::State;
+
+    fn explorer(clock: fn() -> f64) -> Explorer {
+        let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+        let file = examples.join("monopile.toml");
+        let Ok(Input::Tower(input)) = read(&file, &ReadOptions::default()) else {
+            panic!("no tower");
+        };
+        let report = Box::new(|_, _: &[String]| Err("no report".to_owned()));
+        Explorer::new(Exploration::of_file(
+            *input,
+            "monopile.toml".to_owned(),
+            report,
+            clock,
+        ))
+    }
+
+    fn question(names: Option<Vec<String>>) -> ElasticityQuestion {
+        ElasticityQuestion {
+            state: State::default(),
+            mode: 1,
+            label: Some("1st fore-aft bending".to_owned()),
+            names,
+        }
+    }
+
+    /// Each look at this clock takes half the time of an answer.
+    fn slow() -> f64 {
+        static LOOKS: AtomicU32 = AtomicU32::new(0);
+        0.5 * BUDGET_MS * f64::from(LOOKS.fetch_add(1, Ordering::Relaxed))
+    }
+
+    /// A slow model is answered in parts, the most wanted first, and each part ends; the mode is
+    /// that of the label.
+    #[test]
+    fn slow_answers_come_in_parts() {
+        let explorer = explorer(slow);
+        let names = [
+            "rna.mass",
+            "stations[*].wall",
+            "stations[0].wall",
+            "stations[1].height",
+            "stations[1].wall",
+            "stations[2].wall",
+            "stations[3].wall",
+            "stations[3].height",
+            "stations[3].diameter",
+            "foundation.lateral",
+        ];
+        let mut left: Vec<String> = names.map(str::to_owned).to_vec();
+        let mut parts = 0;
+        let mut known = Vec::new();
+        while !left.is_empty() {
+            let of = explorer.elasticities(&question(Some(left.clone())), &|| true);
+            let of = of.expect("elasticities");
+            assert_eq!(of.mode, "1st fore-aft bending");
+            assert!(of.left.len() < left.len(), "nothing is answered");
+            known.extend(of.elasticities.into_keys().chain(of.columns.into_keys()));
+            left = of.left;
+            parts += 1;
+        }
+        assert_eq!(parts, 2);
+        // A joint is one slider of two stations and the point mass that stands there.
+        for name in names
+            .iter()
+            .chain(&["stations[2].height", "point_mass[0].height"])
+        {
+            assert!(known.iter().any(|one| one == name), "{name}: {known:?}");
+        }
+    }
+
+    #[test]
+    fn an_answer_that_nobody_wants_is_given_up() {
+        let explorer = explorer(|| 0.0);
+        let refused = explorer.elasticities(&question(None), &|| false);
+        let refused = refused.expect_err("nobody waits");
+        assert!(refused.refused.message.contains("cancelled"));
+    }
 }

@@ -89,7 +89,7 @@ impl Explorer {
             }),
             Question::Band => asked(text, |state| either(self.of(state).band(state))),
             Question::Target => asked(text, |of| either(self.target(of, wanted))),
-            Question::Elasticities => asked(text, |of| either(self.elasticities(of))),
+            Question::Elasticities => asked(text, |of| either(self.elasticities(of, wanted))),
             Question::Reproduce => asked(text, |state| json(&self.reproduce(state))),
             Question::Take => asked(text, |take| match self.take(take) {
                 Ok(taken) => Reply::File(taken),

@@ -1,10 +1,13 @@
 //! The numbers of a tower as groups of sliders, from the same list as the names of `--set`.
 
+use std::collections::HashMap;
+
 use serde::Serialize;
 use towermodes::{Parameter, Place};
 use towermodes_files::TowerInput;
 
 use super::explorer::Explorer;
+use super::linked::Linked;
 use super::slider::Sliders;
 use super::state::State;
 
@@ -13,6 +16,8 @@ use super::state::State;
 pub struct Sheet {
     /// The version of the program.
     pub version: &'static str,
+    /// The name of the tower; that of the file if it has none.
+    pub name: String,
     /// The name of the file.
     pub file: String,
     /// Its format: `TOML`, `windIO`.
@@ -51,6 +56,10 @@ impl Explorer {
         let (groups, parameters) = groups_and_parameters(input);
         Sheet {
             version: env!("CARGO_PKG_VERSION"),
+            name: match input.description.name.trim() {
+                "" => self.exploration.file.clone(),
+                name => name.to_owned(),
+            },
             file: self.exploration.file.clone(),
             format: input.format.name(),
             command: self.command("explore", &State::default()),
@@ -91,10 +100,16 @@ pub struct SheetParameter {
     pub group: usize,
     /// The name of its column, if its group is a list: `stations[*].wall`.
     pub column: Option<String>,
+    /// The name of a column of another list whose factor multiplies it too: heights of point masses
+    /// are multiplied with those of the stations.
+    pub also_in: Option<String>,
+    /// The index of the number with whose slider it moves, if it has none of its own: the two
+    /// values of a boundary between layers, the heights at a joint.
+    pub follows: Option<usize>,
     /// Its name within the group: `wall`, `3: wall`; rows count from 1, as in messages.
     pub label: String,
-    /// What it is, in a few words.
-    pub meaning: &'static str,
+    /// What it is, in a few words; of a slider that moves several numbers, what all of them are.
+    pub meaning: String,
     /// Its unit; empty without one.
     pub unit: &'static str,
     /// The value of the file.
@@ -130,9 +145,13 @@ pub(crate) fn numbers(input: &TowerInput) -> Vec<Parameter> {
 fn groups_and_parameters(input: &TowerInput) -> (Vec<Group>, Vec<SheetParameter>) {
     let description = &input.description;
     let sliders = Sliders::new(description);
+    let all = numbers(input);
+    let linked = Linked::new(all.clone(), description);
+    let places = all.iter().enumerate().map(|(index, one)| (*one, index));
+    let places: HashMap<Parameter, usize> = places.collect();
     let mut groups: Vec<Group> = Vec::new();
     let mut parameters = Vec::new();
-    for parameter in numbers(input) {
+    for &parameter in &all {
         let name = parameter.to_string();
         let parts = Name::new(parameter);
         let found = groups.iter().position(|group| group.name == parts.group);
@@ -148,12 +167,15 @@ fn groups_and_parameters(input: &TowerInput) -> (Vec<Group>, Vec<SheetParameter>
         if let Some(column) = parts.column.as_ref().filter(|one| !columns.contains(one)) {
             columns.push(column.clone());
         }
-        let [low, high] = sliders.range(parameter);
+        let leader = linked.leader(parameter);
+        let [low, high] = sliders.range_of(leader.unwrap_or(parameter), &linked);
         parameters.push(SheetParameter {
             group,
             column: parts.column,
-            label: parts.label,
-            meaning: parameter.meaning(),
+            also_in: also_in(parameter, &linked),
+            follows: leader.and_then(|leader| places.get(&leader).copied()),
+            label: label(&linked.moved_by(parameter)),
+            meaning: linked.meaning(parameter),
             unit: parameter.unit(),
             value: parameter.value(description),
             low,
@@ -163,6 +185,27 @@ fn groups_and_parameters(input: &TowerInput) -> (Vec<Group>, Vec<SheetParameter>
         });
     }
     (groups, parameters)
+}
+
+/// The label of a slider with the rows of all numbers of its column that it moves: `2, 3: height`.
+fn label(moved: &[Parameter]) -> String {
+    let own = Name::new(moved[0]);
+    let others = moved[1..]
+        .iter()
+        .map(|one| (Name::new(*one), one.to_string()));
+    let others = others.filter(|(other, _)| own.column.is_some() && other.column == own.column);
+    let more: String = others
+        .map(|(_, name)| format!(", {}", rows(&name).join(".")))
+        .collect();
+    match own.label.split_once(": ") {
+        Some((row, key)) => format!("{row}{more}: {key}"),
+        None => own.label,
+    }
+}
+
+/// The column of another list whose factor multiplies a number too.
+pub(crate) fn also_in(parameter: Parameter, linked: &Linked) -> Option<String> {
+    linked.scaled_with(parameter).and_then(column_of)
 }
 
 /// The name of the column of a number, if it is in a list: `stations[*].wall`.

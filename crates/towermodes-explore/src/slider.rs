@@ -2,8 +2,11 @@
 
 use std::collections::HashMap;
 
-use towermodes::inputs::Dimension;
-use towermodes::{Parameter, Tower, TowerDescription};
+use towermodes::inputs::{Dimension, Nature};
+use towermodes::tower::Profile;
+use towermodes::{Parameter, Place, Tower, TowerDescription};
+
+use super::linked::Linked;
 
 /// A slider reaches this share of the value to both sides.
 const SHARE: f64 = 0.3;
@@ -11,6 +14,10 @@ const SHARE: f64 = 0.3;
 const HEIGHT_SHARE: f64 = 0.1;
 /// What remains of the distance to a neighbour.
 const LEFT: f64 = 0.05;
+/// Local scour is at most this many diameters deep.
+const SCOUR: f64 = 2.0;
+/// The factor on the springs of the soil, which is the least known of all numbers.
+const SPRINGS: [f64; 2] = [0.25, 4.0];
 
 /// The ranges of the sliders of a tower.
 pub(crate) struct Sliders<'d> {
@@ -20,12 +27,17 @@ pub(crate) struct Sliders<'d> {
     /// Height of the tower, m, and mass of tower and RNA, kg; 1 of an impossible tower.
     height_m: f64,
     mass_kg: f64,
+    /// Depth of scour, m; none without a diameter at the ground.
+    scour_m: Option<f64>,
 }
 
 impl<'d> Sliders<'d> {
     pub(crate) fn new(description: &'d TowerDescription) -> Self {
         let tower = Tower::new(description.clone()).ok();
         let height_m = tower.as_ref().map_or(1.0, Tower::height_m);
+        let scour_m = tower
+            .as_ref()
+            .and_then(|tower| deepest_scour_m(tower, description));
         let mass_kg = tower.map_or(1.0, |tower| tower.mass_kg() + tower.rna().mass_kg);
         let mut heights_m: HashMap<Parameter, Vec<f64>> = HashMap::new();
         let all = Parameter::all(description).into_iter();
@@ -38,7 +50,21 @@ impl<'d> Sliders<'d> {
             heights_m,
             height_m,
             mass_kg,
+            scour_m,
         }
+    }
+
+    /// The ends of the slider of a number with all numbers that it moves: what moves two values of
+    /// a boundary stays between the neighbours of both. A point mass goes with its station.
+    pub(crate) fn range_of(&self, leader: Parameter, linked: &Linked) -> [f64; 2] {
+        let moved = linked.moved_by(leader).into_iter();
+        let moved = moved.filter(|one| {
+            let is_mass = matches!(one.place(), Place::PointMass { .. });
+            *one == leader || !is_mass
+        });
+        let ranges = moved.map(|one| self.range(one));
+        let both = ranges.reduce(|[a, b], [c, d]| [a.max(c), b.min(d)]);
+        both.unwrap_or_else(|| self.range(leader))
     }
 
     /// The ends of a number's slider; its value is between them.
@@ -47,11 +73,47 @@ impl<'d> Sliders<'d> {
         if parameter.is_height() {
             return self.of_height(parameter, value);
         }
+        self.of_soil(parameter, value)
+            .unwrap_or_else(|| self.of_value(parameter, value))
+    }
+
+    /// Scour and the factors on springs, whose usual ranges do not depend on their values.
+    fn of_soil(&self, parameter: Parameter, value: f64) -> Option<[f64; 2]> {
+        let [_, key] = parameter.pattern();
+        let is_of_ground = matches!(
+            parameter.place(),
+            Place::Ground { .. } | Place::GroundLayer { .. }
+        );
+        match parameter.to_string().as_str() {
+            "ground.scour.general" | "ground.scour.local" => {
+                Some([0.0, self.scour_m?.max((1.0 + SHARE) * value)])
+            }
+            _ if is_of_ground && key == "factor" => {
+                let [low, high] = SPRINGS;
+                Some([
+                    low.min((1.0 - SHARE) * value),
+                    high.max((1.0 + SHARE) * value),
+                ])
+            }
+            _ => None,
+        }
+    }
+
+    fn of_value(&self, parameter: Parameter, value: f64) -> [f64; 2] {
+        let is_product =
+            parameter.dimension() == Dimension::Inertia && parameter.nature() == Nature::Signed;
         match value {
             0.0 => {
                 let [low, high] = self.of_zero(parameter.dimension());
                 let is_amount = parameter.nature().is_amount();
-                [if is_amount { 0.0 } else { low }, high]
+                match is_product {
+                    true => [-high, high],
+                    false => [if is_amount { 0.0 } else { low }, high],
+                }
+            }
+            _ if is_product && value.is_finite() => {
+                let reach = (1.0 + SHARE) * value.abs();
+                [-reach, reach]
             }
             _ if value.is_finite() => {
                 let ends = [(1.0 - SHARE) * value, (1.0 + SHARE) * value];
@@ -98,9 +160,23 @@ impl<'d> Sliders<'d> {
     }
 }
 
+/// Two diameters of the pile at the surface of the ground; none of a property table without one.
+fn deepest_scour_m(tower: &Tower, description: &TowerDescription) -> Option<f64> {
+    let ground = description.ground.as_ref()?;
+    let of_tube = || match &tower.piece_at(ground.surface_m).profile {
+        Profile::Tube { base, .. } => Some(base.outer_diameter_m),
+        Profile::Table { .. } => None,
+    };
+    let diameter_m = ground.pile_diameter_m.or_else(of_tube)?;
+    Some(SCOUR * diameter_m)
+}
+
 #[cfg(test)]
 mod tests {
-    use towermodes::{Material, Parameter, Rna, Station, TowerDescription, Wires};
+    use towermodes::{
+        Ground, GroundLayer, LayerSoil, Material, Parameter, Rna, Sand, SoilModel, Station,
+        TowerDescription, Wires,
+    };
 
     use super::Sliders;
 
@@ -155,5 +231,45 @@ mod tests {
             let [low, high] = sliders.range(parameter);
             assert!(low <= value && value <= high && low < high, "{parameter}");
         }
+    }
+
+    /// Scour, factors on springs and products of inertia have ranges of their own.
+    #[test]
+    fn soil_and_products_of_inertia_have_their_usual_ranges() {
+        let layer = GroundLayer::new(
+            [-20.0, -90.0],
+            LayerSoil::Sand(Sand::default()),
+            SoilModel::Api,
+        );
+        let mut rna = Rna::point(350e3);
+        rna.inertia_kg_m2.xz = -1e6;
+        let description = TowerDescription {
+            materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+            stations: vec![
+                Station::new(-56.0, 6.0, 0.06),
+                Station::new(80.0, 6.0, 0.03),
+            ],
+            rna,
+            ground: Some(Ground {
+                pile_diameter_m: Some(6.0),
+                ..Ground::new(-20.0, vec![layer])
+            }),
+            ..TowerDescription::default()
+        };
+        let sliders = Sliders {
+            // Without the tower, whose soil is incomplete.
+            scour_m: Some(12.0),
+            ..Sliders::new(&description)
+        };
+        let range = |name| {
+            let parameter = Parameter::parse(name, &description).expect("a number");
+            sliders.range(parameter)
+        };
+        assert_eq!(range("ground.scour.local"), [0.0, 12.0]);
+        assert_eq!(range("ground.factor"), [0.25, 4.0]);
+        assert_eq!(range("ground.layer[0].factor"), [0.25, 4.0]);
+        assert_eq!(range("rna.inertia.xz"), [-1.3e6, 1.3e6]);
+        let [low, high] = range("rna.inertia.xy");
+        assert!(low == -high && high > 0.0, "{low} {high}");
     }
 }

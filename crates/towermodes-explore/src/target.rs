@@ -3,11 +3,13 @@
 
 use serde::{Deserialize, Serialize};
 use towermodes::number::four_digits;
-use towermodes::{Change, ModeName, Options, Solver, TowerDescription};
+use towermodes::{Change, ModeName, Options, Parameter, Solver, TowerDescription};
 use towermodes_design::design::{Design, DesignProblem, Goal, Variable, design_while};
 
 use super::explorer::{Explorer, Wanted};
+use super::linked::Linked;
 use super::refusal::Refusal;
+use super::sheet::{also_in, numbers};
 use super::state::State;
 
 /// A question for a tower with a frequency in a band.
@@ -58,7 +60,7 @@ impl Explorer {
     pub fn target(&self, question: &TargetQuestion, wanted: Wanted<'_>) -> Result<Found, Refusal> {
         let (input, _) = self.changed(&question.state)?;
         let base = &input.description;
-        let problem = question.problem(base)?;
+        let problem = question.problem(base, self)?;
         // The search has a solver of its own: the page asks on while it runs.
         let options = self.options(&input);
         let mut solver = Solver::new(Options {
@@ -82,10 +84,14 @@ impl Explorer {
 }
 
 impl TargetQuestion {
-    fn problem(&self, base: &TowerDescription) -> Result<DesignProblem, Refusal> {
+    fn problem(
+        &self,
+        base: &TowerDescription,
+        explorer: &Explorer,
+    ) -> Result<DesignProblem, Refusal> {
         let mode: Result<ModeName, _> = self.mode.parse();
         let variable = |of: &TargetVariable| {
-            let change = Change::parse(&of.name, base);
+            let change = Change::parse(&moved_by_slider(&of.name, explorer), base);
             let change = change.map_err(|error| Refusal::of(&error))?;
             Ok(Variable {
                 change,
@@ -105,6 +111,34 @@ impl TargetQuestion {
             }],
             ..DesignProblem::default()
         })
+    }
+}
+
+/// A slider of the page as a change of all numbers that it moves: numbers that follow another are
+/// set with it, and a factor on the heights of stations moves point masses too.
+fn moved_by_slider(name: &str, explorer: &Explorer) -> String {
+    let file = &explorer.exploration.input;
+    let linked = Linked::new(numbers(file), &file.description);
+    let column = name
+        .strip_prefix("scale(")
+        .and_then(|rest| rest.strip_suffix(')'));
+    if let Some(column) = column {
+        let all = linked.numbers().iter();
+        let also = all.filter(|one| also_in(**one, &linked).as_deref() == Some(column));
+        let also: String = also.map(|one| format!(",{one}")).collect();
+        return format!("scale({column}{also})");
+    }
+    let Ok(parameter) = Parameter::parse(name, &file.description) else {
+        return name.to_owned();
+    };
+    let names: Vec<String> = linked
+        .moved_by(parameter)
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    match &names[..] {
+        [name] => name.clone(),
+        names => format!("set({})", names.join(",")),
     }
 }
 

@@ -3,8 +3,10 @@
 
 use serde::{Deserialize, Serialize};
 use towermodes::number::four_digits;
-use towermodes::turbine::{Turbine, TurbineError, TurbineMode, TurbineModel};
-use towermodes::{Options, Solution, Tower};
+use towermodes::turbine::{
+    Turbine, TurbineError, TurbineMode, TurbineModeName, TurbineModel, TurbinePart,
+};
+use towermodes::{Family, Options, Solution, Tower};
 use towermodes_analysis::resonance::{ChosenRotor, reach_hz, solve_to_reach};
 use towermodes_analysis::whirl::{
     CoupledCampbell, CoupledOptions, RotorSpeeds, SHARED, coupled_campbell_while, coupled_limit_hz,
@@ -66,6 +68,18 @@ pub struct WhirlMode {
     pub frequency: String,
     /// The shares of the energy, if less than 60 % of it is in the part of the name.
     pub remark: String,
+    /// The mode with the same motion of the tower with a rigid rotor, which has elasticities; none
+    /// of a mode of the rotor.
+    pub tower_mode: Option<TowerMode>,
+}
+
+/// A mode of a tower with a rigid rotor, by its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct TowerMode {
+    /// Its family: `fore-aft`.
+    pub family: &'static str,
+    /// Its order in the family, from 1.
+    pub order: usize,
 }
 
 /// A turbine, the rotor of its diagram, and the highest frequency of the diagram.
@@ -187,6 +201,52 @@ impl WhirlMode {
             frequency_hz: mode.frequency.frequency_hz,
             frequency: four_digits(mode.frequency.frequency_hz),
             remark: remark.unwrap_or_default(),
+            tower_mode: TowerMode::like(mode.name),
+        }
+    }
+}
+
+impl TowerMode {
+    /// The mode with the motion that names a mode of the turbine.
+    fn like(name: TurbineModeName) -> Option<Self> {
+        let family = match name.part {
+            TurbinePart::Platform(family) => family,
+            TurbinePart::Substructure => Family::Substructure,
+            TurbinePart::TowerForeAft => Family::ForeAft,
+            TurbinePart::TowerSideSide => Family::SideSide,
+            TurbinePart::TowerTorsion => Family::Torsion,
+            TurbinePart::TowerAxial => Family::Axial,
+            TurbinePart::YawDrive | TurbinePart::Shaft | TurbinePart::Blades(..) => return None,
+        };
+        Some(Self {
+            family: family.name(),
+            order: name.order,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use towermodes::Family;
+    use towermodes::turbine::{BladeMotion, Harmonic, TurbineModeName, TurbinePart};
+
+    use super::TowerMode;
+
+    /// Elasticities are those of the tower with a rigid rotor, so they need the mode with the same
+    /// motion.
+    #[test]
+    fn modes_of_tower_and_platform_have_one_with_a_rigid_rotor() {
+        let like = |part, order| {
+            let mode = TowerMode::like(TurbineModeName { part, order });
+            mode.map(|mode| (mode.family, mode.order))
+        };
+        assert_eq!(like(TurbinePart::TowerForeAft, 2), Some(("fore-aft", 2)));
+        assert_eq!(like(TurbinePart::TowerSideSide, 1), Some(("side-side", 1)));
+        let surge = TurbinePart::Platform(Family::Surge);
+        assert_eq!(like(surge, 1), Some(("surge", 1)));
+        let blades = TurbinePart::Blades(BladeMotion::Flap, Harmonic::Collective);
+        for part in [blades, TurbinePart::Shaft, TurbinePart::YawDrive] {
+            assert_eq!(like(part, 1), None);
         }
     }
 }

@@ -198,6 +198,54 @@ fn much_around_a_tower() {
     svg.says("North &lt;sea&gt; &amp; &quot;more&quot;");
 }
 
+/// Local scour is a hole beside the pile; general scour lowers the whole surface, and the level
+/// before it is labelled too.
+#[test]
+fn local_scour_is_a_hole_beside_the_pile() {
+    let sand = LayerSoil::Sand(with!(Sand, friction_angle_deg = Some(35.0)));
+    let layer = GroundLayer {
+        effective_unit_weight_n_per_m3: Some(1e4),
+        ..GroundLayer::new([-30.0, -90.0], sand, SoilModel::Api)
+    };
+    let ground = Ground {
+        scour: with!(Scour, general_m = 1.0, local_m = 8.0),
+        ..Ground::new(-30.0, vec![layer])
+    };
+    let description = TowerDescription {
+        ground: Some(ground),
+        water: Some(parts::water(0.0, Some(-30.0), 1025.0, 1.0, false)),
+        foundation: Foundation::Springs(parts::springs(0.0, 0.0, 0.0, 1e9, 1e9)),
+        rna: Rna::point(350e3),
+        ..steel(stations(&[(-66.0, 6.0, 0.06), (88.0, 3.87, 0.019)]))
+    };
+    look("scour", &description, 8);
+    let tower = Tower::new(description.clone()).expect("a tower");
+    let svg = figures::tower(&description, &tower).to_svg(Look::Standalone);
+    for label in [
+        "z = −30 m: seabed before scour",
+        "z = −31 m: seabed after general scour",
+        "z = −39 m: bottom of the scour hole",
+    ] {
+        svg.says(label);
+    }
+    assert!(!svg.contains("z = −39 m: seabed"));
+    let solution = solve(&tower, &Options::default()).expect("a solution");
+    let scene = figures::animation_data(&description, &tower, &solution);
+    let soil = scene.bodies.iter();
+    let soil: Vec<_> = soil.filter(|body| body.of == Substance::Soil).collect();
+    // Four sides of the hole, and the block below it.
+    assert_eq!(soil.len(), 5);
+    let rim = soil.iter().flat_map(|body| &body.points);
+    let rim = rim.filter(|point| (point[2] + 31.0).abs() < 1e-3);
+    // 8 m beside the pile at 30°.
+    let nearest_m = rim.map(|point| point[0].abs().max(point[1].abs()));
+    let nearest_m = nearest_m.fold(f64::INFINITY, f64::min);
+    // The tower tapers from 6 m at -66 m to 3.87 m at 88 m.
+    let radius_m = 0.5 * (6.0 - 2.13 * 27.0 / 154.0);
+    let expected_m = radius_m + 8.0 / 30.0_f64.to_radians().tan();
+    assert!((nearest_m - expected_m).abs() < 0.01, "{nearest_m}");
+}
+
 /// Layers are soil from the surface that scour leaves to their lowest end, and no deeper below the
 /// tip than a tenth of the tower's height.
 #[test]
@@ -229,8 +277,9 @@ fn layers_are_soil_around_the_pile() {
         let scene = figures::animation_data(&description, &tower, &solution);
         let around = |of: Substance| scene.bodies.iter().filter(move |body| body.of == of);
         let soil: Vec<_> = around(Substance::Soil).collect();
-        assert_eq!(soil.len(), 1);
-        let heights_m = soil[0].points.iter().map(|point| point[2]);
+        assert_eq!(soil.len(), 2);
+        let points = soil.iter().flat_map(|body| &body.points);
+        let heights_m = points.map(|point| point[2]);
         let ends_m = [
             heights_m.clone().fold(0.0, f64::min),
             heights_m.fold(-1e9, f64::max),

@@ -9,6 +9,7 @@ import type { Moving } from "./modes/player.js";
 import { notice, say, withdraw } from "./notices.js";
 import { fromAddress } from "./numbers/address.js";
 import { AddressBar } from "./numbers/bar.js";
+import { withFollowers } from "./numbers/followers.js";
 import { History, isSame } from "./numbers/history.js";
 import { BandPanel } from "./panels/band.js";
 import { ComparePanel } from "./panels/compare.js";
@@ -55,6 +56,8 @@ export class Explorer {
   /** Whether the last question for modes has no answer. */
   private isUnanswered = false;
   private chosen: number | null;
+  /** The number or the column that the user has moved last. */
+  private moved = "";
   private influence: Influence;
   private reveal = (name: string): void => this.numbers.reveal(name);
   /** When the last state was asked for, by performance.now(). */
@@ -89,13 +92,23 @@ export class Explorer {
       idle: () => this.idle(),
     });
     this.numbers = new ParameterPanel(sheet, {
-      input: (values) => this.input(values),
+      input: (values, key) => this.input(values, key),
       settle: (key) => this.settle(key),
+      opened: () => this.askElasticities(),
     });
-    this.influence = new Influence(this.numbers, (error) => this.failed(error), () => this.askElasticities());
+    this.influence = new Influence(this.numbers, (error) => this.failed(error));
     if (memory.open) this.numbers.unfold(memory.open);
     const failed = (error: unknown): void => this.failed(error);
-    this.turning = sheet.has_turbine ? new Turning({ changed: () => this.show(), failed }) : null;
+    this.turning = sheet.has_turbine ? new Turning({
+      changed: () => {
+        this.show();
+        this.askLast();
+      },
+      failed: (error) => {
+        this.failed(error);
+        this.askLast();
+      },
+    }) : null;
     this.bands = new Latest(band, { done: (result) => this.banded(result), failed }, 0);
     this.resonance = new ResonancePanel({
       chooseMode: (number) => this.chooseNumber(number),
@@ -106,6 +119,8 @@ export class Explorer {
       mode: () => this.mode,
       resonance: () => this.turning?.diagram?.resonance ?? this.shown?.answer.resonance ?? null,
       variables: () => this.numbers.marked(),
+      conflict: () => this.numbers.conflict(),
+      inWords: (text) => this.numbers.inWords(text),
       mark: (isOn) => this.numbers.mark(isOn),
       found: (state) => this.set(state),
       failed,
@@ -165,9 +180,10 @@ export class Explorer {
 
   // What the user sets.
 
-  private input(values: Record<string, number>): void {
+  private input(values: Record<string, number>, key: string): void {
     const at = performance.now();
-    this.history.preview(this.changed(values));
+    this.moved = key;
+    this.history.preview(this.changed(withFollowers(this.sheet.parameters, values)));
     this.ask(at);
   }
 
@@ -191,6 +207,7 @@ export class Explorer {
   /** A state that is a step of its own. */
   private set(state: State): void {
     const at = performance.now();
+    this.moved = "";
     this.history.preview(state);
     this.history.settle();
     this.stepDone();
@@ -198,14 +215,15 @@ export class Explorer {
   }
 
   private undo(): void {
-    if (this.history.undo()) this.moved("Undone");
+    if (this.history.undo()) this.stepped("Undone");
   }
 
   private redo(): void {
-    if (this.history.redo()) this.moved("Redone");
+    if (this.history.redo()) this.stepped("Redone");
   }
 
-  private moved(word: string): void {
+  private stepped(word: string): void {
+    this.moved = "";
     say(word);
     this.stepDone();
     this.ask(performance.now());
@@ -220,7 +238,7 @@ export class Explorer {
       this.ask(performance.now());
       return;
     }
-    if (this.dragged.length > 0 && drag.phase !== "start") this.input(valuesOf(this.dragged, drag));
+    if (this.dragged.length > 0 && drag.phase !== "start") this.input(valuesOf(this.dragged, drag), this.dragged[0]?.name ?? "");
     if (drag.phase === "end") this.settle("");
   }
 
@@ -252,6 +270,7 @@ export class Explorer {
 
   private ask(at: number): void {
     this.askedAt = at;
+    this.influence.cancel();
     this.queue.want(this.history.present, at);
   }
 
@@ -275,35 +294,35 @@ export class Explorer {
   /** Nothing more is to come: what the last step has done. */
   private idle(): void {
     if (!this.history.isSettled) return;
+    this.askLast();
+    if (this.refusal === null && this.shown !== null) say(spoken(this.shown, this.place(), !this.isGoverned));
+  }
+
+  /** What comes after the modes and the diagram of a turbine. */
+  private askLast(): void {
     this.askElasticities();
     this.askBand();
-    if (this.refusal === null && this.shown !== null) say(spoken(this.shown, this.place()));
   }
 
   private accept(state: State, answer: Answer): void {
     this.refusal = null;
     this.numbers.refuse([], "");
-    const isFirst = this.shown === null;
     this.shown = { state, answer, followed: this.follower.follow(answer.modes, answer.scene) };
     this.chosen ??= this.shown.followed[0]?.id ?? null;
     this.turning?.ask(state, answer);
     this.show();
-    if (isFirst) this.begin();
     if (this.history.isSettled) void this.stage.refreshFlat().catch((error: unknown) => this.failed(error));
   }
 
-  /** After the first answer: what moves, moves from here on. */
-  private begin(): void {
-    if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.stage.play();
-  }
-
-  /** The numbers that a refusal is about: those it names, else the few that the last step changed. */
+  /** The numbers that a refusal is about: those it names and the one that was moved last; if it
+   * names none, the few that the last step changed. */
   private concerned(named: string[]): string[] {
     const before = this.shown?.state.numbers ?? {};
     const now = this.history.present.numbers;
     const names = [...new Set([...Object.keys(before), ...Object.keys(now)])];
     const changed = names.filter((name) => before[name] !== now[name]);
-    return named.length > 0 || changed.length > MOST_CHANGED ? named : changed;
+    const few = named.length > 0 || changed.length > MOST_CHANGED ? [] : changed;
+    return [...new Set([...named, ...few, ...(this.moved === "" ? [] : [this.moved])])];
   }
 
   private refuse(refusal: Refusal["refused"]): void {
@@ -346,7 +365,7 @@ export class Explorer {
     this.stage.turn(this.turning?.motion(answer.scene) ?? null);
     this.stage.show(shown, variant, handlesOf(this.sheet.parameters, answer.values));
     this.numbers.show(this.wanted());
-    this.modes.show(answer.modes, followed, this.isTurning ? null : chosen, others, this.turning?.diagram != null);
+    this.modes.show(answer.modes, followed, this.isTurning ? null : chosen, others, this.isGoverned);
     this.masses.show(answer.modes, followed);
     this.findings.show(answer, variant?.answer ?? null);
     this.comparison.show(this.sheet.parameters, answer.values, variant && this.valuesOf(variant), this.fileOf(variant));
@@ -365,25 +384,34 @@ export class Explorer {
     showStale(this.refusal !== null || (this.isUnanswered && isOther));
   }
 
+  /** Whether the verdicts are not those of the tower with a rigid rotor. */
+  private get isGoverned(): boolean {
+    return this.turning?.governs ?? false;
+  }
+
   /** Whether a mode of the whole turbine is shown. */
   private get isTurning(): boolean {
     return this.turning?.chosen != null;
   }
 
-  /** The tower mode that is shown, or whose row was chosen last. */
+  /** The tower mode that elasticities and searches are about: the one that is shown, or of a
+   * turbine that with the same motion; null of a mode of the rotor. */
   private get mode(): Mode | null {
-    return this.shown?.answer.modes[this.place()] ?? null;
+    const modes = this.shown?.answer.modes ?? [];
+    if (this.turning === null || !this.isTurning) return modes[this.place()] ?? null;
+    const like = this.turning.mode?.tower_mode ?? null;
+    return modes.find(({ family, order }) => family === like?.family && order === like.order) ?? null;
   }
 
   private showResonance({ answer, followed }: Solved): void {
     const { turning, variant, chosen } = this;
-    const own: Checked = { resonance: answer.resonance, coupled: turning?.diagram ?? null, modes: answer.modes, followed };
+    const own: Checked = { resonance: this.isGoverned ? null : answer.resonance, coupled: turning?.diagram ?? null, modes: answer.modes, followed };
     const other: Checked | null = variant && {
-      resonance: own.coupled === null ? variant.answer.resonance : null,
+      resonance: this.isGoverned ? null : variant.answer.resonance,
       coupled: turning?.diagramOfOther ?? null, modes: variant.answer.modes, followed: variant.followed,
     };
     const band = own.coupled === null ? this.band : null;
-    this.resonance.show(own, other, band, { id: chosen, whirl: turning?.chosen ?? null });
+    this.resonance.show(own, other, band, { id: chosen, whirl: turning?.chosen ?? null }, turning?.isDrawing ?? false);
     turning?.show();
     const refused = turning?.refusal ? `The turbine cannot be solved: ${turning.refusal} The diagram shows the tower with a rigid rotor.` : "";
     const state = turning === null ? "" : turning.isDrawing ? "solving the turbine…" : refused;
@@ -394,11 +422,12 @@ export class Explorer {
 
   private banded(result: Band | Refusal): void {
     this.band = result.refused === null ? result : null;
-    if (this.band !== null) this.bandPanel.show(this.band);
+    if (this.band !== null) this.bandPanel.show(this.band, this.turning === null);
     if (this.shown !== null) this.showResonance(this.shown);
   }
 
   private askBand(): void {
+    if (this.turning?.pending || this.queue.pending) return;
     if (this.sheet.has_soil && this.shown !== null && this.refusal === null) this.bands.want(this.shown.state);
   }
 
@@ -414,7 +443,8 @@ export class Explorer {
       return;
     }
     const place = this.place();
-    this.stage.readout(answer.modes[place], followed[place]?.series ?? 0);
+    const own = answer.modes[place];
+    this.stage.readout(own && (this.isGoverned ? { ...own, verdict: null } : own), followed[place]?.series ?? 0);
   }
 
   /** The index of the mode that is shown. */
@@ -439,7 +469,7 @@ export class Explorer {
     const identity = shown?.followed[number - 1];
     if (shown === null || identity === undefined) return;
     this.choose(identity.id);
-    say(spoken(shown, number - 1));
+    say(spoken(shown, number - 1, !this.isGoverned));
   }
 
   // The second tower.
@@ -495,10 +525,13 @@ export class Explorer {
     }
   }
 
-  /** Asks what moves the mode that is shown, between two steps. */
+  /** Asks what moves the mode that is shown, between two steps. The turbine comes first. */
   private askElasticities(): void {
-    if (this.shown === null || !this.history.isSettled || this.refusal !== null || this.queue.pending) return;
-    this.influence.ask(this.shown.state, 1 + this.place());
+    const { shown, turning, mode } = this;
+    if (shown === null || !this.history.isSettled || this.refusal !== null || this.queue.pending || turning?.pending) return;
+    const isOfRigidRotor = turning !== null;
+    if (mode !== null) this.influence.ask({ state: shown.state, number: mode.number, label: mode.label, isOfRigidRotor });
+    else this.influence.none("No elasticities: they are those of the tower with a rigid rotor, which has no such mode.");
   }
 
   /** What tests may read. */

@@ -8,7 +8,7 @@ import type { Parameter } from "./protocol.js";
 const STATIONS: [number, number][] = [[0, 6], [40, 5], [40.001, 5], [60, 5], [60, 4], [100, 4]];
 const VALUES = STATIONS.flat();
 const PARAMETERS = STATIONS.flatMap((_, station) => (["height", "diameter"] as const).map((quantity): Parameter => ({
-  name: `stations[${station}].${quantity}`, group: 0, column: null, label: "", meaning: "", unit: "m",
+  name: `stations[${station}].${quantity}`, group: 0, column: null, also_in: null, follows: null, label: "", meaning: "", unit: "m",
   value: 0, low: 0, high: 1, drag: { station, quantity },
 })));
 

@@ -3,45 +3,110 @@
 import { byId, setText } from "./dom.js";
 import type { ParameterPanel } from "./panels/parameters.js";
 import { elasticities } from "./program/program.js";
-import type { State } from "./protocol.js";
+import type { Elasticities, State } from "./protocol.js";
+
+/** After this time only numbers in open groups are asked for, ms in the program. */
+const PATIENCE_MS = 1500;
+
+/** A mode of a tower. */
+export interface Subject {
+  state: State;
+  /** Its number in the list of the answer to the state, from 1. */
+  number: number;
+  label: string;
+  /** Whether it stands for the mode of a turbine with the same motion. */
+  isOfRigidRotor: boolean;
+}
 
 /** Shows the influence of each number on a mode, beside its slider. */
 export class Influence {
-  /** The question whose answer is shown or on its way. */
+  /** The question whose answers are shown or on their way. */
   private asked = "";
-  private isAsking = false;
+  private label = "";
+  private running: AbortController | null = null;
+  /** Numbers and columns that have been answered. */
+  private known = new Set<string>();
+  private spent_ms = 0;
+  private isFirst = true;
 
-  constructor(
-    private panel: ParameterPanel,
-    private failed: (error: unknown) => void,
-    /** Asks again, if there is another question by then. */
-    private done: () => void,
-  ) {}
+  constructor(private panel: ParameterPanel, private failed: (error: unknown) => void) {}
 
   get pending(): boolean {
-    return this.isAsking;
+    return this.running !== null;
   }
 
-  /** Asks for a mode of a state by its number, unless that is what is shown. */
-  ask(state: State, mode: number): void {
-    const question = JSON.stringify([state, mode]);
-    if (this.isAsking || question === this.asked) return;
+  /** Asks for what is not yet known of a mode. */
+  ask(subject: Subject): void {
+    const question = JSON.stringify([subject.state, subject.number, subject.label]);
+    if (question !== this.asked) this.begin(question, subject);
+    if (this.running === null && this.left().length > 0) void this.run(subject);
+  }
+
+  /** Something else has been asked: what is known stays. */
+  cancel(): void {
+    this.running?.abort();
+    this.running = null;
+  }
+
+  /** Shows that there are none, and why. */
+  none(reason: string): void {
+    this.cancel();
+    this.asked = "";
+    this.label = "";
+    this.panel.clearElasticities();
+    setText(byId("elasticity-text"), reason);
+  }
+
+  private begin(question: string, { label, isOfRigidRotor }: Subject): void {
+    this.cancel();
     this.asked = question;
-    this.isAsking = true;
-    void this.fetch(state, mode).catch(this.failed).finally(() => {
-      this.isAsking = false;
-      this.done();
-    });
+    this.known.clear();
+    this.spent_ms = 0;
+    if (label !== this.label) this.panel.clearElasticities();
+    this.label = label;
+    const model = isOfRigidRotor ? " of the tower with a rigid rotor" : "";
+    setText(byId("elasticity-text"), `Elasticity of ${label}${model}, % per %`);
   }
 
-  private async fetch(state: State, mode: number): Promise<void> {
-    const result = await elasticities(state, mode);
-    if (result.refused !== null) return;
-    const text = byId("elasticity-text");
-    const isFirst = text.textContent === "";
-    setText(text, `Elasticity of ${result.mode}, % per %`);
-    this.panel.showElasticities(result.elasticities, result.columns);
+  /** What is still to be asked, open groups first. */
+  private left(): string[] {
+    const { shown, hidden } = this.panel.names();
+    const names = this.spent_ms < PATIENCE_MS ? [...shown, ...hidden] : shown;
+    return names.filter((name) => !this.known.has(name));
+  }
+
+  private async run({ state, number, label }: Subject): Promise<void> {
+    const stop = new AbortController();
+    this.running = stop;
+    try {
+      for (let names = this.left(); names.length > 0; names = this.left()) {
+        const result = await elasticities({ ...state, mode: number, label, names }, stop.signal);
+        if (stop.signal.aborted) return;
+        this.take(names, result.refused === null ? result : null);
+      }
+    } catch (error) {
+      if (stop.signal.aborted) return;
+      // It is not asked again until another mode or tower is shown.
+      this.take(this.left(), null);
+      this.failed(error);
+    }
+    this.running = null;
+    this.unfold();
+  }
+
+  /** Nothing is known of what is refused. */
+  private take(names: string[], result: Elasticities | null): void {
+    const left = new Set(result?.left ?? []);
+    for (const name of names) if (!left.has(name)) this.known.add(name);
+    if (result === null) return;
+    this.spent_ms += result.answer_ms;
+    this.panel.addElasticities(result);
+  }
+
+  /** Opens the group with the largest elasticity, once, if none is open. */
+  private unfold(): void {
     const group = this.panel.mostInfluential();
-    if (isFirst && group !== null && this.panel.open().length === 0) this.panel.unfold([group]);
+    if (this.isFirst && group !== null && this.panel.open().length === 0) this.panel.unfold([group]);
+    this.isFirst = false;
   }
 }

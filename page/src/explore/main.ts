@@ -36,9 +36,11 @@ export async function start(): Promise<void> {
   }
 }
 
-function describe({ file, format, version, command, notes }: Sheet): void {
-  document.title = `${file.split(/[\\/]/).at(-1) ?? file} – towermodes`;
-  setText(byId("file"), file);
+function describe({ name, file, format, version, command, notes }: Sheet): void {
+  const title = name === file ? file.split(/[\\/]/).at(-1) ?? file : name;
+  document.title = `${title} – towermodes`;
+  setText(byId("file"), name);
+  byId("file").title = file;
   setText(byId("program"), `towermodes ${version} · ${format} · ${command}`);
   byId("notes").hidden = notes.length === 0;
   byId("notes").querySelector("ul")?.append(...notes.map((note) => make("li", "", note)));

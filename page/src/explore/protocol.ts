@@ -26,6 +26,8 @@ export interface State {
 /** The tower as its file describes it. */
 export interface Sheet {
   version: string;
+  /** The name of the tower; that of the file if it has none. */
+  name: string;
   /** Name of the file, and its format: "TOML", "windIO". */
   file: string;
   format: string;
@@ -63,6 +65,10 @@ export interface Parameter {
   group: number;
   /** The name of its column, if its group is a list: `stations[*].wall`. */
   column: string | null;
+  /** The column of another list whose factor multiplies it too. */
+  also_in: string | null;
+  /** Index of the number with whose slider it moves, if it has none of its own. */
+  follows: number | null;
   /** The number within its group: "wall", or "3: wall". */
   label: string;
   meaning: string;
@@ -216,6 +222,8 @@ export interface WhirlMode {
   frequency_hz: number;
   frequency: string;
   remark: string;
+  /** The mode of the tower with a rigid rotor that has the same motion; null of one of the rotor. */
+  tower_mode: { family: string; order: number } | null;
 }
 
 /** Frequencies in softer and stiffer soil. */
@@ -265,16 +273,29 @@ export interface Refusal {
 export interface ElasticityQuestion extends State {
   /** Place of the mode in the list of the answer to this state, from 1. */
   mode: number;
+  label: string;
+  /** Numbers and columns, the most wanted first. */
+  names: string[];
 }
 
 /** d ln f / d ln p of a mode. */
 export interface Elasticities {
   refused: null;
   mode: string;
-  /** By name; numbers that are 0 have none. */
+  /** By name. */
   elasticities: Record<string, number>;
   /** Of a factor on all numbers of a column, by the name of the column. */
   columns: Record<string, number>;
+  /** Why a number or a column has none; `short` stands in its place. */
+  reasons: Record<string, NoElasticity>;
+  /** The names that are to be asked again: the time was over. */
+  left: string[];
+  answer_ms: number;
+}
+
+export interface NoElasticity {
+  short: string;
+  text: string;
 }
 
 export interface Reproduction {

@@ -57,6 +57,12 @@ export class Turning {
     return this.diagrams.pending;
   }
 
+  /** Whether verdicts are those of the turbine, now or when it is solved; if it cannot be solved,
+   * they are those of the tower with a rigid rotor. */
+  get governs(): boolean {
+    return this.refusal === "" || this.isDrawing;
+  }
+
   /** Asks for the turbine of a solved state. */
   ask(state: State, answer: Answer): void {
     this.state = state;

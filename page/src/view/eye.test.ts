@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Eye } from "./eye.js";
+import { Eye, isOtherSize, type Extent } from "./eye.js";
 import { Pull } from "./handles.js";
 import { heightAt } from "./pick.js";
 import type { Handle } from "./scene.js";
@@ -65,4 +65,12 @@ test("a tap is at the height of the tower under it, or beside it", () => {
   const sections = [0, 100].map((height) => ({ height, middle: [0, 0, height] as [number, number, number], turn: [0, 0, 0] as [number, number, number], radius: 3 }));
   near(heightAt([202, 180], eye(), sections)!, 60);
   assert.equal(heightAt([260, 180], eye(), sections), null);
+});
+
+test("a tower of another size needs another scale, a taller one does not", () => {
+  const extent = (wide: number, tall: number): Extent => ({ low: [-wide / 2, 0], high: [wide / 2, tall] });
+  assert.equal(isOtherSize(extent(40, 100), extent(40, 130)), false);
+  // 600 typed in the place of 6.00 and back.
+  assert.equal(isOtherSize(extent(40, 100), extent(600, 100)), true);
+  assert.equal(isOtherSize(extent(600, 100), extent(40, 100)), true);
 });

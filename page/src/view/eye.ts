@@ -38,6 +38,16 @@ export function extentOf(eye: Eye, sections: Section[], bodies: Body[], frame?: 
   return ofTower.concat(ofBodies, ofFrame).reduce(union);
 }
 
+/** Two sizes with a larger ratio than this are not seen in one picture. */
+const OTHER_SIZE = 3;
+
+/** Whether a rectangle is so much larger or smaller than one before that it needs another scale. */
+export function isOtherSize(before: Extent, now: Extent): boolean {
+  const size = ({ low, high }: Extent): number => Math.max(high[0] - low[0], high[1] - low[1]);
+  const ratio = size(now) / size(before);
+  return ratio > OTHER_SIZE || ratio < 1 / OTHER_SIZE;
+}
+
 /** Sine and cosine, which are zero at right angles. */
 const circular = (angle: number): [number, number] =>
   [Math.sin(angle), Math.cos(angle)].map((value) => (Math.abs(value) < 1e-12 ? 0 : value)) as [number, number];

@@ -1,5 +1,5 @@
 import { paletteOf, type Palette } from "./colours.js";
-import { union } from "./eye.js";
+import { isOtherSize, union, type Extent } from "./eye.js";
 import { Hand, type Grip } from "./hand.js";
 import { Handles, Pull, SIZE } from "./handles.js";
 import { heightAt } from "./pick.js";
@@ -37,6 +37,8 @@ export class TowerView {
   private pull: Pull | null = null;
   /** Whether the user has zoomed or moved the picture: then it is not framed again. */
   private isOwn = false;
+  /** What was framed last. */
+  private framed: Extent | null = null;
   private isHovered = false;
   private isDirty = false;
   private isDisposed = false;
@@ -55,7 +57,7 @@ export class TowerView {
 
   /**
    * Shows a tower, and a second one beside it, paler, to compare with. The camera stays where the
-   * user put it; the first call frames the tower.
+   * user put it; the first call frames the tower, and so does one with a tower of another size.
    */
   show(tower: TowerScene, beside: TowerScene | null = null): void {
     const isFirst = this.tower.scene === null;
@@ -63,7 +65,8 @@ export class TowerView {
     this.tower.show(tower, this.palette);
     this.isBeside = beside !== null;
     if (beside !== null) this.beside.show(beside, this.palette);
-    if (isFirst || (!this.isOwn && (isOther || !this.isInSight()))) this.fit();
+    if (!isFirst && this.framed !== null && isOtherSize(this.framed, this.extent())) this.isOwn = false;
+    if (isFirst || (!this.isOwn && (isOther || !this.isWell()))) this.fit();
     this.later();
   }
 
@@ -206,6 +209,11 @@ export class TowerView {
     return union(own, { low: [low[0] + distance, low[1]], high: [high[0] + distance, high[1]] });
   }
 
+  /** Whether the picture shows the tower, and no speck. */
+  private isWell(): boolean {
+    return this.isInSight() && !(this.framed !== null && isOtherSize(this.framed, this.extent()));
+  }
+
   private isInSight(): boolean {
     return this.stage.eye.shows(this.extent());
   }
@@ -214,7 +222,8 @@ export class TowerView {
     if (this.tower.scene === null) return;
     const heights = this.tower.scene.height_m;
     this.stage.eye.level = 0.5 * (heights[0]! + heights[heights.length - 1]!);
-    this.stage.eye.frame(this.extent());
+    this.framed = this.extent();
+    this.stage.eye.frame(this.framed);
   }
 
   private grip(): Grip {

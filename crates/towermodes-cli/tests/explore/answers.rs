@@ -238,6 +238,41 @@ fn elasticities_are_those_of_sensitivities() {
     assert!(compared > 10, "{compared}");
 }
 
+/// A page asks for the numbers that it shows first; answers by name are those of all, and what has
+/// no elasticity has a reason.
+#[test]
+fn elasticities_by_name_are_those_of_all() {
+    let explorer = Explorer::start(&["examples/monopile-layers.toml"]);
+    let all = explorer.answer("elasticities", &json!({ "numbers": {}, "mode": 1 }));
+    assert_eq!(all["left"], json!([]));
+    let names = [
+        "ground.surface",
+        "stations[*].wall",
+        "ground.scour.local",
+        "ground.layer[1].friction_angle",
+    ];
+    let question =
+        json!({ "numbers": {}, "mode": 1, "label": "1st side-side bending", "names": names });
+    let some = explorer.answer("elasticities", &question);
+    assert_eq!(some["mode"], "1st side-side bending");
+    assert_eq!(some["left"], json!([]));
+    for (kind, name) in [
+        ("elasticities", names[0]),
+        ("elasticities", "ground.layer[0].top"),
+        ("columns", names[1]),
+    ] {
+        let [own, theirs] = [&some, &all].map(|answer| answer[kind][name].as_f64());
+        let (own, theirs) = (own.expect("a number"), theirs.expect("a number"));
+        assert!((own - theirs).abs() < 1e-3 * theirs.abs(), "{name}: {own}");
+    }
+    // The derivative of the command, which has it with three digits: −0.718 % per m.
+    assert_eq!(some["reasons"][names[2]]["short"], "−0.72 %/m");
+    let text = some["reasons"][names[3]]["text"].as_str().expect("a text");
+    text.says("in the two directions");
+    let only = some["elasticities"].as_object().expect("numbers");
+    assert_eq!(only.len(), 2, "{only:?}");
+}
+
 /// The elasticity of a factor on a whole column is that of `sensitivities`: that of the heights is
 /// no sum over stations, whose percent are percent of the height of the tower, and rows of a step
 /// move together. Where the heights of a tower in soil can be scaled in one direction only, there
@@ -258,7 +293,14 @@ fn elasticities_of_columns_are_those_of_factors() {
         let off = own.zip(height).map_or(0.0, |(own, height)| own - height);
         assert!(is_known && off.abs() < 1e-4, "{tower}: {own:?}");
         let names = ["height", "diameter", "wall"].map(|key| format!("stations[*].{key}"));
-        let factors = names.each_ref().map(|name| format!("scale({name})"));
+        // Point masses keep their places on the tower.
+        let has_masses = tower == "examples/monopile.toml";
+        let factors = names
+            .each_ref()
+            .map(|name| match has_masses && name.ends_with("height") {
+                true => format!("scale({name},point_mass[*].height)"),
+                false => format!("scale({name})"),
+            });
         let factors = factors.each_ref().map(String::as_str);
         let command = json_of(&[&["sensitivities", tower], &factors[..]].concat());
         for (name, number) in names

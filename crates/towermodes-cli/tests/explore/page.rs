@@ -282,8 +282,9 @@ fn a_station_is_dragged_in_the_view() {
     let Some(of) = Explored::open(&["examples/nrel-5mw.toml"], WIDE) else {
         return;
     };
-    // The tower stands still while it is looked for.
-    of.page.click("#play");
+    // The tower stands still until someone asks for its motion.
+    let pressed = "document.querySelector('#play').getAttribute('aria-pressed')";
+    assert_eq!(of.page.text(pressed), "false");
     let canvas = "document.querySelector('#view canvas')";
     let form = of.page.value(&format!(
         "(() => {{ const box = {canvas}.getBoundingClientRect(); return [box.x, box.y, box.width, box.height]; }})()"
@@ -406,6 +407,69 @@ fn a_refused_tower_is_named_at_its_field() {
     of.enter("rna.mass", "1e8");
     of.page
         .wait_for("document.querySelector('#refused').textContent.includes('buckle')");
+    of.page.was_quiet();
+}
+
+/// Who types a number that is none gets the value from before, with the reason.
+#[test]
+fn a_number_that_is_none_changes_nothing() {
+    let Some(of) = monopile() else { return };
+    let before = of.frequencies_hz();
+    let row = of.row("rna.mass");
+    let field = format!("{row}.querySelector('input.field')");
+    of.page
+        .value(&format!("({field}.focus(), {field}.select(), 0)"));
+    for key in ["4", "0", "0", ",", "0", "0", "0"] {
+        of.page.call("Input.insertText", &json!({ "text": key }));
+    }
+    assert_eq!(of.page.value("window.towermodes.state.numbers"), json!({}));
+    of.page.value(&format!("({field}.blur(), 0)"));
+    of.is_shown();
+    assert_eq!(of.page.text(&format!("{field}.value")), "350000");
+    assert_eq!(of.page.value("window.towermodes.state.numbers"), json!({}));
+    assert_eq!(of.frequencies_hz(), before);
+    let message = of
+        .page
+        .text(&format!("{row}.querySelector('.message').textContent"));
+    message.says_all("400,000 & is not used & 400000");
+    // A whole number is solved after a pause, without a key.
+    of.page
+        .value(&format!("({field}.focus(), {field}.select(), 0)"));
+    of.page
+        .call("Input.insertText", &json!({ "text": "400000" }));
+    of.page
+        .wait_for("window.towermodes.state.numbers['rna.mass'] === 400000");
+    of.page.was_quiet();
+}
+
+/// The two values of a boundary between layers have one slider, and so have the heights at a joint
+/// with the point mass on it.
+#[test]
+fn a_boundary_has_one_slider() {
+    let Some(of) = Explored::open(&["examples/monopile-layers.toml"], WIDE) else {
+        return;
+    };
+    of.slide("ground.layer[0].bottom", &[-26.0]);
+    let state = of.page.value("window.towermodes.state.numbers");
+    let expected = json!({ "ground.layer[0].bottom": -26, "ground.layer[1].top": -26 });
+    assert_eq!(state, expected);
+    assert_eq!(of.page.value("window.towermodes.isCurrent"), true);
+    let follower = format!(
+        "document.getElementById('number-{}')",
+        of.index("ground.layer[1].top")
+    );
+    assert_eq!(of.page.value(&follower), Value::Null);
+    let Some(of) = monopile() else { return };
+    of.slide("stations[1].height", &[11.0]);
+    let state = of.page.value("window.towermodes.state.numbers");
+    let names = [
+        "stations[1].height",
+        "stations[2].height",
+        "point_mass[0].height",
+    ];
+    let moved = names.map(|name| state[name].as_f64());
+    assert_eq!(moved, [Some(11.0); 3]);
+    assert_eq!(of.page.value("window.towermodes.isCurrent"), true);
     of.page.was_quiet();
 }
 

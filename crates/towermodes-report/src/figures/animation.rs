@@ -97,7 +97,7 @@ pub fn animation_data(
         radius_m: radius_m.collect(),
         is_nominal: is_nominal(tower),
         bodies: scene(description, tower),
-        frame: Parts { description, tower }.substructure().map(frame_of),
+        frame: Parts::new(description, tower).substructure().map(frame_of),
         modes: solution.modes.iter().map(animated).collect(),
         height_m: heights_m.into_iter().map(five_digits).collect(),
     }

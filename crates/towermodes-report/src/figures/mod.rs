@@ -13,6 +13,7 @@ mod mooring;
 mod outline;
 mod parts;
 mod scene;
+mod scour;
 pub(crate) mod shapes;
 mod soil;
 mod structure;

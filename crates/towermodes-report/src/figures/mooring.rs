@@ -32,7 +32,7 @@ const ANCHOR: f64 = 5.0;
 /// The lines of a floating platform at its reference position, from the side and from above, to
 /// scale, with anchors, seabed and still water; none without lines.
 pub fn mooring(description: &TowerDescription, tower: &Tower) -> Option<Figure> {
-    let parts = Parts { description, tower };
+    let parts = Parts::new(description, tower);
     let at_rest = lines_at_rest(parts.platform()?.of)?;
     let hull = hull(&parts);
     let all = || {

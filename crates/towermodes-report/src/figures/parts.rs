@@ -8,6 +8,7 @@ use towermodes::{
 };
 
 use super::outline::outer_diameter_m;
+use super::scour::{Hole, Surface};
 use super::substructure::Substructure;
 
 /// A platform whose centre is deeper below the base than this many heights of the tower is not
@@ -21,9 +22,37 @@ pub(super) struct Parts<'a> {
     pub description: &'a TowerDescription,
     /// The tower of it.
     pub tower: &'a Tower,
+    /// The surface of its soil, if that is given in layers.
+    pub surface: Option<Surface>,
 }
 
 impl<'a> Parts<'a> {
+    /// The parts of a description and its tower.
+    pub fn new(description: &'a TowerDescription, tower: &'a Tower) -> Self {
+        Self {
+            description,
+            tower,
+            surface: Surface::of(description),
+        }
+    }
+
+    /// The hole of local scour beside the tower.
+    pub fn hole(&self) -> Option<Hole> {
+        self.surface?.hole(self.tower)
+    }
+
+    /// The heights of the surface of scoured soil with their names; none without scour.
+    pub fn scoured_levels(&self) -> Vec<(f64, String)> {
+        let bed = match self.description.water {
+            Some(_) => "seabed",
+            None => "ground",
+        };
+        let surface = self.surface.iter();
+        surface
+            .flat_map(|surface| surface.labelled(self.tower, bed))
+            .collect()
+    }
+
     /// Radius of the shell at a height, m.
     pub fn radius_m(&self, height_m: f64) -> f64 {
         0.5 * outer_diameter_m(self.tower, height_m)
@@ -92,8 +121,7 @@ impl<'a> Parts<'a> {
         let of_frame = || self.substructure()?.ground_m();
         let bed_m = water.map(|water| water.bed_m.unwrap_or(self.tower.base_m()));
         // Scour lowers the surface of the layers below the bed.
-        let layers = self.description.ground.as_ref();
-        let layers_m = layers.map(|ground| ground.surface_m - ground.scour.general_m);
+        let layers_m = self.surface.map(|surface| surface.general_m);
         let bed_m = layers_m.or(bed_m).or_else(of_frame);
         let surfaces = self.description.soil.iter().filter_map(|rows| rows.last());
         let surface_m = surfaces.map(|row| row.height_m).reduce(f64::max);

@@ -190,7 +190,7 @@ impl Projection {
 /// above: at rest in grey, deflected in colour. At most twelve modes are drawn; the largest
 /// deflection of each is 7 % of the height of the structure.
 pub fn structure(description: &TowerDescription, tower: &Tower, solution: &Solution) -> Figure {
-    let parts = Parts { description, tower };
+    let parts = Parts::new(description, tower);
     let hull = hull(&parts);
     let height_m = tower.top_m() - lowest_m(&parts, &hull);
     let drawn: Vec<&Mode> = solution.modes.iter().take(MOST).collect();

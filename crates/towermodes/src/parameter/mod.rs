@@ -266,8 +266,8 @@ impl Parameter {
     }
 
     /// Whether both are heights of the rows of one list, or of layers of the ground, of which one
-    /// begins where the other ends.
-    pub(crate) fn is_height_like(self, other: Self) -> bool {
+    /// begins where the other ends. Two such heights with one value are changed together.
+    pub fn is_height_like(self, other: Self) -> bool {
         let is_of_one_list = match (self.place(), other.place()) {
             (Place::Station { .. }, Place::Station { .. }) => true,
             (Place::Soil { layer, .. }, Place::Soil { layer: other, .. }) => layer == other,

@@ -4,7 +4,7 @@ import type { Parameter } from "../protocol.js";
 import { fromAddress, toAddress } from "./address.js";
 
 function parameter(name: string, value: number): Parameter {
-  return { name, group: 0, column: null, label: name, meaning: "", unit: "", value, low: 0, high: 1, drag: null };
+  return { name, group: 0, column: null, also_in: null, follows: null, label: name, meaning: "", unit: "", value, low: 0, high: 1, drag: null };
 }
 
 const PARAMETERS = [parameter("rna.mass", 350000), parameter("stations[0].wall", 0.06), parameter("a&b=c #1", 2)];

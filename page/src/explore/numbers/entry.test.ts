@@ -13,7 +13,9 @@ test("what is no number is answered with a sentence that names it", () => {
   for (const text of ["", "abc", "3 5", "0x10", "Infinity", "NaN", "1e", "1.2.3", "1,000,000", "1e999"]) {
     assert.ok("problem" in readNumber(text), text);
   }
-  assert.deepEqual(readNumber("3,5"), { problem: "Write a decimal point: 3.5 instead of 3,5." });
+  assert.deepEqual(readNumber("3,5"), { problem: "Write 3.5 with a point." });
+  assert.deepEqual(readNumber("400,000"), { problem: "Write 400000 without commas, or 400.000 with a point." });
+  assert.deepEqual(readNumber("60 mm"), { problem: "Write 60 without a unit; the unit is that beside the field." });
 });
 
 test("written numbers read back as the same", () => {

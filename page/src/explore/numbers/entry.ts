@@ -3,6 +3,9 @@
 /** A number, or the sentence that says why the text is none. */
 export type Entry = { value: number } | { problem: string };
 
+/** A number with a word after it: `60 mm`. */
+const WITH_UNIT = /^([+-]?\d+\.?\d*(?:e[+-]?\d+)?)\s*[a-z°%]+[²³\d/]*[a-z²³\d]*$/i;
+
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
 /** Reads a number with a decimal point: `0.03`, `-12`, `3.6e5`. */
@@ -16,10 +19,12 @@ export function readNumber(typed: string): Entry {
   const pointed = text.replace(",", ".");
   const whole = text.replaceAll(",", "");
   if (/^[+-]?\d{1,3}(,\d{3})+$/.test(text)) {
-    const decimal = NUMBER.test(pointed) ? `, or ${pointed} if the comma is a decimal comma` : "";
-    return { problem: `Write ${whole}${decimal}.` };
+    const decimal = NUMBER.test(pointed) ? `, or ${pointed} with a point` : "";
+    return { problem: `Write ${whole} without commas${decimal}.` };
   }
-  if (NUMBER.test(pointed)) return { problem: `Write a decimal point: ${pointed} instead of ${text}.` };
+  if (NUMBER.test(pointed)) return { problem: `Write ${pointed} with a point.` };
+  const [, number] = WITH_UNIT.exec(text) ?? [];
+  if (number !== undefined) return { problem: `Write ${number} without a unit; the unit is that beside the field.` };
   return { problem: `“${text}” is not a number. Type digits with a decimal point, for example 3.6e5.` };
 }
 

@@ -6,14 +6,15 @@ import type { Band } from "../protocol.js";
 export class BandPanel {
   private details = byId<HTMLDetailsElement>("band");
 
-  show(band: Band): void {
+  /** Without verdicts where another model governs. */
+  show(band: Band, isJudged: boolean): void {
     const { details } = this;
     setHidden(details, false);
     const head = make("tr", "", heading("Mode"), ...band.factors.map((factor) => heading(`soil \u00d7 ${factor}`, "number")));
     const rows = band.modes.map(({ label, at }) => {
       const name = make("th", "", label);
       name.scope = "row";
-      return make("tr", "", name, ...at.map(cell));
+      return make("tr", "", name, ...at.map((value) => cell(value, isJudged)));
     });
     details.querySelector("thead")?.replaceChildren(head);
     details.querySelector("tbody")?.replaceChildren(...rows);
@@ -29,10 +30,11 @@ function heading(text: string, of = ""): HTMLElement {
   return element;
 }
 
-function cell(value: Band["modes"][number]["at"][number]): HTMLElement {
+function cell(value: Band["modes"][number]["at"][number], isJudged: boolean): HTMLElement {
   if (value === null) return make("td", "number", "\u2013");
-  const verdict = make("span", "verdict", value.verdict === null ? "" : value.verdict.toUpperCase());
-  setClass(verdict, `verdict ${value.verdict ?? ""}`);
+  const word = isJudged ? value.verdict : null;
+  const verdict = make("span", "verdict", word === null ? "" : word.toUpperCase());
+  setClass(verdict, `verdict ${word ?? ""}`);
   const element = make("td", "number", `${Number(value.frequency_hz.toPrecision(5))} `, verdict);
   element.dataset["full"] = String(value.frequency_hz);
   return element;

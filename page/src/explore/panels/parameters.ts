@@ -1,21 +1,26 @@
 // All numbers of the tower as sliders, in groups that fold, with a search.
 
 import { byId, make, setClass, setHidden, setText } from "../dom.js";
+import { movedBy } from "../numbers/followers.js";
 import { baseOf, isMultiplied, multiplied, type Base } from "../numbers/column.js";
-import type { Group, Parameter, Sheet, TargetVariable } from "../protocol.js";
+import type { Elasticities, Group, NoElasticity, Parameter, Sheet, TargetVariable } from "../protocol.js";
 import { Row } from "./row.js";
 
 export interface ParameterEvents {
-  /** The user asks for these values. */
-  input(numbers: Record<string, number>): void;
+  /** The user asks for these values by the slider with a key: a number or a column. */
+  input(numbers: Record<string, number>, key: string): void;
   /** The slide or the typing is at its end; the key says of what. */
   settle(key: string): void;
+  /** Another group is open: its elasticities are wanted. */
+  opened(): void;
 }
 
 interface Entry {
   parameter: Parameter;
   index: number;
   row: Row;
+  /** The names of all numbers that the slider moves. */
+  moved: string[];
   words: string;
 }
 
@@ -43,6 +48,7 @@ export class ParameterPanel {
   private elasticities: Record<string, number> = {};
   /** Of factors on columns, by their names. */
   private factors: Record<string, number> = {};
+  private reasons: Record<string, NoElasticity> = {};
   private largest = 0;
   private refused = new Set<string>();
   private refusal = "";
@@ -66,12 +72,14 @@ export class ParameterPanel {
     const section: Section = { group, element, mark, entries: [], columns: [] };
     section.columns = group.columns.map((name, place) => this.column(section, name, `column-${index}-${place}`));
     this.sheet.parameters.forEach((parameter, place) => {
-      if (parameter.group === index) section.entries.push(this.entry(parameter, place));
+      if (parameter.group === index && parameter.follows === null) section.entries.push(this.entry(parameter, place));
     });
     section.columns = section.columns.filter(({ indices }) => indices.length > 1);
     element.append(...section.columns.map(({ row }) => row.element), ...section.entries.map(({ row }) => row.element));
     element.addEventListener("toggle", () => {
-      if (element.open) this.showSection(section);
+      if (!element.open) return;
+      this.showSection(section);
+      this.events.opened();
     });
     return section;
   }
@@ -79,16 +87,21 @@ export class ParameterPanel {
   private entry(parameter: Parameter, index: number): Entry {
     const { name, label, meaning, unit, low, high, value } = parameter;
     const row = new Row({ id: `number-${index}`, name, label, meaning, unit }, { low, high, home: value }, {
-      input: (value) => this.events.input({ [name]: value }),
+      input: (value) => this.events.input({ [name]: value }, name),
       settle: () => this.events.settle(name),
     });
-    return { parameter, index, row, words: `${name} ${meaning} ${label}`.toLowerCase() };
+    const moved = movedBy(this.sheet.parameters, index).map((place) => this.sheet.parameters[place]?.name ?? "");
+    return { parameter, index, row, moved, words: `${moved.join(" ")} ${meaning} ${label}`.toLowerCase() };
   }
 
   private column(section: Section, name: string, id: string): Column {
     const key = name.slice(name.lastIndexOf(".") + 1);
-    const meaning = this.sheet.parameters.find((parameter) => parameter.column === name)?.meaning ?? key;
-    const of = this.sheet.parameters.flatMap((parameter, index) => (parameter.column === name ? [index] : []));
+    const { parameters } = this.sheet;
+    const own = parameters.filter(({ column }) => column === name);
+    // What a slider of several numbers is called is not the name of the column.
+    const plain = own.find((one) => !parameters.some(({ follows }) => follows !== null && parameters[follows] === one));
+    const meaning = plain?.meaning ?? key;
+    const of = parameters.flatMap(({ column, also_in }, index) => (column === name || also_in === name ? [index] : []));
     const column: Column = { name, row: undefined as never, indices: of, base: null, words: `${name} ${meaning} ${section.group.title}`.toLowerCase() };
     column.row = new Row({ id, name, label: `every ${meaning} ×`, meaning: "", unit: "" }, { low: 0.5, high: 1.5, home: 1 }, {
       input: (factor) => this.multiply(column, factor),
@@ -105,7 +118,7 @@ export class ParameterPanel {
     column.base ??= this.base(column);
     const values = multiplied(column.base, factor);
     const names = column.indices.map((index) => this.sheet.parameters[index]?.name ?? "");
-    this.events.input(Object.fromEntries(names.map((name, k) => [name, values[k] ?? 0])));
+    this.events.input(Object.fromEntries(names.map((name, k) => [name, values[k] ?? 0])), column.name);
   }
 
   private base({ indices }: Column): Base {
@@ -123,10 +136,10 @@ export class ParameterPanel {
   }
 
   private showSection(section: Section): void {
-    for (const { row, index, parameter } of section.entries) {
+    for (const { row, index, parameter, moved } of section.entries) {
       row.show(this.values[index] ?? parameter.value);
-      row.refuse(this.refused.has(parameter.name) ? this.refusal : null);
-      row.elasticity(this.elasticities[parameter.name] ?? null, this.largest);
+      row.refuse(this.isRefused(moved) ? this.refusal : null);
+      row.elasticity(this.elasticities[parameter.name] ?? null, this.largest, this.reasons[parameter.name] ?? null);
     }
     for (const column of section.columns) this.showColumn(column);
     this.showMark(section);
@@ -139,27 +152,52 @@ export class ParameterPanel {
       column.row.enable(values.some(isMultiplied));
       column.row.show(factor);
     }
-    column.row.elasticity(this.factors[column.name] ?? null, this.largest);
+    column.row.refuse(this.isRefused([column.name]) ? this.refusal : null);
+    column.row.elasticity(this.factors[column.name] ?? null, this.largest, this.reasons[column.name] ?? null);
+  }
+
+  private isRefused(names: string[]): boolean {
+    return names.some((name) => this.refused.has(name));
   }
 
   /** What a closed group has to say. */
-  private showMark({ mark, entries }: Section): void {
-    const isRefused = entries.some(({ parameter }) => this.refused.has(parameter.name));
+  private showMark({ mark, entries, columns }: Section): void {
+    const isRefused = this.isRefused([...entries.flatMap(({ moved }) => moved), ...columns.map(({ name }) => name)]);
     const changed = entries.filter(({ parameter, index }) => (this.values[index] ?? parameter.value) !== parameter.value).length;
     setText(mark, isRefused ? "refused" : changed > 0 ? `${changed} changed` : "");
     setClass(mark, isRefused ? "mark refused" : "mark");
   }
 
-  /** The numbers that a refusal names, with what it says. */
+  /** The numbers and columns that a refusal is about, with what it says. */
   refuse(names: string[], message: string): void {
     this.refused = new Set(names);
     this.refusal = message;
   }
 
-  /** Shows elasticities, by the names of numbers and of columns. */
-  showElasticities(elasticities: Record<string, number>, factors: Record<string, number>): void {
-    this.elasticities = elasticities;
-    this.factors = factors;
+  /** Shows elasticities, beside those that are known. */
+  addElasticities({ elasticities, columns, reasons }: Elasticities): void {
+    const without = <T>(all: Record<string, T>, names: object): Record<string, T> =>
+      Object.fromEntries(Object.entries(all).filter(([name]) => !(name in names)));
+    this.elasticities = { ...without(this.elasticities, reasons), ...elasticities };
+    this.factors = { ...without(this.factors, reasons), ...columns };
+    this.reasons = { ...without(without(this.reasons, elasticities), columns), ...reasons };
+    this.showAll();
+  }
+
+  clearElasticities(): void {
+    [this.elasticities, this.factors, this.reasons] = [{}, {}, {}];
+    this.showAll();
+  }
+
+  /** The names of numbers and columns in open and in closed groups. */
+  names(): { shown: string[]; hidden: string[] } {
+    const names = (isOpen: boolean): string[] => this.sections.filter(({ element }) => element.open === isOpen)
+      .flatMap(({ columns, entries }) => [...columns.map(({ name }) => name), ...entries.map(({ parameter }) => parameter.name)]);
+    return { shown: names(true), hidden: names(false) };
+  }
+
+  private showAll(): void {
+    const { elasticities, factors } = this;
     this.largest = Math.max(0, ...[...Object.values(elasticities), ...Object.values(factors)].map(Math.abs));
     for (const section of this.sections) if (section.element.open) this.showSection(section);
   }
@@ -195,13 +233,38 @@ export class ParameterPanel {
     ]);
   }
 
+  /** Why a search cannot change all that is marked: a number is marked alone and in its column. */
+  conflict(): string | null {
+    for (const { columns } of this.sections) {
+      for (const column of columns.filter(({ row }) => row.isMarked)) {
+        const names = column.indices.map((index) => this.sheet.parameters[index]?.name ?? "");
+        const entries = this.sections.flatMap((section) => section.entries);
+        const twice = entries.find(({ row, moved }) => row.isMarked && moved.some((name) => names.includes(name)));
+        if (twice) return `“${column.row.heading}” changes “${twice.row.heading}” too: untick one of them.`;
+      }
+    }
+    return null;
+  }
+
+  /** A sentence of the program in the words of the page: names in backticks become labels. */
+  inWords(text: string): string {
+    const rows = new Map<string, string>(this.sections.flatMap(({ columns, entries }) => [
+      ...columns.map(({ name, row }): [string, string] => [name, row.heading]),
+      ...entries.map(({ parameter, row }): [string, string] => [parameter.name, row.heading]),
+    ]));
+    return text.replace(/`(?:[a-z]+\()?([^`,)]+)[^`]*`/g, (written, name: string) => {
+      const heading = rows.get(name);
+      return heading === undefined ? written : `“${heading}”`;
+    });
+  }
+
   /** Leads to the field of a number, also if the search has hidden it. */
   reveal(name: string): void {
     const filter = byId<HTMLInputElement>("filter");
     filter.value = "";
     this.search("");
     for (const { element, entries } of this.sections) {
-      const entry = entries.find(({ parameter }) => parameter.name === name);
+      const entry = entries.find(({ moved }) => moved.includes(name));
       if (entry === undefined) continue;
       element.open = true;
       entry.row.focus();

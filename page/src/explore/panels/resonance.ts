@@ -57,17 +57,21 @@ export class ResonancePanel {
     else events.chooseMode(mode);
   }
 
-  /** Shows a tower and, if there is one, that which it is compared with. */
-  show(own: Checked, other: Checked | null, band: Band | null, choice: Choice): void {
-    this.last = [own, other, band, choice];
+  /** Shows a tower and, if there is one, that which it is compared with. While the model that
+   * governs is awaited there is no verdict. */
+  show(own: Checked, other: Checked | null, band: Band | null, choice: Choice, isAwaited: boolean): void {
+    this.last = [own, other, band, choice, isAwaited];
     const resonance = checkOf(own);
-    setHidden(byId("resonance"), resonance === null);
+    setHidden(byId("resonance"), resonance === null && !isAwaited);
     setHidden(byId("check"), resonance === null);
+    document.body.classList.toggle("unjudged", isAwaited);
+    if (resonance === null) setText(byId("resonance-word"), "");
     if (resonance === null) return;
     const source = sourceOf(own, choice);
     const beside = other === null ? null : sourceOf(other, { id: null, whirl: null });
     if (source !== null) this.diagram.show(contentOf(source, beside, band, this.isWhole), resonance.conclusion.join(" "));
-    setText(byId("resonance-word"), resonance.word === "undecided" ? "" : resonance.word.toUpperCase());
+    const word = isAwaited || resonance.word === "undecided" ? "" : resonance.word.toUpperCase();
+    setText(byId("resonance-word"), word);
     setClass(byId("resonance-word"), `verdict ${resonance.word}`);
     this.showSentences(own, resonance);
     this.showRows(resonance.rows);

@@ -4,6 +4,7 @@
 import { button, make, setAttribute, setClass, setHidden, setText } from "../dom.js";
 import { readNumber, tidy, writeFull, writeNumber, writeShort, type Entry } from "../numbers/entry.js";
 import { roundRange, type Range } from "../numbers/range.js";
+import type { NoElasticity } from "../protocol.js";
 
 export interface RowText {
   /** Begins the ids of its elements. */
@@ -23,14 +24,23 @@ export interface RowRange {
 }
 
 export interface RowEvents {
-  /** The user asks for a value, in a slide or while typing. */
+  /** The user asks for a value, in a slide or by a complete number. */
   input(value: number): void;
   /** The slide or the typing is at its end. */
   settle(): void;
 }
 
+/** Who pauses for this time has typed the whole number, ms. */
+const PAUSE_MS = 700;
+/** Elasticities below this have two digits, others three decimals. */
+const SMALL = 0.01;
+/** Elasticities below this are rounding errors. */
+const ROUNDING = 1e-9;
+
 export class Row {
   readonly element: HTMLElement;
+  /** What the row is, in the words of the page. */
+  readonly heading: string;
   private slider = make("input");
   private field = make("input", "field");
   private back: HTMLButtonElement;
@@ -39,6 +49,7 @@ export class Row {
   private mark = make("input", "pick");
   private bar = make("span", "bar");
   private elasticityText = make("span", "elasticity-text");
+  private elasticityCell = make("span", "elasticity", this.elasticityText, make("span", "scale", this.bar));
   private range: Range;
   private value: number;
   /** What is wrong with what is typed; it is no number. */
@@ -46,9 +57,16 @@ export class Row {
   private refusal: string | null = null;
   /** The user is in the middle of typing. */
   private isEditing = false;
+  /** The value before the user has begun to type. */
+  private before: number;
+  /** What was typed and is not used. */
+  private note: string | null = null;
+  private pause: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private text: RowText, private given: RowRange, private events: RowEvents) {
     this.value = given.home;
+    this.before = given.home;
+    this.heading = this.headingOf().heading;
     this.range = this.firstRange();
     this.back = button("↺", () => this.goBack(), "back");
     this.element = this.build();
@@ -56,14 +74,21 @@ export class Row {
     this.showValue();
   }
 
-  private build(): HTMLElement {
-    const { id, label, meaning, unit } = this.text;
-    // "1: diameter" with "outer diameter" is "1: outer diameter".
+  /** "1: diameter" with "outer diameter" is "1: outer diameter". */
+  private headingOf(): { heading: string; more: string } {
+    const { label, meaning } = this.text;
     const key = label.slice(label.lastIndexOf(" ") + 1);
     const isNamed = meaning.split(" ").includes(key);
-    const heading = isNamed ? label.slice(0, -key.length) + meaning : label;
+    return {
+      heading: isNamed ? label.slice(0, -key.length) + meaning : label,
+      more: isNamed || label.endsWith(meaning) ? "" : meaning,
+    };
+  }
+
+  private build(): HTMLElement {
+    const { id, label, unit } = this.text;
+    const { heading, more } = this.headingOf();
     const name = make("span", "name", make("b", "", heading));
-    const more = isNamed || label.endsWith(meaning) ? "" : meaning;
     if (more) name.append(` ${more}`);
     name.id = `${id}-name`;
     name.title = [name.textContent, this.text.name].filter(Boolean).join("\n");
@@ -83,8 +108,7 @@ export class Row {
     this.listen();
     this.mark.type = "checkbox";
     this.mark.setAttribute("aria-label", `A search may change ${spoken}`);
-    const elasticity = make("span", "elasticity", this.elasticityText, make("span", "scale", this.bar));
-    const element = make("div", "row", make("div", "top", this.mark, name, elasticity), this.slider, this.field, make("span", "unit", unit), this.back, this.message);
+    const element = make("div", "row", make("div", "top", this.mark, name, this.elasticityCell), this.slider, this.field, make("span", "unit", unit), this.back, this.message);
     element.id = id;
     return element;
   }
@@ -93,13 +117,13 @@ export class Row {
     const { slider, field, events } = this;
     slider.addEventListener("input", () => this.ask(tidy(Number(slider.value))));
     slider.addEventListener("change", () => events.settle());
-    field.addEventListener("input", () => {
-      this.isEditing = true;
-      const entry = this.read();
-      if ("value" in entry) this.ask(entry.value);
-    });
+    field.addEventListener("input", () => this.edit());
     field.addEventListener("change", () => this.typed());
-    for (const name of ["focus", "blur"]) field.addEventListener(name, () => this.showText());
+    field.addEventListener("focus", () => {
+      this.before = this.value;
+      this.showText();
+    });
+    field.addEventListener("blur", () => this.leave());
     field.addEventListener("keydown", (event) => {
       if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
       event.preventDefault();
@@ -117,14 +141,43 @@ export class Row {
     return isRigid ? { value: Infinity } : readNumber(this.field.value);
   }
 
+  /** A part of a number is not solved: "4" of "400000". */
+  private edit(): void {
+    this.isEditing = true;
+    this.note = null;
+    clearTimeout(this.pause);
+    this.pause = setTimeout(() => {
+      const entry = this.read();
+      if (this.isEditing && "value" in entry && entry.value !== this.value) this.ask(entry.value);
+    }, PAUSE_MS);
+  }
+
+  /** What is no number is not used: the value is again that from before. */
+  private leave(): void {
+    if (this.isEditing) this.typed();
+    if (this.typing !== null) {
+      const note = `“${this.field.value.trim()}” is not used. ${this.typing}`;
+      this.typing = null;
+      if (this.value !== this.before) {
+        this.ask(this.before);
+        this.events.settle();
+      }
+      this.note = note;
+    }
+    this.showText();
+    this.showProblem();
+  }
+
   /** What is typed is complete. */
   private typed(): void {
+    clearTimeout(this.pause);
     this.isEditing = false;
     const entry = this.read();
     this.typing = "problem" in entry ? entry.problem : null;
     this.showProblem();
     if ("problem" in entry) return;
     if (entry.value !== this.value) this.ask(entry.value);
+    this.before = entry.value;
     this.widen();
     this.events.settle();
   }
@@ -137,6 +190,7 @@ export class Row {
 
   private ask(value: number): void {
     this.typing = null;
+    this.note = null;
     this.value = value;
     this.events.input(value);
   }
@@ -172,7 +226,9 @@ export class Row {
     this.value = value;
     if (isOther) {
       this.typing = null;
+      this.note = null;
       this.isEditing = false;
+      this.before = value;
     }
     this.widen();
     this.showValue();
@@ -247,22 +303,30 @@ export class Row {
 
   private showProblem(): void {
     const problem = this.typing ?? this.refusal;
-    setText(this.message, problem ?? "");
-    setHidden(this.message, problem === null);
+    const message = problem ?? this.note;
+    setText(this.message, message ?? "");
+    setHidden(this.message, message === null);
     for (const input of [this.slider, this.field]) setAttribute(input, "aria-invalid", problem === null ? null : "true");
   }
 
   /** Shows the elasticity of a frequency, with a bar in the scale of the largest one; null if
-   * there is none. */
-  elasticity(value: number | null, largest: number): void {
-    setText(this.elasticityText, value === null ? "" : writeElasticity(value));
+   * there is none, with the reason. */
+  elasticity(value: number | null, largest: number, reason: NoElasticity | null): void {
+    setText(this.elasticityText, value === null ? reason?.short ?? "" : writeElasticity(value));
+    const { elasticityCell } = this;
+    const title = reason?.text ?? "";
+    if (elasticityCell.title !== title) elasticityCell.title = title;
+    elasticityCell.classList.toggle("without", value === null && title !== "");
     const part = value === null || !(largest > 0) ? 0 : value / largest;
     this.bar.style.setProperty("--part", String(Math.abs(part)));
     setClass(this.bar, part < 0 ? "bar negative" : "bar");
   }
 }
 
-function writeElasticity(value: number): string {
-  if (Math.abs(value) < 5e-4) return "0";
-  return `${value < 0 ? "−" : "+"}${Math.abs(value).toFixed(3)}`;
+/** With three decimals; a small one with two significant digits. */
+export function writeElasticity(value: number): string {
+  const size = Math.abs(value);
+  if (size < ROUNDING) return "0";
+  const small = (): string => (size < 1e-4 ? size.toExponential(1) : size.toPrecision(2));
+  return `${value < 0 ? "−" : "+"}${size < SMALL ? small() : size.toFixed(3)}`;
 }

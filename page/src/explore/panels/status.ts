@@ -39,10 +39,10 @@ export function sentences({ message, hint }: Refusal["refused"]): string {
   return `${ended(message)} ${ended(begun)}`;
 }
 
-/** A mode with its frequency and verdict, for screen readers. */
-export function spoken({ answer }: Moving, index: number): string {
+/** A mode with its frequency and, where this model governs, its verdict, for screen readers. */
+export function spoken({ answer }: Moving, index: number, isJudged: boolean): string {
   const mode = answer.modes[index];
   if (mode === undefined) return "";
-  const verdict = mode.verdict ? `, ${mode.verdict.word}` : "";
+  const verdict = mode.verdict && isJudged ? `, ${mode.verdict.word}` : "";
   return `${mode.label}: ${mode.frequency} Hz${verdict}`;
 }

@@ -12,19 +12,27 @@ export interface TargetSource {
   resonance(): Resonance | null;
   /** The numbers and columns that are marked. */
   variables(): TargetVariable[];
+  /** Why they cannot be changed together. */
+  conflict(): string | null;
+  /** A sentence of the program in the words of the page. */
+  inWords(text: string): string;
   /** Whether the marks are shown beside the sliders. */
   mark(isOn: boolean): void;
   found(state: State): void;
   failed(error: unknown): void;
 }
 
-/** The band between 1P and the blade passing frequency with the margin to both, Hz; null if there is
- * none. */
+/** More than the required margin: a frequency at the end of the band is no borderline case. */
+const MORE = 0.01;
+
+/** The band between 1P and the blade passing frequency with a little more than the margin to both,
+ * Hz; null if there is none. */
 export function windowHz(resonance: Resonance | null): [number, number] | null {
   if (resonance === null || resonance.operation_rpm === null || resonance.blades < 2) return null;
   const [low_rpm, high_rpm] = resonance.operation_rpm;
-  const low = high_rpm / 60 / (1 - resonance.margin);
-  const high = (resonance.blades * low_rpm) / 60 / (1 + resonance.margin);
+  const margin = resonance.margin + MORE;
+  const low = high_rpm / 60 / (1 - margin);
+  const high = (resonance.blades * low_rpm) / 60 / (1 + margin);
   return low < high ? [low, high] : null;
 }
 
@@ -67,10 +75,16 @@ export class TargetPanel {
     const { source } = this;
     const mode = source.mode();
     const [min_hz, max_hz] = [this.limit(this.low), this.limit(this.high)];
+    if (mode === null) setText(byId("target-text"), "Choose a mode of the tower: the rotor is not changed.");
     if (mode === null || min_hz === undefined || max_hz === undefined || this.stop !== null) return;
     const variables = source.variables();
     if (variables.length === 0) {
       setText(byId("target-text"), "Mark the numbers that may change: the boxes are beside their names.");
+      return;
+    }
+    const conflict = source.conflict();
+    if (conflict !== null) {
+      setText(byId("target-text"), conflict);
       return;
     }
     const question = { ...source.state(), mode: `${mode.family} ${mode.order}`, min_hz, max_hz, variables };
@@ -101,7 +115,8 @@ export class TargetPanel {
 
   private show(result: Found | Refusal): void {
     if (result.refused !== null) {
-      setText(byId("target-text"), sentences(result.refused).replace(/^./, (letter) => letter.toUpperCase()));
+      const text = this.source.inWords(sentences(result.refused));
+      setText(byId("target-text"), text.replace(/^./, (letter) => letter.toUpperCase()));
       return;
     }
     setText(byId("target-text"), `${result.sentences.join("; ")}; ${result.solves} towers solved. Undo leads back.`);

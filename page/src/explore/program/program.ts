@@ -1,7 +1,7 @@
 // The program that answers the page, as functions.
 
 import type {
-  Answer, Band, Coupled, Elasticities, Found, Reproduction, Refusal, Sheet, State, Take, TargetQuestion, Whirl, WhirlQuestion,
+  Answer, Band, Coupled, ElasticityQuestion, Elasticities, Found, Reproduction, Refusal, Sheet, State, Take, TargetQuestion, Whirl, WhirlQuestion,
 } from "../protocol.js";
 
 /** The program does not answer: it has ended. */
@@ -40,6 +40,7 @@ export async function solve(state: State): Promise<Answer | Refusal> {
 export const coupled = (state: State, signal: AbortSignal): Promise<Coupled | Refusal> => answered("coupled", state, signal);
 export const whirl = (of: WhirlQuestion, signal: AbortSignal): Promise<Whirl | Refusal> => answered("whirl", of, signal);
 export const band = (state: State, signal: AbortSignal): Promise<Band | Refusal> => answered("band", state, signal);
+export const elasticities = (of: ElasticityQuestion, signal: AbortSignal): Promise<Elasticities | Refusal> => answered("elasticities", of, signal);
 export const target = (of: TargetQuestion, signal: AbortSignal): Promise<Found | Refusal> => answered("target", of, signal);
 
 async function answered<T>(question: string, body: object, signal: AbortSignal): Promise<T> {
@@ -49,10 +50,6 @@ async function answered<T>(question: string, body: object, signal: AbortSignal):
 /** JSON has no infinity: the program writes null for the stiffness of what is rigid. */
 function orInfinite(value: number | null): number {
   return value ?? Infinity;
-}
-
-export function elasticities(state: State, mode: number): Promise<Elasticities | Refusal> {
-  return ask("elasticities", { ...state, mode }).then((response) => response.json() as Promise<Elasticities | Refusal>);
 }
 
 export function reproduce(state: State): Promise<Reproduction> {

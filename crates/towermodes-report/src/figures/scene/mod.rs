@@ -32,7 +32,7 @@ const FAR: f64 = 4.0;
 /// The forms are those of the drawing: RNA, platform and blades have no dimensions in a
 /// description and are nominal.
 pub(super) fn scene(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
-    let parts = Parts { description, tower };
+    let parts = Parts::new(description, tower);
     let mut bodies = surroundings::ground(&parts);
     bodies.extend(foundation::foundation(&parts));
     bodies.extend(wires(&parts));

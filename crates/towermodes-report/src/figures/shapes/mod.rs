@@ -32,7 +32,7 @@ pub fn shapes(description: &TowerDescription, tower: &Tower, solution: &Solution
     let mut drawing = Drawing::new(WIDTH, height);
     let mut note = String::new();
     for (index, strip) in strips(&rows, height, column).iter().enumerate() {
-        let view = draw_strip(&mut drawing, strip, Parts { description, tower }, index);
+        let view = draw_strip(&mut drawing, strip, Parts::new(description, tower), index);
         note = note_of(tower, (view.diameter_factor, view.wall_factor));
     }
     note.push_str(&left_out(solution));

@@ -51,7 +51,7 @@ pub(super) fn sheet(parts: Parts<'_>) -> (View<'_>, f64) {
 
 /// The lowest and the highest height in the picture, m: of the tower and of parts near it.
 fn extent_m(parts: &Parts<'_>) -> (f64, f64) {
-    let Parts { description, tower } = parts;
+    let (description, tower) = (parts.description, parts.tower);
     let top_m = tower.top_m();
     let platform = parts.platform();
     let heights_m = [

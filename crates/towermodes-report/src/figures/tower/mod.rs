@@ -22,6 +22,7 @@ use towermodes::{Tower, TowerDescription};
 use super::enlargement::factor;
 use super::outline::is_nominal;
 use super::parts::Parts;
+use super::scour::Surface;
 use crate::svg::{Colour, Drawing, Figure, TextStyle};
 use body::{draw_body, draw_masses};
 use callouts::{Callout, Column, draw_callouts};
@@ -37,8 +38,13 @@ use surroundings::draw_water_and_ground;
 /// bending stiffness with t = D/200, which is proportional to the fourth root of EI. RNA and
 /// platform are nominal silhouettes with their centres of mass to scale.
 pub fn tower(description: &TowerDescription, tower: &Tower) -> Figure {
+    let surface = Surface::of(description);
     let description = &description.with_ground_as_soil();
-    let (view, height) = sheet(Parts { description, tower });
+    let parts = Parts {
+        surface,
+        ..Parts::new(description, tower)
+    };
+    let (view, height) = sheet(parts);
     let mut drawing = Drawing::new(WIDTH, height);
     draw_scene(&mut drawing, &view);
     let column = Column {
@@ -60,7 +66,7 @@ pub fn tower(description: &TowerDescription, tower: &Tower) -> Figure {
         title,
         description: numbers::description(description, tower),
         drawing,
-        table: numbers::table(description, tower),
+        table: numbers::table(&parts),
     }
 }
 

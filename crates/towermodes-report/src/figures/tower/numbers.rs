@@ -2,6 +2,7 @@
 
 use towermodes::{Foundation, Support, Tower, TowerDescription};
 
+use crate::figures::parts::Parts;
 use crate::number::{length, mass, short, stiffness};
 use crate::svg::DataTable;
 
@@ -91,7 +92,8 @@ fn foundation(foundation: &Foundation, tower: &Tower) -> &'static str {
 }
 
 /// Stations or rows, point masses, RNA and surroundings as a table.
-pub(super) fn table(description: &TowerDescription, tower: &Tower) -> DataTable {
+pub(super) fn table(parts: &Parts<'_>) -> DataTable {
+    let tower = parts.tower;
     let header = [
         "part",
         "z (m)",
@@ -104,7 +106,7 @@ pub(super) fn table(description: &TowerDescription, tower: &Tower) -> DataTable 
         stations(tower),
         sections(tower),
         masses(tower),
-        around(description, tower),
+        around(parts),
     ];
     DataTable::new(header, rows.into_iter().flatten())
 }
@@ -160,7 +162,8 @@ fn masses(tower: &Tower) -> Vec<Vec<String>> {
 }
 
 /// Guy wires, water, soil.
-fn around(description: &TowerDescription, tower: &Tower) -> Vec<Vec<String>> {
+fn around(parts: &Parts<'_>) -> Vec<Vec<String>> {
+    let (description, tower) = (parts.description, parts.tower);
     let none = || [None, None, None, None];
     let wires = description.wires.iter().map(|wires| {
         let (angle, each) = (
@@ -170,10 +173,13 @@ fn around(description: &TowerDescription, tower: &Tower) -> Vec<Vec<String>> {
         let what = format!("{} guy wires, {angle}°, {each} each", wires.count);
         row(what, wires.height_m, none())
     });
+    let level = |(height_m, what): (f64, String)| row(what, height_m, none());
+    let scoured = parts.scoured_levels();
     let water = description.water.iter().flat_map(|water| {
         let bed_m = water.bed_m.unwrap_or(tower.base_m());
-        [("water level", water.level_m), ("seabed", bed_m)]
-            .map(|(what, height_m)| row(what.to_owned(), height_m, none()))
+        let bed = scoured.is_empty().then(|| (bed_m, "seabed".to_owned()));
+        let levels = [(water.level_m, "water level".to_owned())];
+        levels.into_iter().chain(bed).map(level)
     });
     let soil = description.soil.iter().flatten().map(|soil| {
         let (x, y) = (soil.stiffness.x_n_per_m2, soil.stiffness.y_n_per_m2);
@@ -181,5 +187,6 @@ fn around(description: &TowerDescription, tower: &Tower) -> Vec<Vec<String>> {
         let what = format!("soil springs {x} N/m² in x, {y} N/m² in y");
         row(what, soil.height_m, none())
     });
-    wires.chain(water).chain(soil).collect()
+    let scoured = scoured.iter().cloned().map(level);
+    wires.chain(water).chain(scoured).chain(soil).collect()
 }

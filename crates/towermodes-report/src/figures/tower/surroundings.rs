@@ -5,9 +5,10 @@ use towermodes::tower::Piece;
 
 use super::callouts::Callout;
 use super::view::View;
+use crate::figures::scour::Hole;
 use crate::figures::symbols::{hatching, held_below, held_left, spring, waves};
 use crate::number::{length, short, stiffness};
-use crate::svg::{Colour, Drawing, Stroke};
+use crate::svg::{Colour, Dash, Drawing, Stroke};
 
 /// The width of the bar of the largest soil stiffness.
 const WIDEST_BAR: f64 = 80.0;
@@ -25,18 +26,57 @@ pub(super) fn draw_water_and_ground(drawing: &mut Drawing, view: &View<'_>) {
     let frame = view.frame;
     let within = |height_m: f64| view.y(height_m).clamp(frame.top, frame.bottom);
     let ground = view.parts.ground_m().map_or(frame.bottom, within);
+    let hole = view.parts.hole().filter(|_| ground < frame.bottom);
+    let floor = hole.map_or(ground, |hole| within(hole.bottom_m));
     let around_m = view.parts.description.water.map(|water| water.level_m);
     if let Some(level_m) = around_m.or_else(|| view.parts.substructure()?.water_m()) {
         let level = within(level_m);
-        let size = (frame.right - frame.left, ground - level);
+        let size = (frame.right - frame.left, floor - level);
         drawing.rectangle((frame.left, level), size, Colour::Water, None);
         if view.shows(level_m) {
             waves(drawing, frame.left, frame.right, level);
         }
     }
     if ground < frame.bottom {
-        view.fill_below(drawing, ground, Colour::Soil);
-        held_below(drawing, frame.left + 6.0, frame.right, ground);
+        view.fill_below(drawing, floor, Colour::Soil);
+        match hole {
+            Some(hole) => draw_hole(drawing, view, &hole, [ground, floor]),
+            None => held_below(drawing, frame.left + 6.0, frame.right, ground),
+        }
+    }
+    draw_original(drawing, view);
+}
+
+/// Draws the soil beside a hole, whose sides begin at the pile, and the ground around it.
+fn draw_hole(drawing: &mut Drawing, view: &View<'_>, hole: &Hole, [ground, floor]: [f64; 2]) {
+    let frame = view.frame;
+    let radius = view.radius_at(hole.bottom_m);
+    let reach = radius + hole.beside_m(hole.top_m) * view.per_m;
+    let edge = Stroke::new(Colour::Ink, 1.4);
+    for (side, end) in [(-1.0, frame.left), (1.0, frame.right)] {
+        let at = |distance: f64| (view.axis_x + side * distance).clamp(frame.left, frame.right);
+        let (rim, foot) = ((at(reach), ground), (at(radius), floor));
+        let soil = [(end, ground), rim, foot, (end, floor)];
+        drawing.polygon(&soil, Colour::Soil, None);
+        drawing.line(rim, foot, &edge);
+        let (from, to) = match side < 0.0 {
+            true => (end + 6.0, rim.0),
+            false => (rim.0, end),
+        };
+        if from < to {
+            held_below(drawing, from, to, ground);
+        }
+    }
+}
+
+/// Draws the level before scour, dashed.
+fn draw_original(drawing: &mut Drawing, view: &View<'_>) {
+    let levels = view.parts.scoured_levels();
+    let original_m = levels.first().map(|(height_m, _)| *height_m);
+    if let Some(height_m) = original_m.filter(|height_m| view.shows(*height_m)) {
+        let y = view.y(height_m);
+        let dashed = Stroke::new(Colour::Muted, 1.0).dashed(Dash::Dashed);
+        drawing.line((view.frame.left, y), (view.frame.right, y), &dashed);
     }
 }
 
@@ -168,12 +208,19 @@ pub(super) fn callouts(view: &View<'_>) -> Vec<Callout> {
         let at = (view.frame.right, view.y(height_m));
         view.shows(height_m).then(|| Callout::whole(at, vec![text]))
     };
+    let scoured = view.parts.scoured_levels();
     let water = description.water.iter().flat_map(|water| {
         let flooded = if water.flooded { ", tower flooded" } else { "" };
         let bed_m = water.bed_m.unwrap_or(view.parts.tower.base_m());
         let surface = level(water.level_m, format!("water level{flooded}"));
-        [surface, level(bed_m, "seabed".to_owned())]
+        let bed = scoured
+            .is_empty()
+            .then(|| level(bed_m, "seabed".to_owned()));
+        [surface, bed.flatten()]
     });
+    let beds = scoured
+        .iter()
+        .map(|(height_m, name)| level(*height_m, name.clone()));
     let soil = stiffest(view).map(|(height_m, most)| {
         let x = view.axis_x + beside(view) + 4.0 + WIDEST_BAR;
         let text = format!("soil springs, largest {}", stiffness(most, "N/m²"));
@@ -184,7 +231,8 @@ pub(super) fn callouts(view: &View<'_>) -> Vec<Callout> {
         let text = format!("added mass, largest {} kg/m", short(most, 4));
         Callout::whole(view.on_shell(height_m), vec![text])
     });
-    water.flatten().chain(soil).chain(added).collect()
+    let levels = water.chain(beds).flatten();
+    levels.chain(soil).chain(added).collect()
 }
 
 /// The height of the largest added mass of a table, m, and its value, kg/m.
