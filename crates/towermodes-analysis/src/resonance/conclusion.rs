@@ -32,7 +32,7 @@ impl Campbell {
         let remarks = kinds.into_iter().filter_map(|kind| remark(self, kind));
         let remarks: Vec<String> = remarks.collect();
         if remarks.is_empty() && !self.margins.is_empty() {
-            sentences.push("No warnings.".to_owned());
+            sentences.push("No pair fails or warns.".to_owned());
         }
         sentences.extend(remarks);
         sentences.extend(self.omissions());
