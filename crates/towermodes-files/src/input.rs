@@ -234,7 +234,10 @@ impl TowerInput {
     fn note_on_written_tuners(&self) -> Option<Note> {
         let values = self.modal_values.as_ref()?;
         let [fore_aft, side_side] = [values.tuners.fore_aft, values.tuners.side_side];
-        let is_tuned = [fore_aft, side_side].as_flattened().iter().any(|tuner| *tuner != 1.0);
+        let is_tuned = [fore_aft, side_side]
+            .as_flattened()
+            .iter()
+            .any(|tuner| *tuner != 1.0);
         is_tuned.then(|| {
             let list = |[first, second]: [f64; 2]| {
                 format!("{} and {}", Plain(first), Plain(second))

@@ -233,7 +233,12 @@ fn mistakes_of_a_ground_are_shown_at_their_values() {
     let number = text("scour = { local = 3.0 }", "scour = 3.0");
     refused_text(&number, "11:9", "must be a table", "= 3.0 }");
     let phi = text("friction_angle = 33.0", "phi = 33.0");
-    refused_text(&phi, "17:1", "is not a key", "did you mean `friction_angle`?");
+    refused_text(
+        &phi,
+        "17:1",
+        "is not a key",
+        "did you mean `friction_angle`?",
+    );
 }
 
 /// The edition of API is noted where it is not given and matters.

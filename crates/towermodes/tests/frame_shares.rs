@@ -5,7 +5,8 @@ use towermodes::frame::*;
 use towermodes::tower::{Tube, Water};
 use towermodes::{
     AddedMassAt, AddedMassTable, Family, FloatingPlatform, Foundation, Material, Method, Mode,
-    Options, Planes, Properties, PropertyStation, RigidBody, Solution, Station, Tower, TowerDescription, solve,
+    Options, Planes, Properties, PropertyStation, RigidBody, Solution, Station, Tower,
+    TowerDescription, solve,
 };
 use towermodes_testing::with;
 
@@ -232,5 +233,10 @@ fn a_pile_that_turns_below_a_tower_rigid_in_torsion_has_a_torsion_mode() {
     let (outer, inner) = (6.0_f64, 5.88_f64);
     let polar = std::f64::consts::PI / 32.0 * (outer.powi(4) - inner.powi(4));
     let inertia = turning.modal_inertia_kg_m2.expect("of a torsion mode");
-    assert_close(inertia, 0.5 * density * polar * length_m, 1e-3, "modal inertia");
+    assert_close(
+        inertia,
+        0.5 * density * polar * length_m,
+        1e-3,
+        "modal inertia",
+    );
 }

@@ -24,7 +24,9 @@ const WANTED: [(Family, usize); 10] = [
 
 /// The modes of a tower among them.
 fn wanted(towers: [&Tower; 2]) -> &'static [(Family, usize)] {
-    let floats = towers.into_iter().any(|tower| tower.linear_platform().is_some());
+    let floats = towers
+        .into_iter()
+        .any(|tower| tower.linear_platform().is_some());
     match floats {
         true => &WANTED,
         false => &WANTED[6..],

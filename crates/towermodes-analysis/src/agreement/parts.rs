@@ -49,13 +49,19 @@ pub(super) struct Described<'a> {
 
 const QUANTITIES: [Quantity; 12] = [
     mass("RNA mass", "kg", |of| of.rna(|rna| rna.mass_kg)),
-    mass("RNA inertia about the fore-aft axis at the tower top", "kg m2", |of| {
-        of.rna_inertia(3)
+    mass(
+        "RNA inertia about the fore-aft axis at the tower top",
+        "kg m2",
+        |of| of.rna_inertia(3),
+    ),
+    mass(
+        "RNA inertia about the side-side axis at the tower top",
+        "kg m2",
+        |of| of.rna_inertia(4),
+    ),
+    mass("RNA inertia about the tower axis", "kg m2", |of| {
+        of.rna_inertia(5)
     }),
-    mass("RNA inertia about the side-side axis at the tower top", "kg m2", |of| {
-        of.rna_inertia(4)
-    }),
-    mass("RNA inertia about the tower axis", "kg m2", |of| of.rna_inertia(5)),
     mass("substructure mass", "kg", |of| {
         let members_kg = of.tower.structure_mass_kg() - of.tower.mass_kg();
         of.tower.frame().map(|_| members_kg)
@@ -71,7 +77,7 @@ const QUANTITIES: [Quantity; 12] = [
     stiffness("mooring stiffness in sway", "N/m", |of| of.mooring(1)),
     stiffness("mooring stiffness in heave", "N/m", |of| of.mooring(2)),
     stiffness("mooring stiffness in yaw", "N m", |of| of.mooring(5)),
-    mass("water depth", "m", Described::water_depth_m),
+    mass("water depth", "m", |of| of.water_depth_m()),
 ];
 
 const fn mass(
@@ -80,7 +86,12 @@ const fn mass(
     of: fn(&Described<'_>) -> Option<f64>,
 ) -> Quantity {
     let limit = Limit::Mass;
-    Quantity { name, unit, limit, of }
+    Quantity {
+        name,
+        unit,
+        limit,
+        of,
+    }
 }
 
 const fn stiffness(
@@ -89,7 +100,12 @@ const fn stiffness(
     of: fn(&Described<'_>) -> Option<f64>,
 ) -> Quantity {
     let limit = Limit::Stiffness;
-    Quantity { name, unit, limit, of }
+    Quantity {
+        name,
+        unit,
+        limit,
+        of,
+    }
 }
 
 impl Described<'_> {

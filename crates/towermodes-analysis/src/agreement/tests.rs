@@ -297,10 +297,16 @@ fn a_floater_with_other_moorings_fails() {
     let surge = part("mooring stiffness in surge").expect("moorings");
     close(surge.difference.expect("both"), -0.2);
     assert_eq!(surge.verdict, Verdict::Fail);
-    assert_eq!(part("platform mass").expect("a platform").verdict, Verdict::Pass);
+    assert_eq!(
+        part("platform mass").expect("a platform").verdict,
+        Verdict::Pass
+    );
     assert_eq!(part("substructure mass"), None);
     let modes = &agreement.frequencies_as_given;
-    let surge = modes.iter().find(|mode| mode.label == Family::Surge.label(1)).expect("surge");
+    let surge = modes
+        .iter()
+        .find(|mode| mode.label == Family::Surge.label(1))
+        .expect("surge");
     let change = surge.difference.expect("both");
     assert!((change - (0.8_f64.sqrt() - 1.0)).abs() < 0.02, "{change}");
     assert_eq!(compare(&floater, &floater).verdict, Verdict::Pass);

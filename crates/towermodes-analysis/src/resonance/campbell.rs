@@ -3,7 +3,6 @@
 
 use thiserror::Error;
 
-use super::margin::is_strong;
 use super::mode_class::ModeClass;
 use super::not_checked::NotChecked;
 use crate::verdict::Verdict;
@@ -292,6 +291,11 @@ impl Campbell {
         }
         modes
     }
+}
+
+/// Whether a multiple is 1P or the blade passing frequency.
+pub(super) fn is_strong(multiple: usize, rotor: &Rotor) -> bool {
+    multiple == 1 || multiple == rotor.blades
 }
 
 /// Why there is no Campbell diagram.

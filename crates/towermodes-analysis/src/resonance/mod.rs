@@ -33,5 +33,5 @@ pub use reach::{MOST_MODES, reach_hz, solve_to_reach};
 pub(crate) use remark::mode_lost;
 pub use remark::{Assessment, Covered, Remark, assess};
 pub use rotor::{ChosenRotor, GivenRotor};
-pub use weight::WeightLeftOut;
 pub(crate) use sweep::speeds_rpm;
+pub use weight::WeightLeftOut;

@@ -50,7 +50,9 @@ fn implausible(rotor: &Rotor, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         "a rotor speed of {lowest} to {highest} rpm is that of no turbine of this size"
     )?;
     let units = [("Hz", 60.0), ("rad/s", 60.0 / std::f64::consts::TAU)];
-    let likely = units.into_iter().filter(|(_, in_rpm)| LIKELY_RPM.contains(&(speeds[1] * in_rpm)));
+    let likely = units
+        .into_iter()
+        .filter(|(_, in_rpm)| LIKELY_RPM.contains(&(speeds[1] * in_rpm)));
     for (unit, in_rpm) in likely {
         let [lowest, highest] = speeds.map(|speed| four_digits(in_rpm * speed));
         write!(f, "; if it is in {unit}, it is {lowest} to {highest} rpm")?;
@@ -99,11 +101,7 @@ pub fn unknown_speeds(blades: usize, solution: &Solution, tip_radius_m: Option<f
 const MOST_OUT_OF_BALANCE: f64 = 0.1;
 
 /// What is unknown about a tower and its rotor.
-pub(crate) fn not_checked(
-    tower: &Tower,
-    rotor: &Rotor,
-    speeds_are_known: bool,
-) -> Vec<NotChecked> {
+pub(crate) fn not_checked(tower: &Tower, rotor: &Rotor, speeds_are_known: bool) -> Vec<NotChecked> {
     let parts = tower.missing_parts().cloned();
     let speeds = match speeds_are_known {
         false => Some(NotChecked::SpeedsUnknown),
@@ -145,7 +143,10 @@ mod tests {
             let weight_n = {
                 let platform = description.foundation.floating_mut().expect("it floats");
                 let center_m = [0.0, 0.0];
-                platform.buoyancy = Some(Buoyancy { force_n: 1.0, center_m });
+                platform.buoyancy = Some(Buoyancy {
+                    force_n: 1.0,
+                    center_m,
+                });
                 let balance = tower(description.clone()).static_balance();
                 balance.expect("a balance").weight_n()
             };
@@ -183,11 +184,15 @@ mod tests {
         assert!(reasons(5.0, 12.0).is_empty());
         assert_eq!(
             reasons(0.09, 0.2),
-            ["a rotor speed of 0.09 to 0.2 rpm is that of no turbine of this size; if it is in Hz, it is 5.400 to 12.00 rpm"]
+            [
+                "a rotor speed of 0.09 to 0.2 rpm is that of no turbine of this size; if it is in Hz, it is 5.400 to 12.00 rpm"
+            ]
         );
         assert_eq!(
             reasons(0.5, 1.25),
-            ["a rotor speed of 0.5 to 1.25 rpm is that of no turbine of this size; if it is in rad/s, it is 4.775 to 11.94 rpm"]
+            [
+                "a rotor speed of 0.5 to 1.25 rpm is that of no turbine of this size; if it is in rad/s, it is 4.775 to 11.94 rpm"
+            ]
         );
     }
 }

@@ -6,8 +6,8 @@ use towermodes::modes::Family;
 use towermodes::tower::Tower;
 use towermodes::{Method, Options, Solution, Solver};
 
-/// A smaller relative change of the first frequencies is not reported: a third of the distance that
-/// is usually required is decided by other inputs.
+/// A smaller relative change of the first frequencies is not reported: it is a fifth of the usual
+/// margin, and other inputs are not known so well.
 const WORTH_A_WARNING: f64 = 0.01;
 
 /// Standard gravity, m/s².
@@ -79,8 +79,8 @@ mod tests {
         WeightLeftOut::of(&tower.expect("a tower")).map(|weight| weight.change)
     }
 
-    /// A heavy mass on a uniform clamped column: its load over Euler's, P/(π² EI/4 L²) with a
-    /// third of the column's weight, lowers f by half of that.
+    /// A heavy mass on a uniform clamped column: f is lower by half of the load over Euler's, π²
+    /// EI/(4 L²). Of the column's own weight 5/16 act, with the deflection by a force on the top.
     #[test]
     fn the_change_is_half_the_ratio_of_load_to_buckling_load() {
         let (modulus, length_m, rna_kg) = (2.1e11_f64, 100.0_f64, 500e3);
@@ -89,11 +89,11 @@ mod tests {
         let area = pi / 4.0 * (outer * outer - inner * inner);
         let second = pi / 64.0 * (outer.powi(4) - inner.powi(4));
         let euler_n = pi * pi * modulus * second / (4.0 * length_m * length_m);
-        let load_n = 9.80665 * (rna_kg + 0.3 * 7850.0 * area * length_m);
+        let load_n = 9.80665 * (rna_kg + 5.0 / 16.0 * 7850.0 * area * length_m);
         let expected = (1.0 - load_n / euler_n).sqrt() - 1.0;
         let found = change(0.0, rna_kg).expect("a change");
         // The shape of the column is not that of buckling: second order in the difference.
-        assert!((found / expected - 1.0).abs() < 0.03, "{found} {expected}");
+        assert!((found / expected - 1.0).abs() < 0.04, "{found} {expected}");
         assert!(found < -0.01);
     }
 

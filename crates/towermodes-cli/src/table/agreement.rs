@@ -67,7 +67,11 @@ fn whole(agreement: &Agreement) -> String {
     let as_given = agreement.frequencies_as_given.iter();
     let as_given = as_given.map(|mode| frequency("complete model", mode));
     let header = ["", "first", "second", "difference", "verdict"];
-    text_table(header, totals.chain(parts).chain(bare).chain(as_given), 1..=3)
+    text_table(
+        header,
+        totals.chain(parts).chain(bare).chain(as_given),
+        1..=3,
+    )
 }
 
 /// A compared quantity of the whole towers with its name and its format.

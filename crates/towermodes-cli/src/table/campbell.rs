@@ -125,7 +125,10 @@ pub(super) fn weight(tower: &Tower) -> &'static str {
 
 /// The rule of the verdicts: "margin 5 % (1P and 3P with tower modes: WARN below 10 %)".
 fn rule(campbell: &Campbell) -> String {
-    let strong: Vec<String> = campbell.strong_multiples().map(|n| format!("{n}P")).collect();
+    let strong: Vec<String> = campbell
+        .strong_multiples()
+        .map(|n| format!("{n}P"))
+        .collect();
     let margin = percent(campbell.margin);
     match strong.is_empty() {
         true => format!("margin {margin} %"),

@@ -1,9 +1,9 @@
 //! Whole decks: the tower they describe, and files that are not there.
 
 use towermodes::{Foundation, Rna, Tower};
+use towermodes_analysis::elastodyn::Damping;
 use towermodes_files::elastodyn::{ElastoDynDeck, read_elastodyn};
 use towermodes_files::{InMemory, ReadError, ReadOptions, RotorLock, read_source};
-use towermodes_analysis::elastodyn::Damping;
 use towermodes_testing::{Says, with};
 
 use crate::elastodyn::texts::{BLADE, TOWER, deck, files, main_text, source};
@@ -517,12 +517,20 @@ fn shapes_of_a_floating_deck_are_with_gravity() {
 #[test]
 fn a_written_tower_file_has_the_damping_of_the_deck() {
     let found = deck(&[]);
-    let given = (found.tower.fore_aft_damping_percent, found.tower.side_side_damping_percent);
+    let given = (
+        found.tower.fore_aft_damping_percent,
+        found.tower.side_side_damping_percent,
+    );
     let Damping::Kept(kept) = found.input.damping_for_tower_file() else {
         panic!("the damping of the deck is not kept");
     };
     assert_eq!((kept.fore_aft, kept.side_side), given);
-    let notes: Vec<String> = found.input.notes_on_tower_file().iter().map(ToString::to_string).collect();
+    let notes: Vec<String> = found
+        .input
+        .notes_on_tower_file()
+        .iter()
+        .map(ToString::to_string)
+        .collect();
     notes.join(" ").says("are reset to 1 in the written file");
 }
 
@@ -531,7 +539,9 @@ fn a_written_tower_file_has_the_damping_of_the_deck() {
 fn a_nacelle_in_tonnes_is_a_warning() {
     let said = |mass: &str| {
         let deck = deck(&[("NacMass", mass), ("TowerHt", "90")]);
-        messages(&deck).iter().any(|note| note.contains("NacMass is 644.857 kg on a tower of"))
+        messages(&deck)
+            .iter()
+            .any(|note| note.contains("NacMass is 644.857 kg on a tower of"))
     };
     assert!(said("644.857") && !said("644857"));
 }

@@ -3,11 +3,7 @@
 use crate::sampling::probability;
 
 /// The probability that a normal frequency is in a range.
-pub(super) fn inside(
-    [low_hz, high_hz]: [f64; 2],
-    mean_hz: f64,
-    deviation_hz: f64,
-) -> f64 {
+pub(super) fn inside([low_hz, high_hz]: [f64; 2], mean_hz: f64, deviation_hz: f64) -> f64 {
     if deviation_hz == 0.0 {
         return f64::from(u8::from(low_hz < mean_hz && mean_hz < high_hz));
     }

@@ -190,6 +190,9 @@ fn point_masses_in_tonnes() {
         }
     };
     quiet(reference(), with(10.1));
-    let place = Place::PointMass { index: 0, key: "mass" };
+    let place = Place::PointMass {
+        index: 0,
+        key: "mass",
+    };
     assert_eq!(odd(PointMassQuantity, place, reference(), with(6.2)), 6.2);
 }

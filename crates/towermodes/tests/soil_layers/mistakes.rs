@@ -562,7 +562,8 @@ fn scour_that_leaves_little_of_a_pile_is_warned_of() {
         ground_of(&mut description).scour.local_m = local_m;
         let tower = Tower::new(description).expect("possible");
         let said = tower.warnings().iter().map(ToString::to_string);
-        said.filter(|text| text.contains("scour of")).collect::<Vec<_>>()
+        said.filter(|text| text.contains("scour of"))
+            .collect::<Vec<_>>()
     };
     assert_eq!(warnings(17.0), [""; 0]);
     let deep = warnings(34.0);
@@ -581,7 +582,8 @@ fn a_pair_in_two_units_is_warned_of() {
         layers[1] = layer([-25.0, -34.0], LayerSoil::Clay(soil), SoilModel::Api);
         let tower = Tower::new(description).expect("possible");
         let said = tower.warnings().iter().map(ToString::to_string);
-        said.filter(|text| text.contains("undrained shear strength is")).collect::<Vec<_>>()
+        said.filter(|text| text.contains("undrained shear strength is"))
+            .collect::<Vec<_>>()
     };
     assert_eq!(warnings([8e4, 1.2e5]), [""; 0]);
     let mixed = warnings([8e4, 120.0]);

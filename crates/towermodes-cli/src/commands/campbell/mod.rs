@@ -335,7 +335,9 @@ fn for_verdicts(reasons: &[NotChecked], format: FileFormat) -> String {
     let hint = |reason: &NotChecked| match reason {
         NotChecked::PartsMissing(_) => WHOLE,
         NotChecked::SpeedsUnknown => speeds,
-        NotChecked::SpeedsImplausible(_) => "give the operating speeds in rpm ([rotor] rpm or --rpm)",
+        NotChecked::SpeedsImplausible(_) => {
+            "give the operating speeds in rpm ([rotor] rpm or --rpm)"
+        }
         NotChecked::OutOfBalance(_) => {
             "check masses, displaced volume and mooring lines; the line `static balance` of solve gives each part"
         }
