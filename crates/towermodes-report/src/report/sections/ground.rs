@@ -4,7 +4,7 @@ use towermodes::{Ground, GroundLayer, HeadStiffness, SpringsAt, Tower};
 
 use super::super::table::Table;
 use super::inputs::{in_short, of_inputs};
-use crate::number::{NOTHING, given, length};
+use crate::number::{given, length};
 
 /// More layers are not shown.
 const MOST_LAYERS: usize = 50;
