@@ -174,13 +174,14 @@ fn to_elastodyn(input: &TowerInput, options: &ConvertOptions) -> Result<Converte
     let options = MakeOptions {
         from_m: options.from_height_m.or(input.joint_m),
         has_concentrated_masses: true,
+        damping: input.damping_for_tower_file(),
         ..MakeOptions::default()
     };
     let made = make_tower_file(&tower, &options)?;
     let has_masses = !made.content.concentrated_masses.is_empty();
     let text = write_tower_file(&made.content, has_masses)?;
     let mut notes = made.notes;
-    notes.extend(input.note_on_shapes());
+    notes.extend(input.notes_on_tower_file());
     notes.extend(left_out(&input.description_for_shapes()));
     if has_masses {
         notes.push(Note::new(

@@ -1,7 +1,8 @@
 //! The result of a reader: the description of a tower or blade, and the place of each value.
 
 use towermodes::turbine::TurbineDescription;
-use towermodes::{Place, Tower, TowerDescription, TowerError};
+use towermodes::{Place, Plain, Planes, Tower, TowerDescription, TowerError};
+use towermodes_analysis::elastodyn::Damping;
 
 use crate::diagnostic::line_and_column;
 use crate::error::ReadError;
@@ -74,6 +75,8 @@ pub struct TowerInput {
     pub turbine_notes: Vec<Note>,
     /// Height of the joint between monopile and tower, m, if there is a monopile.
     pub joint_m: Option<f64>,
+    /// The damping and the tuners of the modes, if a tower file of ElastoDyn gives them.
+    pub(crate) modal_values: Option<ModalValues>,
     /// The layout of results that the file prescribes.
     pub layout: OutLayout,
     /// Notes on what the reader decided, left out or could not take over.
@@ -105,6 +108,7 @@ impl TowerInput {
             turbine_missing: None,
             turbine_notes: Vec::new(),
             joint_m: None,
+            modal_values: None,
             layout: OutLayout::default(),
             notes: Vec::new(),
             rotor_notes: RotorNotes::default(),
@@ -188,20 +192,61 @@ impl TowerInput {
     ///
     /// An ElastoDyn model is without gravity then, as are the modes of BModes, from which these
     /// shapes are usually made: ElastoDyn adds the geometric stiffness of the self-weight itself.
-    /// Any other tower is as its file describes it.
+    /// A floating one keeps gravity, because weight and buoyancy are what holds it. Any other
+    /// tower is as its file describes it.
     pub fn description_for_shapes(&self) -> TowerDescription {
         let mut description = self.description.clone();
-        if self.format == FileFormat::ElastoDyn {
+        if self.format == FileFormat::ElastoDyn && description.foundation.floating().is_none() {
             description.gravity_m_per_s2 = 0.0;
         }
         description
     }
 
-    /// The note that these modes are without gravity, if the description is not.
+    /// The note on gravity in these modes, if the description is of an ElastoDyn model with
+    /// gravity.
     pub fn note_on_shapes(&self) -> Option<Note> {
         let has_gravity = self.description.gravity_m_per_s2 != 0.0;
+        let floats = self.description.foundation.floating().is_some();
         (self.format == FileFormat::ElastoDyn && has_gravity).then(|| {
-            Note::new("the shapes are computed without gravity, as in BModes, because ElastoDyn itself adds the geometric stiffness of the self-weight")
+            Note::new(match floats {
+                false => "the shapes are computed without gravity, as in BModes, because ElastoDyn itself adds the geometric stiffness of the self-weight",
+                true => "the shapes are computed with gravity, because weight and buoyancy hold the floating platform",
+            })
+        })
+    }
+
+    /// The damping ratios that a tower file of ElastoDyn made of this tower has: those of the
+    /// tower file that it was read from, otherwise 1 %.
+    pub fn damping_for_tower_file(&self) -> Damping {
+        let given = self.modal_values.as_ref();
+        given.map_or(Damping::Written(1.0), |values| {
+            Damping::Kept(values.damping_percent)
+        })
+    }
+
+    /// The notes on a tower file made of this tower: on gravity, and on the tuners.
+    pub fn notes_on_tower_file(&self) -> Vec<Note> {
+        let notes = [self.note_on_shapes(), self.note_on_written_tuners()];
+        notes.into_iter().flatten().collect()
+    }
+
+    /// The note that the tuners of the tower file that was read are 1 in one that is written.
+    fn note_on_written_tuners(&self) -> Option<Note> {
+        let values = self.modal_values.as_ref()?;
+        let [fore_aft, side_side] = [values.tuners.fore_aft, values.tuners.side_side];
+        let is_tuned = [fore_aft, side_side]
+            .as_flattened()
+            .iter()
+            .any(|tuner| *tuner != 1.0);
+        is_tuned.then(|| {
+            let list = |[first, second]: [f64; 2]| {
+                format!("{} and {}", Plain(first), Plain(second))
+            };
+            Note::left_out(format!(
+                "the tuners FAStTunr ({}) and SSStTunr ({}) are reset to 1 in the written file: they were chosen for other shapes",
+                list(fore_aft),
+                list(side_side)
+            ))
         })
     }
 
@@ -240,6 +285,15 @@ impl TowerInput {
     pub fn sources(&self) -> &[Source] {
         &self.sources
     }
+}
+
+/// What a tower file of ElastoDyn says of the modes and not of the tower.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ModalValues {
+    /// Structural damping of the first and second mode, percent of critical.
+    pub(crate) damping_percent: Planes<[f64; 2]>,
+    /// Factors of their modal stiffnesses.
+    pub(crate) tuners: Planes<[f64; 2]>,
 }
 
 /// The layout of results that a BModes deck prescribes.

@@ -210,6 +210,8 @@ fn mistakes_of_a_ground_are_shown_at_their_values() {
     let cases = r#"
         scour = { local = 3.0 } | scour = { local = -3.0 } | 11:19 | local scour is -3 m
         scour = { local = 3.0 } | scour = { general = -1 } | 11:21 | general scour is -1 m
+        scour = { local = 3.0 } | scour = 3.0 | 11:9 | scour must be a table, found a number
+        friction_angle = 33.0 | phi = 33.0 | 17:1 | is not a key
         bottom = -14.0 | bottom = -13.0 | 21:7 | there is a gap between them
         bottom = -14.0 | bottom = 2.0 | 16:10 | is not below its top
         bottom = -40.0 | bottom = -30.0 | 22:10 | above the tip of the pile
@@ -227,6 +229,16 @@ fn mistakes_of_a_ground_are_shown_at_their_values() {
         let text = PILE.replacen(from, to, 1);
         refused_text(&text, place, message, "");
     }
+    let text = |from, to| PILE.replacen(from, to, 1);
+    let number = text("scour = { local = 3.0 }", "scour = 3.0");
+    refused_text(&number, "11:9", "must be a table", "= 3.0 }");
+    let phi = text("friction_angle = 33.0", "phi = 33.0");
+    refused_text(
+        &phi,
+        "17:1",
+        "is not a key",
+        "did you mean `friction_angle`?",
+    );
 }
 
 /// The edition of API is noted where it is not given and matters.

@@ -85,8 +85,9 @@ fn few_values_and_none_have_statistics_too() {
     assert_eq!(results(&[]).summary(None).rows, 0);
 }
 
-/// 1P from 6.9 to 12.1 rpm and 5 %: frequencies from 0.115/1.05 to 0.2017/0.95 Hz are too near, the
-/// errors of 1e-6 Hz included.
+/// 1P from 6.9 to 12.1 rpm and 5 %: frequencies from 0.115/1.05 = 0.1095238 to 0.201667/0.95 =
+/// 0.2122807 Hz are too near. 0.2122811 Hz is not, but could be with its error of 1e-6 Hz; 0.1095243
+/// Hz is, but could not be.
 #[test]
 fn violated_margins_are_counted() {
     let rotor = rotor(3, 6.9, 12.1);
@@ -94,11 +95,11 @@ fn violated_margins_are_counted() {
     let frequencies = [
         0.1,
         0.109,
-        0.11,
+        0.109_524_3,
         0.15,
         0.21,
         0.2122,
-        0.2123,
+        0.212_281_1,
         0.33,
         0.0,
         f64::NAN,
@@ -110,6 +111,7 @@ fn violated_margins_are_counted() {
     let expected = MarginSummary {
         multiple: 1,
         violated: 4,
+        violated_within_errors: [3, 5],
         count: 8,
     };
     assert_eq!(margins[0], expected);

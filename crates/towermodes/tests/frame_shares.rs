@@ -4,8 +4,9 @@ use crate::towers::{self, assert_close, carried, on_foundation};
 use towermodes::frame::*;
 use towermodes::tower::{Tube, Water};
 use towermodes::{
-    AddedMassAt, AddedMassTable, Family, FloatingPlatform, Foundation, Material, Method, Options,
-    RigidBody, Solution, Station, Tower, TowerDescription, solve,
+    AddedMassAt, AddedMassTable, Family, FloatingPlatform, Foundation, Material, Method, Mode,
+    Options, Planes, Properties, PropertyStation, RigidBody, Solution, Station, Tower,
+    TowerDescription, solve,
 };
 use towermodes_testing::with;
 
@@ -182,4 +183,60 @@ fn no_mode_of_a_floater_has_more_than_all_mass() {
     }
     let sums = held.effective_mass_shares().expect("one mass matrix");
     assert!(sums.iter().all(|sum| *sum < 1.0 + 1e-9), "{sums:?}");
+}
+
+/// Under a tower that is rigid in torsion and has no polar inertia, as those of ElastoDyn, a pile
+/// clamped at its foot turns like a shaft with a free end: f = √(G/ρ)/(4 L).
+#[test]
+fn a_pile_that_turns_below_a_tower_rigid_in_torsion_has_a_torsion_mode() {
+    let (shear_pa, density, length_m) = (1e9_f64, 7850.0, 30.0);
+    let soft = Material::from_shear_modulus(density, 2.1e11, shear_pa);
+    let section = Tube {
+        outer_diameter_m: 6.0,
+        wall_thickness_m: 0.06,
+    };
+    let member = |ends| FrameMember::tube("pile", ends, [section; 2], soft.clone());
+    let heights_m = [-length_m, -12.0, 0.0];
+    let joints = heights_m.iter().enumerate();
+    let joints = joints.map(|(k, z)| FrameJoint::new((k + 1).to_string(), [0.0, 0.0, *z]));
+    let frame = FrameDescription {
+        joints: joints.collect(),
+        members: vec![member([0, 1]), member([1, 2])],
+        supports: vec![FrameSupport::clamped(0)],
+        ..FrameDescription::default()
+    };
+    let row = |height_m| PropertyStation {
+        height_m,
+        properties: Properties {
+            mass_kg_per_m: 4000.0,
+            rotary_inertia_kg_m: Planes::both(0.0),
+            polar_inertia_kg_m: 0.0,
+            bending_n_m2: Planes::both(6e11),
+            torsion_n_m2: f64::INFINITY,
+            axial_n: f64::INFINITY,
+            shear_n: None,
+        },
+    };
+    let description = TowerDescription {
+        properties: vec![row(0.0), row(60.0)],
+        foundation: carried(frame, &[2], [0.0; 3]),
+        ..TowerDescription::default()
+    };
+    let expected_hz = (shear_pa / density).sqrt() / (4.0 * length_m);
+    let solution = modes(description, &with!(Options, modes = 12));
+    let near = |mode: &&Mode| (mode.frequency_hz / expected_hz - 1.0).abs() < 1e-4;
+    let turning = solution.modes.iter().find(near).expect("a mode");
+    assert_eq!((turning.family, turning.order), (Family::Torsion, 1));
+    let energy = turning.energy.mean();
+    assert!((energy.torsion - 1.0).abs() < 1e-9, "{energy:?}");
+    // Half of the pile's ρ J L moves with the head; of the tower nothing turns.
+    let (outer, inner) = (6.0_f64, 5.88_f64);
+    let polar = std::f64::consts::PI / 32.0 * (outer.powi(4) - inner.powi(4));
+    let inertia = turning.modal_inertia_kg_m2.expect("of a torsion mode");
+    assert_close(
+        inertia,
+        0.5 * density * polar * length_m,
+        1e-3,
+        "modal inertia",
+    );
 }

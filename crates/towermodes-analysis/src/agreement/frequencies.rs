@@ -8,13 +8,30 @@ use towermodes::modes::Family;
 use towermodes::tower::Tower;
 use towermodes::{Options, Solution, Solver};
 
-/// The modes that are compared.
-const WANTED: [(Family, usize); 4] = [
+/// The modes that are compared: of a tower that floats all, of others those of the tower.
+const WANTED: [(Family, usize); 10] = [
+    (Family::Surge, 1),
+    (Family::Sway, 1),
+    (Family::Heave, 1),
+    (Family::Roll, 1),
+    (Family::Pitch, 1),
+    (Family::Yaw, 1),
     (Family::ForeAft, 1),
     (Family::SideSide, 1),
     (Family::ForeAft, 2),
     (Family::SideSide, 2),
 ];
+
+/// The modes of a tower among them.
+fn wanted(towers: [&Tower; 2]) -> &'static [(Family, usize)] {
+    let floats = towers
+        .into_iter()
+        .any(|tower| tower.linear_platform().is_some());
+    match floats {
+        true => &WANTED,
+        false => &WANTED[6..],
+    }
+}
 
 /// The search for a mode ends after this many modes: coupled motions may have other names.
 const MOST_MODES: usize = 32;
@@ -36,30 +53,33 @@ pub struct ComparedFrequency {
     pub verdict: Verdict,
 }
 
-/// The first two frequencies in each plane by the method spectral, without modes that neither tower
+/// The first two frequencies in each plane by the method spectral, and those of a floating platform,
+/// without modes that neither tower
 /// has.
 pub(super) fn frequencies(
     towers: [&Tower; 2],
     rotary_inertia: bool,
     limit: f64,
 ) -> Result<Vec<ComparedFrequency>, AgreementError> {
+    let wanted = wanted(towers);
     let options = Options {
         method: Method::Spectral,
         rotary_inertia,
-        modes: WANTED.len(),
+        modes: wanted.len(),
         points: 2,
         ..Options::default()
     };
     let solved = |tower: &Tower, which: WhichTower| {
         let mut solver = Solver::new(options.clone());
+        let has_all = |solution: &Solution| has_all(solution, wanted);
         let solution = solver.until(usize::MAX, |solver| solver.solve(tower), has_all);
         solution.map_err(|error| AgreementError::Solve { which, error })
     };
     let first = solved(towers[0], WhichTower::First)?;
     let second = solved(towers[1], WhichTower::Second)?;
-    let modes = WANTED.into_iter().map(|mode| {
+    let modes = wanted.iter().map(|mode| {
         let hz = |solution: &Solution| Some(solution.mode(mode.0, mode.1)?.frequency_hz);
-        compared(mode, hz(&first), hz(&second), limit)
+        compared(*mode, hz(&first), hz(&second), limit)
     });
     Ok(modes
         .filter(|mode| mode.first_hz.is_some() || mode.second_hz.is_some())
@@ -83,7 +103,7 @@ fn compared(
     }
 }
 
-fn has_all(solution: &Solution) -> bool {
+fn has_all(solution: &Solution, wanted: &[(Family, usize)]) -> bool {
     let is_there = |(family, order): &(Family, usize)| solution.mode(*family, *order).is_some();
-    WANTED.iter().all(is_there) || solution.modes.len() >= MOST_MODES
+    wanted.iter().all(is_there) || solution.modes.len() >= MOST_MODES
 }

@@ -12,6 +12,7 @@ mod examination;
 mod frequencies;
 mod heights;
 mod pair;
+mod parts;
 #[cfg(test)]
 mod tests;
 
@@ -23,6 +24,7 @@ pub use examination::{Examination, ExaminationRow, examine};
 pub use frequencies::ComparedFrequency;
 pub use heights::{AgreementRow, LargestDifference};
 pub use pair::agree;
+pub use parts::ComparedPart;
 
 use std::fmt;
 
@@ -119,11 +121,15 @@ pub struct Agreement {
     pub largest_bending: Planes<LargestDifference>,
     /// Values by height: at equal distances, and where the differences are largest.
     pub rows: Vec<AgreementRow>,
+    /// What stands on the towers and carries them: rotor-nacelle assembly, substructure, platform,
+    /// moorings, water; what neither tower has is left out.
+    pub parts: Vec<ComparedPart>,
     /// The first frequencies of the overlap, clamped, with its point masses only: Euler-Bernoulli
     /// beams without rotary inertia, shear deformation and gravity, because the files of some
     /// programs do not contain these.
     pub frequencies_bare: Vec<ComparedFrequency>,
-    /// The first frequencies of both whole towers as described, with rotor-nacelle assembly,
+    /// The first frequencies of both whole towers as described, those of a floating platform
+    /// included, with rotor-nacelle assembly,
     /// foundation, surroundings, rotary inertia and shear deformation; empty if neither tower has a
     /// rotor-nacelle assembly, a foundation, surroundings or gravity.
     pub frequencies_as_given: Vec<ComparedFrequency>,
@@ -177,6 +183,7 @@ impl Agreement {
             .map(|compared| compared.verdict)
             .chain(below)
             .chain(modes.map(|mode| mode.verdict))
+            .chain(self.parts.iter().map(|part| part.verdict))
             .fold(self.ranges_verdict(), Verdict::max)
     }
 }

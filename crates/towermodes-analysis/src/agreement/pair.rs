@@ -5,6 +5,7 @@ use super::columns::{Columns, HeightRange, SAME_HEIGHT_M, is_same_height, tip_fl
 use super::compared::{AgreementLimits, Compared};
 use super::frequencies::{ComparedFrequency, frequencies};
 use super::heights::Heights;
+use super::parts::{Described, compared_parts};
 use super::{Agreement, AgreementError, WhichTower};
 use crate::verdict::Verdict;
 use towermodes::tower::{Foundation, Planes, PointMass, Tower, TowerDescription};
@@ -52,6 +53,7 @@ pub fn agree(
         largest_mass,
         largest_bending,
         rows: heights.rows(&furthest_m),
+        parts: compared_parts(pair.described(), limits),
         frequencies_bare: pair.frequencies_bare(limits.frequency)?,
         frequencies_as_given: pair.frequencies_as_given(limits.frequency)?,
     };
@@ -82,6 +84,13 @@ impl<'a> Pair<'a> {
             towers,
             ranges,
             overlap,
+        })
+    }
+
+    fn described(&self) -> [Described<'_>; 2] {
+        [0, 1].map(|i| Described {
+            description: self.descriptions[i],
+            tower: &self.towers[i],
         })
     }
 

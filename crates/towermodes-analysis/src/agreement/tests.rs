@@ -1,6 +1,7 @@
 //! Towers whose differences are known by hand.
 
 use super::*;
+use towermodes::Family;
 use towermodes::tower::{Material, PointMass, Rna, Station, TowerDescription};
 
 fn steel() -> Vec<Material> {
@@ -279,4 +280,45 @@ fn what_is_no_tower_is_answered_with_which() {
         }
     ));
     assert!(error.to_string().starts_with("the second tower: station 2"));
+}
+
+/// Softer moorings change no number of the tower, but surge: by the square root of the stiffness,
+/// if only that resists it.
+#[test]
+fn a_floater_with_other_moorings_fails() {
+    let floater = towermodes_verify::towers::floater();
+    let mut softer = floater.clone();
+    let platform = softer.foundation.floating_mut().expect("it floats");
+    let matrix = &mut platform.mooring.matrix;
+    matrix.as_flattened_mut().iter_mut().for_each(|k| *k *= 0.8);
+    let agreement = compare(&floater, &softer);
+    assert_eq!(agreement.verdict, Verdict::Fail);
+    let part = |name: &str| agreement.parts.iter().find(|part| part.name == name);
+    let surge = part("mooring stiffness in surge").expect("moorings");
+    close(surge.difference.expect("both"), -0.2);
+    assert_eq!(surge.verdict, Verdict::Fail);
+    assert_eq!(
+        part("platform mass").expect("a platform").verdict,
+        Verdict::Pass
+    );
+    assert_eq!(part("substructure mass"), None);
+    let modes = &agreement.frequencies_as_given;
+    let surge = modes
+        .iter()
+        .find(|mode| mode.label == Family::Surge.label(1))
+        .expect("surge");
+    let change = surge.difference.expect("both");
+    assert!((change - (0.8_f64.sqrt() - 1.0)).abs() < 0.02, "{change}");
+    assert_eq!(compare(&floater, &floater).verdict, Verdict::Pass);
+}
+
+#[test]
+fn another_rotor_nacelle_assembly_fails() {
+    let with = |kg: f64| TowerDescription {
+        rna: Rna::point(kg),
+        ..tube(&[(0.0, 0.04), (100.0, 0.03)])
+    };
+    let agreement = compare(&with(3e5), &with(3.1e5));
+    let rna = agreement.parts.iter().find(|part| part.name == "RNA mass");
+    assert_eq!(rna.map(|part| part.verdict), Some(Verdict::Fail));
 }

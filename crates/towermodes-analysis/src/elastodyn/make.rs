@@ -23,6 +23,8 @@ pub enum Damping {
     /// The ratio is written that gives the tower with its rotor-nacelle assembly this ratio,
     /// percent of critical.
     Wanted(f64),
+    /// These ratios of the first and second mode are written, percent of critical.
+    Kept(Planes<[f64; 2]>),
 }
 
 /// How a tower becomes a tower of ElastoDyn.
@@ -228,11 +230,12 @@ fn set_damping(
     ];
     for (shapes, (plane, modes)) in shapes.shapes.chunks(2).zip(planes) {
         let alone_hz = quantities.of(plane).frequency_alone_hz;
-        for ((percent, alone_hz), shape) in
-            modes.damping_percent.iter_mut().zip(alone_hz).zip(shapes)
+        for (i, ((percent, alone_hz), shape)) in
+            (modes.damping_percent.iter_mut().zip(alone_hz).zip(shapes)).enumerate()
         {
             *percent = match damping {
                 Damping::Written(percent) => percent,
+                Damping::Kept(percent) => percent.of(plane)[i],
                 Damping::Wanted(wanted) => {
                     let exact = damping_to_write_percent(wanted, alone_hz, shape.frequency_hz)?;
                     in_decimals(exact)

@@ -250,11 +250,18 @@ impl Campbell {
         first.any(|line| self.lines[*line].is_of_same_mode(own))
     }
 
+    /// The multiples that can fail with tower modes: 1P and the blade passing frequency, if they are
+    /// in the diagram.
+    pub fn strong_multiples(&self) -> impl Iterator<Item = usize> + '_ {
+        let multiples = self.multiples.iter().copied();
+        multiples.filter(|multiple| is_strong(*multiple, &self.rotor))
+    }
+
     /// Whether tables list a pair by default: it [is near](Margin::is_near), or it is a pair of a
     /// first bending mode with 1P or the blade passing frequency.
     #[must_use]
     pub fn is_listed(&self, margin: &Margin) -> bool {
-        let is_strong = margin.multiple == 1 || margin.multiple == self.rotor.blades;
+        let is_strong = is_strong(margin.multiple, &self.rotor);
         margin.is_near() || (is_strong && self.is_of_first_bending(margin))
     }
 
@@ -284,6 +291,11 @@ impl Campbell {
         }
         modes
     }
+}
+
+/// Whether a multiple is 1P or the blade passing frequency.
+pub(super) fn is_strong(multiple: usize, rotor: &Rotor) -> bool {
+    multiple == 1 || multiple == rotor.blades
 }
 
 /// Why there is no Campbell diagram.

@@ -1,8 +1,7 @@
 //! The conclusion of a Campbell diagram in sentences: the first bending frequencies first, then the
 //! pairs that fail or warn.
 
-use super::campbell::{Campbell, FrequencyLine, Margin, StiffnessClass};
-use super::margin::is_strong;
+use super::campbell::{Campbell, FrequencyLine, Margin, StiffnessClass, is_strong};
 use crate::verdict::Verdict;
 use towermodes::modes::Family;
 use towermodes::number::{self, four_digits};
@@ -32,7 +31,7 @@ impl Campbell {
         let remarks = kinds.into_iter().filter_map(|kind| remark(self, kind));
         let remarks: Vec<String> = remarks.collect();
         if remarks.is_empty() && !self.margins.is_empty() {
-            sentences.push("No warnings.".to_owned());
+            sentences.push("No pair fails or warns.".to_owned());
         }
         sentences.extend(remarks);
         sentences.extend(self.omissions());

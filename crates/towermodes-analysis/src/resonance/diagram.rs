@@ -53,8 +53,9 @@ const MOST_SPEEDS: usize = 1000;
 /// other rigid-body modes of a floating platform are checked like all modes.
 ///
 /// There are no verdicts and no classes ([`Campbell::not_checked`]) where the operating speeds are
-/// not known ([`CampbellOptions::speeds_are_known`]) or the tower lacks
-/// [parts](Tower::missing_parts) of the structure.
+/// not known ([`CampbellOptions::speeds_are_known`]) or [implausible](Tower::rotor_warnings), the
+/// tower lacks [parts](Tower::missing_parts) of the structure, or its platform does not float: more
+/// than a tenth of the weight is [not balanced](Tower::vertical_imbalance).
 ///
 /// The error of a line is [`FrequencyLine::error_hz`]; for blade modes it is estimated at the first
 /// and the last speed.
@@ -100,7 +101,7 @@ pub fn campbell(
         lines,
         not_checked: Vec::new(),
     };
-    Ok(diagram.unless(not_checked(tower, options.speeds_are_known)))
+    Ok(diagram.unless(not_checked(tower, rotor, options.speeds_are_known)))
 }
 
 /// The margins of all lines, for each line in the order of the multiples.

@@ -1,6 +1,6 @@
 //! The distances of the multiples of the rotor speed from natural frequencies in operation.
 
-use super::campbell::{FrequencyLine, Margin};
+use super::campbell::{FrequencyLine, Margin, is_strong};
 use crate::verdict::Verdict;
 use towermodes::tower::Rotor;
 
@@ -113,11 +113,6 @@ fn nearest_distance(frequency_hz: f64, multiple: usize, rotor: &Rotor) -> Option
         (false, true) => low,
         (false, false) => high,
     })
-}
-
-/// Whether a multiple is 1P or the blade passing frequency.
-pub(super) fn is_strong(multiple: usize, rotor: &Rotor) -> bool {
-    multiple == 1 || multiple == rotor.blades
 }
 
 /// The verdict on a distance. 1P and the blade passing frequency excite a tower most; higher

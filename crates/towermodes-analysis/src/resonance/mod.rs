@@ -16,6 +16,7 @@ mod rotor;
 mod sweep;
 mod track;
 mod unchecked;
+mod weight;
 
 pub use campbell::{
     BEYOND_OPERATION, Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited,
@@ -33,3 +34,4 @@ pub(crate) use remark::mode_lost;
 pub use remark::{Assessment, Covered, Remark, assess};
 pub use rotor::{ChosenRotor, GivenRotor};
 pub(crate) use sweep::speeds_rpm;
+pub use weight::WeightLeftOut;

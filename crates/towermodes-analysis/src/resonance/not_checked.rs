@@ -2,16 +2,22 @@
 
 use std::fmt;
 
-use towermodes::tower::{FASTEST_RPM, Rotor, Tower};
+use towermodes::number::four_digits;
+use towermodes::tower::{FASTEST_RPM, Rotor, Rpm, Tower};
 use towermodes::{Family, MissingParts, Solution};
 
 /// Why a diagram has no verdicts and no classes.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum NotChecked {
     /// The operating speeds are unknown; those of the rotor are only the ends of the diagram.
     SpeedsUnknown,
+    /// The operating speeds are those of no turbine of this size: probably in another unit.
+    SpeedsImplausible(Rotor),
     /// The frequencies are not those of the whole structure.
     PartsMissing(MissingParts),
+    /// The platform does not float as it is described: weight, buoyancy and mooring lines leave
+    /// this vertical force, as a fraction of the weight.
+    OutOfBalance(f64),
 }
 
 /// The reason: "operating speeds unknown".
@@ -19,9 +25,39 @@ impl fmt::Display for NotChecked {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::SpeedsUnknown => f.write_str("operating speeds unknown"),
+            Self::SpeedsImplausible(rotor) => implausible(rotor, f),
             Self::PartsMissing(parts) => parts.fmt(f),
+            Self::OutOfBalance(share) => write!(
+                f,
+                "weight, buoyancy and mooring lines leave {:.0} % of the weight, more than {:.0} %: the platform does not float as it is described",
+                100.0 * share,
+                100.0 * MOST_OUT_OF_BALANCE
+            ),
         }
     }
+}
+
+/// The highest speed of turbines in operation for which a unit is suggested, rpm.
+const LIKELY_RPM: std::ops::Range<f64> = 4.0..40.0;
+
+/// "the rotor speed of 0.09 to 0.2 rpm is that of no turbine of this size; in rpm it would be 5.4
+/// to 12 if these are Hz".
+fn implausible(rotor: &Rotor, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let speeds = [rotor.lowest_rpm, rotor.highest_rpm];
+    let [lowest, highest] = speeds.map(Rpm);
+    write!(
+        f,
+        "a rotor speed of {lowest} to {highest} rpm is that of no turbine of this size"
+    )?;
+    let units = [("Hz", 60.0), ("rad/s", 60.0 / std::f64::consts::TAU)];
+    let likely = units
+        .into_iter()
+        .filter(|(_, in_rpm)| LIKELY_RPM.contains(&(speeds[1] * in_rpm)));
+    for (unit, in_rpm) in likely {
+        let [lowest, highest] = speeds.map(|speed| four_digits(in_rpm * speed));
+        write!(f, "; if it is in {unit}, it is {lowest} to {highest} rpm")?;
+    }
+    Ok(())
 }
 
 /// The fastest blade tips of a diagram whose operating speeds are unknown, m/s; those of large
@@ -59,10 +95,104 @@ pub fn unknown_speeds(blades: usize, solution: &Solution, tip_radius_m: Option<f
     }
 }
 
+/// A platform that is further out of balance is not judged, as a fraction of the weight. Decks that
+/// are used leave up to a few percent, because they are not complete in ballast or lines; a draft
+/// that differs by this much is another platform.
+const MOST_OUT_OF_BALANCE: f64 = 0.1;
+
 /// What is unknown about a tower and its rotor.
-pub(crate) fn not_checked(tower: &Tower, speeds_are_known: bool) -> Vec<NotChecked> {
+pub(crate) fn not_checked(tower: &Tower, rotor: &Rotor, speeds_are_known: bool) -> Vec<NotChecked> {
     let parts = tower.missing_parts().cloned();
-    let speeds = (!speeds_are_known).then_some(NotChecked::SpeedsUnknown);
+    let speeds = match speeds_are_known {
+        false => Some(NotChecked::SpeedsUnknown),
+        true if tower.rotor_warnings(rotor).is_empty() => None,
+        true => Some(NotChecked::SpeedsImplausible(*rotor)),
+    };
     let parts = parts.map(NotChecked::PartsMissing);
-    speeds.into_iter().chain(parts).collect()
+    let balance = out_of_balance(tower).map(NotChecked::OutOfBalance);
+    speeds.into_iter().chain(parts).chain(balance).collect()
+}
+
+/// The imbalance of a floating platform that is too large for a verdict.
+fn out_of_balance(tower: &Tower) -> Option<f64> {
+    let share = tower.vertical_imbalance()?;
+    (share.abs() > MOST_OUT_OF_BALANCE).then_some(share)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{NotChecked, not_checked};
+    use towermodes::{Buoyancy, Rotor, Tower, TowerDescription};
+    use towermodes_verify::towers::{floater, reference};
+
+    const ROTOR: Rotor = Rotor {
+        blades: 3,
+        lowest_rpm: 5.0,
+        highest_rpm: 12.0,
+    };
+
+    fn tower(description: TowerDescription) -> Tower {
+        Tower::new(description).expect("a tower")
+    }
+
+    /// Buoyancy of 1.09 or 1.11 times the weight.
+    #[test]
+    fn a_platform_that_does_not_float_is_not_judged() {
+        let reasons = |factor: f64| {
+            let mut description = floater();
+            let weight_n = {
+                let platform = description.foundation.floating_mut().expect("it floats");
+                let center_m = [0.0, 0.0];
+                platform.buoyancy = Some(Buoyancy {
+                    force_n: 1.0,
+                    center_m,
+                });
+                let balance = tower(description.clone()).static_balance();
+                balance.expect("a balance").weight_n()
+            };
+            let platform = description.foundation.floating_mut().expect("it floats");
+            let center_m = [0.0, 0.0];
+            let force_n = factor * weight_n;
+            platform.buoyancy = Some(Buoyancy { force_n, center_m });
+            not_checked(&tower(description), &ROTOR, true)
+        };
+        assert_eq!(reasons(1.09), []);
+        let found = reasons(1.11);
+        assert!(
+            matches!(found[..], [NotChecked::OutOfBalance(share)] if (share - 0.11).abs() < 1e-9),
+            "{found:?}"
+        );
+        assert_eq!(
+            found[0].to_string(),
+            "weight, buoyancy and mooring lines leave 11 % of the weight, more than 10 %: the platform does not float as it is described"
+        );
+        // Without the buoyancy nothing is known.
+        assert_eq!(not_checked(&tower(floater()), &ROTOR, true), []);
+    }
+
+    #[test]
+    fn speeds_in_another_unit_are_not_judged() {
+        let reasons = |lowest_rpm: f64, highest_rpm: f64| {
+            let rotor = Rotor {
+                lowest_rpm,
+                highest_rpm,
+                ..ROTOR
+            };
+            let reasons = not_checked(&tower(reference()), &rotor, true);
+            reasons.iter().map(ToString::to_string).collect::<Vec<_>>()
+        };
+        assert!(reasons(5.0, 12.0).is_empty());
+        assert_eq!(
+            reasons(0.09, 0.2),
+            [
+                "a rotor speed of 0.09 to 0.2 rpm is that of no turbine of this size; if it is in Hz, it is 5.400 to 12.00 rpm"
+            ]
+        );
+        assert_eq!(
+            reasons(0.5, 1.25),
+            [
+                "a rotor speed of 0.5 to 1.25 rpm is that of no turbine of this size; if it is in rad/s, it is 4.775 to 11.94 rpm"
+            ]
+        );
+    }
 }

@@ -1,7 +1,6 @@
 //! How high the excitations of a rotor reach, and whether the list of modes reaches as high.
 
-use super::campbell::{Campbell, CampbellOptions};
-use super::margin::is_strong;
+use super::campbell::{Campbell, CampbellOptions, is_strong};
 use crate::verdict::Verdict;
 use towermodes::tower::Rotor;
 use towermodes::{Solution, SolveError, Solver, Tower};

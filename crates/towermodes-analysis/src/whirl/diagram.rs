@@ -169,7 +169,7 @@ pub fn coupled_campbell_while(
         }
         Ok(modes)
     })?;
-    let reasons = not_checked(turbine.tower(), options.speeds_are_known);
+    let reasons = not_checked(turbine.tower(), rotor, options.speeds_are_known);
     Ok(CoupledCampbell {
         campbell: solved.campbell.unless(reasons),
         ..solved

@@ -4,7 +4,7 @@ use towermodes::number::four_digits;
 use towermodes::{Planes, Tower};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::agreement::{
-    Agreement, Compared, ComparedFrequency, Examination, LargestDifference,
+    Agreement, Compared, ComparedFrequency, ComparedPart, Examination, LargestDifference,
 };
 
 use super::text::{text_table, title, tonnes};
@@ -61,12 +61,17 @@ fn whole(agreement: &Agreement) -> String {
                 compared.verdict.name().to_owned(),
             ]
         });
+    let parts = agreement.parts.iter().map(part);
     let bare = agreement.frequencies_bare.iter();
     let bare = bare.map(|mode| frequency("clamped, no RNA", mode));
     let as_given = agreement.frequencies_as_given.iter();
     let as_given = as_given.map(|mode| frequency("complete model", mode));
     let header = ["", "first", "second", "difference", "verdict"];
-    text_table(header, totals.chain(bare).chain(as_given), 1..=3)
+    text_table(
+        header,
+        totals.chain(parts).chain(bare).chain(as_given),
+        1..=3,
+    )
 }
 
 /// A compared quantity of the whole towers with its name and its format.
@@ -103,6 +108,18 @@ fn by_plane<T>(values: &Planes<T>) -> [(&'static str, &T); 2] {
 
 fn exponent(value: f64) -> String {
     format!("{value:.5e}")
+}
+
+fn part(part: &ComparedPart) -> [String; 5] {
+    let [first, second] =
+        [part.first, part.second].map(|value| value.map_or("-".to_owned(), four_digits));
+    [
+        format!("{} {}", part.name, part.unit),
+        first,
+        second,
+        part.difference.map_or("-".to_owned(), percent),
+        part.verdict.name().to_owned(),
+    ]
 }
 
 fn frequency(model: &str, frequency: &ComparedFrequency) -> [String; 5] {

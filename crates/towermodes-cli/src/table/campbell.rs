@@ -4,7 +4,7 @@ use towermodes::number::{percent, with_error};
 use towermodes::tower::Rpm;
 use towermodes::{Mode, Tower};
 use towermodes_analysis::resonance::{Campbell, FrequencyLine, Margin, ModeClass};
-use towermodes_report::wording::{counted, operation_of, verdict_counts, verdict_word};
+use towermodes_report::wording::{counted, listed, operation_of, verdict_counts, verdict_word};
 
 use super::coupled::coupled_modes;
 use super::text::{align_right, plain_table, title, wrapped};
@@ -30,7 +30,7 @@ pub fn campbell(
     for line in [
         hidden(campbell.margins.len() - shown.len(), shown.is_empty()),
         unresisted(campbell),
-        Some(summary(campbell, has_blade)),
+        Some(summary(campbell, has_blade) + weight(tower)),
     ] {
         text.extend(line.map(|line| line + "\n"));
     }
@@ -115,6 +115,31 @@ fn unresisted(campbell: &Campbell) -> Option<String> {
     (!free.is_empty()).then(|| format!("not checked (no stiffness): {}", free.join(", ")))
 }
 
+/// What the last line says of gravity.
+pub(super) fn weight(tower: &Tower) -> &'static str {
+    match tower.gravity_m_per_s2() {
+        0.0 => " | without gravity",
+        _ => "",
+    }
+}
+
+/// The rule of the verdicts: "margin 5 % (1P and 3P with tower modes: WARN below 10 %)".
+fn rule(campbell: &Campbell) -> String {
+    let strong: Vec<String> = campbell
+        .strong_multiples()
+        .map(|n| format!("{n}P"))
+        .collect();
+    let margin = percent(campbell.margin);
+    match strong.is_empty() {
+        true => format!("margin {margin} %"),
+        false => format!(
+            "margin {margin} % ({} with tower modes: WARN below {} %)",
+            listed(&strong),
+            percent(2.0 * campbell.margin),
+        ),
+    }
+}
+
 /// The rotor, the margin and how many verdicts of each kind.
 fn summary(campbell: &Campbell, has_blade: bool) -> String {
     match has_blade {
@@ -134,8 +159,8 @@ pub(super) fn summary_or(campbell: &Campbell, without_blades: &str) -> String {
     let rotor = operation_of(campbell);
     match campbell.not_checked.is_empty() {
         true => format!(
-            "{rotor} | margin {} % | {pass} pass, {warn} warn, {fail} fail{blades}",
-            percent(campbell.margin),
+            "{rotor} | {} | {pass} pass, {warn} warn, {fail} fail{blades}",
+            rule(campbell),
         ),
         false => format!("{rotor} | not checked{blades}"),
     }

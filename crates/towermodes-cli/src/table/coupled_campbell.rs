@@ -9,7 +9,7 @@ use towermodes_analysis::resonance::Margin;
 use towermodes_analysis::whirl::{AgainstRigid, Change, CoupledCampbell, CurvePoint, Meeting};
 use towermodes_report::wording::{STRUCTURE_ONLY, counted, proved};
 
-use super::campbell::{has_classes, hidden, pairs, summary_or};
+use super::campbell::{has_classes, hidden, pairs, summary_or, weight};
 use super::text::{text_table, title, wrapped};
 
 /// The diagram as text; `all` shows every pair of mode and excitation, and the meetings of curves
@@ -42,7 +42,7 @@ pub fn coupled_campbell(
     for sentence in [proved(coupled), STRUCTURE_ONLY.to_owned()] {
         text += &(wrapped(&sentence) + "\n");
     }
-    text + &summary_or(campbell, "none is below the limit") + "\n"
+    text + &summary_or(campbell, "none is below the limit") + weight(tower) + "\n"
 }
 
 /// The modes by name with their frequencies at rest and at both ends of operation, and the other

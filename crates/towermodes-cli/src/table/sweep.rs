@@ -3,9 +3,9 @@
 use towermodes::number::{Rounded, digits};
 use towermodes::{Tower, printable};
 use towermodes_report::wording::structure_mass;
-use towermodes_sweep::{MarginCheck, ModeSummary, QUANTILES, Statistics, Summary};
+use towermodes_sweep::{MarginCheck, MarginSummary, ModeSummary, QUANTILES, Statistics, Summary};
 
-use super::text::{align_right, plain_table, title};
+use super::text::{align_right, plain_table, title, wrapped};
 
 /// The failures that are listed.
 const MOST_FAILURES: usize = 10;
@@ -24,6 +24,7 @@ pub(crate) fn sweep_summary(
         text.push('\n');
         text.push_str(&margins(summary, check));
         text.push('\n');
+        text.extend(spread(summary).map(|line| wrapped(&line) + "\n"));
     }
     text.push_str(&failures(summary));
     text
@@ -90,6 +91,29 @@ fn margins(summary: &Summary, check: &MarginCheck) -> String {
     }
     align_right(&mut table, 1..=check.multiples.len());
     table.trim_fmt()
+}
+
+/// What the errors of the frequencies can change a share by, of the share with the most, if that is
+/// more than a thousandth of the rows.
+fn spread(summary: &Summary) -> Option<String> {
+    let modes = summary.modes.iter();
+    let all = modes.flat_map(|mode| mode.margins.iter().map(move |margin| (mode, margin)));
+    let width = |margin: &MarginSummary| {
+        let [least, most] = margin.probability_within_errors();
+        most - least
+    };
+    let with_rows = all.filter(|(_, margin)| margin.count > 0);
+    let (mode, margin) = with_rows.max_by(|a, b| width(a.1).total_cmp(&width(b.1)))?;
+    let [least, most] = margin.probability_within_errors();
+    (most - least > 1e-3).then(|| {
+        format!(
+            "the errors of the frequencies can change these shares: that of {}P and {} is between {} and {} %; more segments make it certain",
+            margin.multiple,
+            mode.name.label(),
+            digits(100.0 * least, 3),
+            digits(100.0 * most, 3),
+        )
+    })
 }
 
 /// "2.3 ± 0.4 %"; without the standard error if the rows are not independent random ones.

@@ -113,7 +113,10 @@ mod tests {
 
     #[test]
     fn long_sentences_are_broken_between_words() {
-        assert_eq!(wrapped("No warnings."), "No warnings.");
+        assert_eq!(
+            wrapped("No pair fails or warns."),
+            "No pair fails or warns."
+        );
         let number = wrapped(&format!("{} 0.2017 Hz", "b".repeat(91)));
         assert_eq!(number, format!("{}\n  0.2017 Hz", "b".repeat(91)));
         let text = "seven b ".repeat(20);

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use towermodes::{Foundation, MissingPart, Place, RigidBody};
+use towermodes::{Foundation, MissingPart, Place, Plain, RigidBody};
 
 use super::below::{Below, below};
 use super::fst;
@@ -32,6 +32,11 @@ use crate::places::{Places, TABLE};
 use crate::resolver::{FileResolver, beside};
 use crate::source::Source;
 use crate::turbine::TurbineReading;
+
+/// Lighter nacelles are on no tower above [`HIGH_TOWER_M`], kg.
+const LIGHTEST_NACELLE_KG: f64 = 1e3;
+/// Small turbines stand on lower towers, m.
+const HIGH_TOWER_M: f64 = 40.0;
 
 /// An ElastoDyn model and the tower that it describes.
 #[derive(Debug, Clone)]
@@ -205,6 +210,7 @@ impl Model {
             blade,
             notes,
             places: self.places(),
+            modal_values: Some(self.reading.file.modal_values()),
             ..TowerInput::new(FileFormat::ElastoDyn, description, self.sources())
         }
         .with_turbine(self.turbine(options))
@@ -274,8 +280,24 @@ impl Model {
             notes.extend(self.has_no_blades(options).then(|| self.no_blades()));
             let masses = &self.blades.masses;
             notes.extend(lump::notes(main, &self.found.source, masses, options.rotor));
+            notes.extend(self.light_nacelle(ends));
         }
         notes
+    }
+
+    /// The note on a nacelle whose mass is probably in t.
+    fn light_nacelle(&self, ends: Ends) -> Option<Note> {
+        let (mass_kg, height_m) = (self.main.nacelle_mass_kg, ends.top_m - ends.base_m);
+        let is_light = mass_kg > 0.0 && mass_kg < LIGHTEST_NACELLE_KG;
+        (is_light && height_m > HIGH_TOWER_M).then(|| {
+            let message = format!(
+                "NacMass is {} kg on a tower of {} m; nacelles of such towers weigh many tonnes: the unit is kg",
+                Plain(mass_kg),
+                Plain(height_m)
+            );
+            let at = self.main.place("NacMass").start;
+            Note::suspicious(message).at(&self.found.source, at)
+        })
     }
 
     /// The parts that the model has and the tower lacks: those of the `.fst` file, and a platform

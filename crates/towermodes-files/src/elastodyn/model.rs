@@ -6,8 +6,23 @@ use towermodes_analysis::elastodyn::{
 };
 
 use super::tower_input::tower_file::{ConcentratedMass, TowerFile, TowerRow};
+use crate::input::ModalValues;
 
 impl TowerFile {
+    /// The damping and the tuners of its modes.
+    pub(super) fn modal_values(&self) -> ModalValues {
+        ModalValues {
+            damping_percent: Planes {
+                fore_aft: self.fore_aft_damping_percent,
+                side_side: self.side_side_damping_percent,
+            },
+            tuners: Planes {
+                fore_aft: self.fore_aft_tuners,
+                side_side: self.side_side_tuners,
+            },
+        }
+    }
+
     /// Its modes.
     pub fn modes(&self) -> Planes<PlaneModes> {
         let [fa1, fa2, ss1, ss2] = self

@@ -37,6 +37,7 @@ pub fn read_elastodyn_tower(
     let description = description(&reading.file, ends, title);
     let mut input = TowerInput::new(FileFormat::ElastoDynTower, description, vec![source]);
     remember(&mut input.places, 0, &reading.spans);
+    input.modal_values = Some(reading.file.modal_values());
     input.notes = reading.notes;
     input.notes.extend(tuner_note(&reading.file));
     input.notes.push(Note::new(ONLY_BENDS));

@@ -74,6 +74,10 @@ struct TowerSummary<'a> {
     /// Inertia of all moving masses against rigid motions (x, y, z, rotation about x, y, z) of the
     /// whole tower about its base: kg, kg m, kg m2.
     rigid_inertia: [[f64; 6]; 6],
+    /// The static stiffness of the foundation at the surface of the soil: of `[ground]`, of the
+    /// highest row of `[[soil]]`, or of `[foundation]` at the base; null where the base is held by
+    /// more than springs, for a floating tower, and on members.
+    foundation_head: Option<FoundationHead>,
     /// The soil in layers as springs; null for a tower without `[ground]`.
     ground: Option<GroundSummary>,
     /// Parts of the structure that the source of the tower has and this model lacks; null if it is
@@ -81,6 +85,26 @@ struct TowerSummary<'a> {
     missing: Option<&'a MissingParts>,
     /// The members under the tower; null for a tower that does not stand on members.
     frame: Option<FrameSummary<'a>>,
+}
+
+/// The static stiffness of a foundation.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct FoundationHead {
+    /// Its height, m.
+    height_m: f64,
+    /// The stiffness there, in the fore-aft plane: K_L, K_LR and K_R.
+    stiffness: HeadStiffness,
+}
+
+impl FoundationHead {
+    fn of(tower: &Tower) -> Option<Self> {
+        let (height_m, stiffness) = tower.foundation_head()?;
+        Some(Self {
+            height_m,
+            stiffness,
+        })
+    }
 }
 
 /// The springs that follow from soil in layers.
@@ -126,6 +150,7 @@ impl<'a> SolutionDocument<'a> {
                 top_mass_kg: tower.rna().mass_kg,
                 gravity_m_per_s2: tower.gravity_m_per_s2(),
                 rigid_inertia: solution.rigid_inertia,
+                foundation_head: FoundationHead::of(tower),
                 ground: GroundSummary::of(tower),
                 missing: tower.missing_parts(),
                 frame: tower.frame().map(FrameSummary::of),

@@ -1,6 +1,7 @@
 //! Whole decks: the tower they describe, and files that are not there.
 
 use towermodes::{Foundation, Rna, Tower};
+use towermodes_analysis::elastodyn::Damping;
 use towermodes_files::elastodyn::{ElastoDynDeck, read_elastodyn};
 use towermodes_files::{InMemory, ReadError, ReadOptions, RotorLock, read_source};
 use towermodes_testing::{Says, with};
@@ -500,4 +501,47 @@ fn what_the_library_refuses_is_in_the_right_file() {
     assert_eq!(found, at("main.dat", "2000"));
     let found = refused(|tower| tower.rna.inertia_kg_m2.xx = -1e9);
     assert_eq!(found, at("main.dat", "4000"));
+}
+
+/// Without gravity a platform has neither weight nor buoyancy to hold it.
+#[test]
+fn shapes_of_a_floating_deck_are_with_gravity() {
+    let mut input = deck(&[]).input;
+    input.description.foundation = Foundation::Floating(Box::default());
+    assert_eq!(input.description_for_shapes().gravity_m_per_s2, 9.80665);
+    let note = input.note_on_shapes().expect("a note").to_string();
+    note.says("with gravity, because weight and buoyancy hold the floating platform");
+}
+
+/// The tower file of a deck is written with its damping, and with tuners of 1, which is said.
+#[test]
+fn a_written_tower_file_has_the_damping_of_the_deck() {
+    let found = deck(&[]);
+    let given = (
+        found.tower.fore_aft_damping_percent,
+        found.tower.side_side_damping_percent,
+    );
+    let Damping::Kept(kept) = found.input.damping_for_tower_file() else {
+        panic!("the damping of the deck is not kept");
+    };
+    assert_eq!((kept.fore_aft, kept.side_side), given);
+    let notes: Vec<String> = found
+        .input
+        .notes_on_tower_file()
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    notes.join(" ").says("are reset to 1 in the written file");
+}
+
+/// 644.857 in place of 644857.
+#[test]
+fn a_nacelle_in_tonnes_is_a_warning() {
+    let said = |mass: &str| {
+        let deck = deck(&[("NacMass", mass), ("TowerHt", "90")]);
+        messages(&deck)
+            .iter()
+            .any(|note| note.contains("NacMass is 644.857 kg on a tower of"))
+    };
+    assert!(said("644.857") && !said("644857"));
 }

@@ -176,7 +176,7 @@ impl Sweep {
         let deviation_hz = variance.sqrt();
         let violated = check.map_or(Vec::new(), |check| {
             let of = |multiple: &usize| check.range_hz(*multiple);
-            let around = |range: [f64; 2]| inside(range, mean_hz, error_hz, deviation_hz);
+            let around = |range: [f64; 2]| inside(range, mean_hz, deviation_hz);
             check.multiples.iter().map(of).map(around).collect()
         });
         Ok(Scatter {

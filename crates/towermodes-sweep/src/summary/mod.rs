@@ -7,7 +7,7 @@ pub use failures::FailureKind;
 pub use statistics::{QUANTILES, Statistics};
 
 use towermodes::{ModeName, Rotor};
-use towermodes_analysis::resonance::{CampbellOptions, tower_margin};
+use towermodes_analysis::resonance::CampbellOptions;
 
 use crate::rows::results::Results;
 use crate::slice::{SliceError, Slices};
@@ -103,9 +103,12 @@ pub struct ModeSummary {
 pub struct MarginSummary {
     /// The multiple n of the rotor speed.
     pub multiple: usize,
-    /// Number of rows in which |n Ω/f − 1| is below the required distance in operation, with f
-    /// shifted by its error towards the excitation.
+    /// Number of rows in which |n Ω/f − 1| is below the required distance in operation, with the
+    /// frequency f of the row.
     pub violated: u64,
+    /// The least and the most rows for frequencies within their errors, which are those without
+    /// extrapolation: with all frequencies of a row within its error, and with one of them.
+    pub violated_within_errors: [u64; 2],
     /// Number of rows that have the mode.
     pub count: u64,
 }
@@ -115,6 +118,12 @@ impl MarginSummary {
     /// probability if the rows are drawn; rows that failed are not in it.
     pub fn probability(&self) -> f64 {
         self.violated as f64 / self.count as f64
+    }
+
+    /// The same with the least and the most rows for frequencies within their errors.
+    pub fn probability_within_errors(&self) -> [f64; 2] {
+        self.violated_within_errors
+            .map(|violated| violated as f64 / self.count as f64)
     }
 
     /// The standard error of the probability by the number of independent random rows,
@@ -165,6 +174,7 @@ impl<'a> MarginCounts<'a> {
         let margins = multiples.iter().map(|multiple| MarginSummary {
             multiple: *multiple,
             violated: 0,
+            violated_within_errors: [0; 2],
             count: 0,
         });
         Self {
@@ -179,12 +189,20 @@ impl<'a> MarginCounts<'a> {
         for (mode, margins) in self.counts.iter_mut().enumerate() {
             let frequencies = results.frequencies_hz(mode);
             for (hz, error_hz) in frequencies.zip(results.errors_hz(mode)) {
+                // Neither a motion without stiffness nor a mode that the row lacks.
+                if hz.is_nan() || hz <= 0.0 {
+                    continue;
+                }
                 for margin in margins.iter_mut() {
-                    let (n, rotor) = (margin.multiple, &check.rotor);
-                    if let Some(found) = tower_margin(hz, error_hz, n, rotor, check.margin) {
-                        margin.count += 1;
-                        margin.violated += u64::from(found.is_violated);
-                    }
+                    let [low_hz, high_hz] = check.range_hz(margin.multiple);
+                    let is_inside = |from_hz: f64, to_hz: f64| low_hz < from_hz && to_hz < high_hz;
+                    let counts = [error_hz, 0.0, -error_hz];
+                    let [least, found, most] =
+                        counts.map(|by_hz| u64::from(is_inside(hz - by_hz, hz + by_hz)));
+                    margin.count += 1;
+                    margin.violated += found;
+                    margin.violated_within_errors[0] += least;
+                    margin.violated_within_errors[1] += most;
                 }
             }
         }

@@ -32,6 +32,9 @@ use crate::tower::{Motions, Tower, spatial_inertia};
 /// Work of the tower on the frame below this fraction of the frame's energy is taken for rounding.
 const NO_WORK: f64 = 1e-6;
 
+/// Nodes nearer to the axis of the tower are on it, m.
+const ON_AXIS_M: f64 = 1e-3;
+
 /// The equations of a frame under a tower, with the platform and the stiffness of the weight of
 /// all, but without the tower: the same on every mesh of the tower.
 #[derive(Debug)]
@@ -352,7 +355,8 @@ impl OnFrame {
     }
 
     /// The shares of components in the motions of the nodes: translations along the axes, but for a
-    /// common rotation about the axis of the tower.
+    /// common rotation about the axis of the tower. A node on this axis, of a monopile, has no
+    /// lever: its own rotation counts with a lever of 1 m.
     fn shares_of_nodes(&mut self, x: &[f64]) -> [f64; 6] {
         let mut motions = std::mem::take(&mut self.frame.memory.sweep.motions);
         self.frame.equations.set_motions(x, &mut motions);
@@ -367,6 +371,9 @@ impl OnFrame {
         for ([x_m, y_m, _], motion) in self.frame.places.levers_m.iter().zip(&motions) {
             let rest = [motion[0] + angle * y_m, motion[1] - angle * x_m, motion[2]];
             (0..3).for_each(|i| shares[i] += rest[i] * rest[i]);
+            if x_m.hypot(*y_m) < ON_AXIS_M {
+                shares[5] += motion[5] * motion[5];
+            }
         }
         self.frame.memory.sweep.motions = motions;
         let sum: f64 = shares.iter().sum();

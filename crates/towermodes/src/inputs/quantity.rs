@@ -39,6 +39,8 @@ pub enum Quantity {
     PerpendicularAxes,
     /// Mass of the rotor-nacelle assembly over that of the tower.
     RnaShare,
+    /// Mass of a point mass on a tower, kg.
+    PointMass,
     /// Distance of a body's centre from where it is fixed to the tower, m.
     CentreDistance,
     /// Radius of gyration √(I/m) of a body, m.
@@ -146,6 +148,8 @@ impl Quantity {
                 "it is 1 for every plane section"),
             Self::RnaShare => ("the mass of the rotor-nacelle assembly, divided by the mass of the tower,", "",
                 "rotor-nacelle assemblies weigh many tonnes; the unit is kg"),
+            Self::PointMass => ("the mass", " kg",
+                "flanges and platforms have 1000 to 20000; the unit is kg, not t"),
             Self::CentreDistance => ("the distance of the centre of mass from the tower top along one axis", " m",
                 "it is measured from the tower top, not from the ground; the unit is m"),
             Self::RadiusOfBody => ("the radius of gyration sqrt(inertia/mass)", " m",

@@ -294,6 +294,19 @@ impl Tower {
         }
     }
 
+    /// The same tower under another gravity, m/s². A floating tower keeps its own: the stiffness of
+    /// its water and lines contains it.
+    #[must_use]
+    pub fn with_gravity(&self, gravity_m_per_s2: f64) -> Self {
+        match self.afloat.is_some() {
+            true => self.clone(),
+            false => Self {
+                gravity_m_per_s2,
+                ..self.clone()
+            },
+        }
+    }
+
     /// The same tower with a constant inertia of its base.
     pub(crate) fn with_base_inertia(&self, inertia: SpatialMatrix) -> Self {
         let mut tower = self.clone();

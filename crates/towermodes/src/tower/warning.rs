@@ -398,6 +398,21 @@ pub enum Warning {
         /// Height of the ground's surface before scour, m.
         surface_m: f64,
     },
+    /// Scour that leaves little of the embedment of a pile.
+    #[error(
+        "{}scour of {} m leaves {} m of the {} m that are in the ground; check the scour and the height of the tip",
+        .site.before(), Plain(*.scour_m), Plain(*.left_m), Plain(*.embedded_m)
+    )]
+    DeepScour {
+        /// The scour.
+        site: Site,
+        /// Its depth, m.
+        scour_m: f64,
+        /// The embedment without it, m.
+        embedded_m: f64,
+        /// What is left of it, m.
+        left_m: f64,
+    },
     /// Mooring lines at rest.
     #[error("{}{warning}", named(.name, .warning.item()))]
     Mooring {
@@ -728,6 +743,7 @@ impl Warning {
             | Self::UnderWater { site, .. }
             | Self::BedOffSurface { site, .. }
             | Self::DryUnderWater { site, .. }
+            | Self::DeepScour { site, .. }
             | Self::OutOfBalance { site, .. }
             | Self::PushedAside { site, .. }
             | Self::OtherMembers { site, .. }

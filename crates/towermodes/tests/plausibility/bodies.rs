@@ -2,7 +2,9 @@
 
 use super::towers::{reference, reference_with_machine};
 use super::{odd, of, one, quiet};
-use towermodes::Quantity::{CentreDistance, RadiusOfBody, RnaShare};
+use towermodes::Quantity::{
+    CentreDistance, PointMass as PointMassQuantity, RadiusOfBody, RnaShare,
+};
 use towermodes::{
     Blade, BladeDescription, BladeSection, Inertia, Place, PointMass, RigidBody, TowerDescription,
     Warning,
@@ -173,4 +175,24 @@ fn bodies_at_the_tip_of_a_blade() {
     assert!(said(40.0, 11_600.0, 11_600.0, 11_600.0).is_empty());
     assert_eq!(said(40.0, 11_800.0, 11_800.0, 11_800.0).len(), 1);
     said(0.0, 1.0, 1.0, 1.0)[0].says("an inertia is given but no mass");
+}
+
+/// A flange of 6.2 t that is given as 6.2 kg.
+#[test]
+fn point_masses_in_tonnes() {
+    let with = |mass_kg: f64| {
+        move |t: &mut TowerDescription| {
+            t.point_masses = vec![PointMass {
+                mass_kg,
+                height_m: 40.0,
+                ..PointMass::default()
+            }];
+        }
+    };
+    quiet(reference(), with(10.1));
+    let place = Place::PointMass {
+        index: 0,
+        key: "mass",
+    };
+    assert_eq!(odd(PointMassQuantity, place, reference(), with(6.2)), 6.2);
 }

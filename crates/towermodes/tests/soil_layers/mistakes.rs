@@ -55,6 +55,13 @@ fn each_mistake_is_refused_at_its_place_with_its_numbers() {
         .says("the lowest layer ends at -50 m, above the tip of the pile at -56 m");
     refused(of(0, "bottom"), |d| ground_of(d).layers[0].bottom_m = -15.0)
         .says("the bottom of the layer at -15 m is not below its top at -20 m");
+    // Exchanged heights join neither the surface nor each other.
+    refused(of(0, "bottom"), |d| {
+        for layer in &mut ground_of(d).layers {
+            (layer.top_m, layer.bottom_m) = (layer.bottom_m, layer.top_m);
+        }
+    })
+    .says("the bottom of the layer at -20 m is not below its top at -25 m");
     refused(ground("layer"), |d| ground_of(d).layers.clear()).says("the ground has no layers");
     refused(ground("factor"), |d| ground_of(d).factor = 0.0)
         .says("the factor on all springs of the ground is 0; it must be positive");
@@ -545,4 +552,41 @@ fn axial_springs_in_rock_have_a_formula_or_a_reason() {
     let deepest = springs.springs_of_soil()[0].vertical_n_per_m2;
     let expected = 2.0 * std::f64::consts::PI * 4e7 / 10.0_f64.ln();
     assert!((deepest / expected - 1.0).abs() < 1e-9, "{deepest}");
+}
+
+/// Of 36 m in the ground scour of 17 m leaves more than half, of 34 m 2 m.
+#[test]
+fn scour_that_leaves_little_of_a_pile_is_warned_of() {
+    let warnings = |local_m: f64| {
+        let mut description = oc3(SoilModel::Api);
+        ground_of(&mut description).scour.local_m = local_m;
+        let tower = Tower::new(description).expect("possible");
+        let said = tower.warnings().iter().map(ToString::to_string);
+        said.filter(|text| text.contains("scour of"))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(warnings(17.0), [""; 0]);
+    let deep = warnings(34.0);
+    assert_eq!(deep.len(), 1, "{deep:?}");
+    deep[0].says("scour of 34 m leaves 2 m of the 36 m that are in the ground");
+}
+
+/// One end of a layer in kPa, the other in Pa.
+#[test]
+fn a_pair_in_two_units_is_warned_of() {
+    let warnings = |strength_pa: [f64; 2]| {
+        let mut description = oc3(SoilModel::Api);
+        let mut soil = clay();
+        soil.undrained_strength_pa = Some(strength_pa);
+        let layers = &mut ground_of(&mut description).layers;
+        layers[1] = layer([-25.0, -34.0], LayerSoil::Clay(soil), SoilModel::Api);
+        let tower = Tower::new(description).expect("possible");
+        let said = tower.warnings().iter().map(ToString::to_string);
+        said.filter(|text| text.contains("undrained shear strength is"))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(warnings([8e4, 1.2e5]), [""; 0]);
+    let mixed = warnings([8e4, 120.0]);
+    assert_eq!(mixed.len(), 1, "{mixed:?}");
+    mixed[0].says("the undrained shear strength is 120 Pa; expected 1000 to");
 }

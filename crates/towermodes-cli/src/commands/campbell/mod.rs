@@ -10,8 +10,8 @@ use towermodes::turbine::Turbine;
 use towermodes::{Options, Rotor, Solution, Tower};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{
-    Assessment, Campbell, CampbellOptions, ChosenRotor, NotChecked, assess, reach_hz,
-    solve_to_reach,
+    Assessment, Campbell, CampbellOptions, ChosenRotor, NotChecked, WeightLeftOut, assess,
+    reach_hz, solve_to_reach,
 };
 use towermodes_analysis::soil_band::{SoilBand, soil_band};
 use towermodes_files::{
@@ -109,7 +109,7 @@ impl Analysis for CampbellArguments {
                 let answer = self.of_tower(
                     (tower, input),
                     (&solution, &diagram, band.as_ref()),
-                    [reason, of_rotor].concat(),
+                    [reason, of_rotor, self.weight_left_out(tower, &diagram)].concat(),
                     format,
                 )?;
                 Ok(answer.verdict(judged(&diagram, input)))
@@ -119,6 +119,16 @@ impl Analysis for CampbellArguments {
 }
 
 impl CampbellArguments {
+    /// The note on the weight that verdicts are without, unless --no-gravity was given.
+    fn weight_left_out(&self, tower: &Tower, campbell: &Campbell) -> Vec<Note> {
+        if self.input.reading.options().without_gravity || !campbell.not_checked.is_empty() {
+            return Vec::new();
+        }
+        let weight = WeightLeftOut::of(tower);
+        let weight = weight.map(|weight| Note::suspicious(weight.to_string()));
+        weight.into_iter().collect()
+    }
+
     /// The diagram of a tower.
     fn of_tower(
         &self,
@@ -158,7 +168,8 @@ impl CampbellArguments {
             notes,
             warnings,
         } = coupled_of(input, (tower, turbine), &self.rotor, &self.turbine)?;
-        let notes = [notes, without_band(input)].concat();
+        let weight = self.weight_left_out(tower, &diagram.campbell);
+        let notes = [notes, without_band(input), weight].concat();
         let said = input.notes.iter().chain(&notes).map(ToString::to_string);
         let said: Vec<String> = said.collect();
         let answer = Answer::of(
@@ -321,10 +332,22 @@ fn for_verdicts(reasons: &[NotChecked], format: FileFormat) -> String {
         FileFormat::Toml => NO_ROTOR,
         _ => "give --rpm LOWEST,HIGHEST",
     };
+    let hint = |reason: &NotChecked| match reason {
+        NotChecked::PartsMissing(_) => WHOLE,
+        NotChecked::SpeedsUnknown => speeds,
+        NotChecked::SpeedsImplausible(_) => {
+            "give the operating speeds in rpm ([rotor] rpm or --rpm)"
+        }
+        NotChecked::OutOfBalance(_) => {
+            "check masses, displaced volume and mooring lines; the line `static balance` of solve gives each part"
+        }
+    };
     match reasons {
-        [NotChecked::PartsMissing(_)] => WHOLE.to_owned(),
-        [NotChecked::SpeedsUnknown] => speeds.to_owned(),
-        _ => format!("{WHOLE}; the operating speeds are also needed: {speeds}"),
+        // The tower file to add to is the last.
+        [NotChecked::SpeedsUnknown, NotChecked::PartsMissing(_)] => {
+            format!("{WHOLE}; the operating speeds are also needed: {speeds}")
+        }
+        reasons => reasons.iter().map(hint).collect::<Vec<_>>().join("; "),
     }
 }
 

@@ -59,8 +59,9 @@ pub(crate) struct TowerArguments {
     stations: Option<usize>,
 
     /// Target damping ratio of the tower with its RNA, percent of critical; the damping values in
-    /// the written file are scaled so that ElastoDyn reaches it [default: no target;
-    /// TwrFADmp and TwrSSDmp are 1, and the damping ratio with RNA differs from 1 %]
+    /// the written file are scaled so that ElastoDyn reaches it [default: no target; TwrFADmp and
+    /// TwrSSDmp are those of the tower file that is read, otherwise 1, and the damping ratio with
+    /// RNA differs from them]
     #[arg(long, value_name = "PERCENT", value_parser = damping_parser)]
     damping: Option<f64>,
 
@@ -84,13 +85,13 @@ impl TowerArguments {
         file_of(self.output.as_deref())
     }
 
-    /// The options of the tower file.
-    pub(crate) fn options(&self) -> MakeOptions {
+    /// The options of the tower file, with this damping if no other is wanted.
+    pub(crate) fn options(&self, otherwise: Damping) -> MakeOptions {
         MakeOptions {
             from_m: self.from_height,
             rows: self.stations.map_or(Rows::Accurate, Rows::Count),
             has_concentrated_masses: self.openfast >= (4, 2),
-            damping: self.damping.map_or(Damping::Written(1.0), Damping::Wanted),
+            damping: self.damping.map_or(otherwise, Damping::Wanted),
             nodes: self.nodes,
             ..MakeOptions::default()
         }

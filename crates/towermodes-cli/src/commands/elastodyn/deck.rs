@@ -77,7 +77,7 @@ fn of_description(
 }
 
 /// The notes of an input whose modes are fitted by polynomials.
-pub(super) fn notes_for_shapes(input: &TowerInput) -> Vec<Note> {
+fn notes_for_shapes(input: &TowerInput) -> Vec<Note> {
     let mut notes = input.notes.clone();
     notes.extend(input.note_on_shapes());
     notes

@@ -5,7 +5,6 @@ use towermodes_files::Note;
 use towermodes_files::elastodyn::{make_tower_file, write_tower_file};
 
 use super::arguments::TowerArguments;
-use super::deck::notes_for_shapes;
 use crate::explained::explained;
 use crate::failure::Failure;
 use crate::input::tower_input;
@@ -19,14 +18,15 @@ pub(crate) fn run(arguments: &TowerArguments) -> Result<(), Failure> {
     let input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), arguments.output())?;
     let tower = input.tower_for_shapes()?;
-    let mut options = arguments.options();
+    let mut options = arguments.options(input.damping_for_tower_file());
     // On a monopile the ElastoDyn tower is the part above it.
     options.from_m = options.from_m.or(input.joint_m);
     let made = make_tower_file(&tower, &options);
     let made = explained(made, (&tower, &input))?;
     let text = write_tower_file(&made.content, options.has_concentrated_masses)
         .map_err(Failure::failed)?;
-    note(&notes_for_shapes(&input));
+    note(&input.notes);
+    note(&input.notes_on_tower_file());
     note(&made.notes);
     note(&surrounded_base(&tower, options.from_m));
     report(&table::fits(&tower, &made.made));

@@ -15,6 +15,7 @@ mod spread;
 mod support;
 mod tip;
 
+use towermodes::tower::Rpm;
 use towermodes::{LossFactors, Shear, Tower, TowerDescription};
 
 use crate::note::Note;
@@ -113,7 +114,9 @@ fn note_whole(
     if let Some(rotor) = tower.rotor() {
         notes.push(Note::left_out(format!(
             "a tower deck has no rotor: its {} blades and its speeds ({} to {} rpm) are left out",
-            rotor.blades, rotor.lowest_rpm, rotor.highest_rpm
+            rotor.blades,
+            Rpm(rotor.lowest_rpm),
+            Rpm(rotor.highest_rpm)
         )));
     }
     if tower.missing_parts().is_some() {

@@ -72,6 +72,11 @@ impl<'a> Table<'a> {
         elsewhere: impl Fn(&str) -> Option<String>,
         reading: &mut Reading,
     ) -> Option<Self> {
+        let name = name.into();
+        if let (Some(number), Some(key)) = (as_number(value), known.first()) {
+            let hint = format!("write {}", table_with(&name, key, number));
+            return reading.refuse(wrong_kind(value, &name, "a table").with_hint(hint));
+        }
         let mut table = Self::with_any_keys(value, name, reading)?;
         table.known = known;
         table.check_keys(elsewhere, reading);
@@ -262,4 +267,26 @@ fn nearest<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
     }
     let is_near = distance(&nearest) <= 1 + nearest.len() / 3;
     meant(name, known).or(is_near.then_some(nearest))
+}
+
+/// A number in the place of a table, as it is written.
+fn as_number<'v>(value: &'v Value<'_>) -> Option<&'v str> {
+    match value.get_ref() {
+        DeValue::Integer(number) => Some(number.as_str()),
+        DeValue::Float(number) => Some(number.as_str()),
+        DeValue::String(_)
+        | DeValue::Boolean(_)
+        | DeValue::Datetime(_)
+        | DeValue::Array(_)
+        | DeValue::Table(_) => None,
+    }
+}
+
+/// The table that a number probably stands for: "[gravity] with acceleration = 9.81", "scour = {
+/// general = 8.0 }".
+fn table_with(name: &str, key: &str, number: &str) -> String {
+    match name.starts_with('[') {
+        true => format!("{name} with {key} = {number}"),
+        false => format!("{name} = {{ {key} = {number} }}"),
+    }
 }

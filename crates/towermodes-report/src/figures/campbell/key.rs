@@ -79,7 +79,8 @@ fn shades(campbell: &Campbell, shown: &Shown) -> Vec<Entry> {
     let mut entries = Vec::new();
     if let Some([from_hz, to_hz]) = window_hz(campbell) {
         let text = format!(
-            "soft-stiff: {} to {} Hz",
+            "soft-stiff without the {} % margin: {} to {} Hz",
+            percent(campbell.margin),
             four_digits(from_hz),
             four_digits(to_hz)
         );

@@ -16,15 +16,16 @@ const AROUND: f64 = 4.0;
 /// From the operating band to that name: marks on its border extend so far.
 const FROM_BAND: f64 = 26.0;
 
-/// The soft-stiff range, Hz: above 1P at the highest speed and below the blade passing frequency at
-/// the lowest; none if these ranges overlap, and where nothing is checked.
+/// The soft-stiff range outside of the margin, Hz: the frequencies above 1P at the highest speed and
+/// below the blade passing frequency at the lowest that do not fail with them; none if these ranges
+/// overlap, and where nothing is checked.
 pub(super) fn window_hz(campbell: &Campbell) -> Option<[f64; 2]> {
     if !campbell.not_checked.is_empty() {
         return None;
     }
     let rotor = &campbell.rotor;
-    let from_hz = rotor.highest_rpm / 60.0;
-    let to_hz = rotor.blades as f64 * rotor.lowest_rpm / 60.0;
+    let from_hz = rotor.highest_rpm / 60.0 / (1.0 - campbell.margin);
+    let to_hz = rotor.blades as f64 * rotor.lowest_rpm / 60.0 / (1.0 + campbell.margin);
     (from_hz < to_hz).then_some([from_hz, to_hz])
 }
 

@@ -4,7 +4,7 @@ use towermodes::{Ground, GroundLayer, HeadStiffness, SpringsAt, Tower};
 
 use super::super::table::Table;
 use super::inputs::{in_short, of_inputs};
-use crate::number::{NOTHING, given, length};
+use crate::number::{given, length};
 
 /// More layers are not shown.
 const MOST_LAYERS: usize = 50;
@@ -19,7 +19,8 @@ pub(super) fn ground(ground: &Ground, names: &[String], tower: &Tower) -> Vec<Ta
         Some(_) => springs_of_members(tower),
         None => springs(tower),
     });
-    tables.extend(tower.pile_head().map(|head| pile_head(tower, &head)));
+    let head = tower.ground_surface_m().zip(tower.pile_head());
+    tables.extend(head.map(|(surface_m, head)| pile_head(surface_m, &head)));
     tables
 }
 
@@ -72,14 +73,11 @@ fn springs_of_members(tower: &Tower) -> Table {
     table.without_empty_columns().shortened()
 }
 
-fn pile_head(tower: &Tower, head: &HeadStiffness) -> Table {
+pub(super) fn pile_head(surface_m: f64, head: &HeadStiffness) -> Table {
     Table::of_facts(
         "Static stiffness of the pile at the surface of the soil: force and moment for deflection and rotation there",
         [
-            (
-                "surface of the soil after scour z (m)",
-                tower.ground_surface_m().map_or(NOTHING.to_owned(), length),
-            ),
+            ("surface of the soil after scour z (m)", length(surface_m)),
             ("K_L (N/m)", given(head.lateral_n_per_m)),
             ("K_LR (N)", given(head.coupling_n)),
             ("K_R (N m)", given(head.rocking_n_m)),

@@ -1,6 +1,6 @@
 //! The most important results in a few lines.
 
-use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine};
+use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, WeightLeftOut};
 
 use super::super::content::{ReportContent, TurbineResults};
 use super::super::document::{Block, Statement};
@@ -100,7 +100,10 @@ fn resonance(content: &ReportContent, campbell: Option<&Campbell>) -> Statement 
         };
     }
     let sentences = campbell.placement().into_iter();
-    let sentences: Vec<String> = sentences.chain(campbell.omissions()).collect();
+    let weight = WeightLeftOut::of(&content.tower);
+    let weight = weight.map(|weight| sentence(&weight.to_string()));
+    let sentences = sentences.chain(campbell.omissions()).chain(weight);
+    let sentences: Vec<String> = sentences.collect();
     Statement {
         lead,
         text: format!(

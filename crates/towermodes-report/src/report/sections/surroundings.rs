@@ -18,6 +18,10 @@ pub(super) fn surroundings(description: &TowerDescription, tower: &Tower) -> Vec
     let which_layer = |index| which(index, description.soil.len(), &names.soil);
     tables.extend(soil.map(|(index, rows)| soil_layer(&which_layer(index), rows)));
     let ground = description.ground.as_ref();
+    if ground.is_none() && !description.soil.is_empty() {
+        let head = tower.foundation_head();
+        tables.extend(head.map(|(height_m, head)| super::ground::pile_head(height_m, &head)));
+    }
     tables.extend(
         ground
             .map(|ground| super::ground::ground(ground, &names.ground, tower))

@@ -113,6 +113,12 @@ impl Tower {
         Some(balance)
     }
 
+    /// The vertical force at the reference position as a [fraction of the
+    /// weight](StaticBalance::residual_share); none where there is no static balance.
+    pub fn vertical_imbalance(&self) -> Option<f64> {
+        Some(self.balance_at_reference()?.residual_share())
+    }
+
     /// The same without the search for the equilibrium.
     pub(in crate::tower) fn balance_at_reference(&self) -> Option<StaticBalance> {
         self.afloat.as_deref()?.at_reference()

@@ -88,6 +88,7 @@ pub struct Sand {
     /// Effective friction angle φ′, degrees.
     #[input(Input::new("friction_angle", " degrees", Limit::UpTo(60.0), "the friction angle")
         .optional()
+        .also("phi phi_deg friction phi_prime")
         .symbol("φ′", 1.0, "°")
         .usual([20.0, 50.0], "loose sand has about 28, very dense sand 42; the unit is degrees (0.6 rad is 34 degrees)"))]
     pub friction_angle_deg: Option<f64>,

@@ -14,6 +14,10 @@ const CENTRE: Usual = Usual::at_most(Quantity::CentreDistance, 25.0);
 /// The RNA has at least this fraction of the mass of the tower: with a wrong unit it has less than
 /// a hundredth.
 const RNA_SHARE: Usual = Usual::at_least(Quantity::RnaShare, 0.01);
+/// A point mass of less has no effect on a tower of [`LARGE_KG`]: it is in t.
+const POINT_MASS: Usual = Usual::at_least(Quantity::PointMass, 10.0);
+/// The mass of a large tower, kg.
+const LARGE_KG: f64 = 20e3;
 /// The RNA is at most this many times as heavy as the tower.
 const TOWERS: f64 = 5.0;
 /// Machines above this mass have inertias that second bending and torsion feel, kg.
@@ -92,6 +96,9 @@ fn point_mass(tower: &Tower, index: usize, mass: &PointMass, warnings: &mut Vec<
     } else if mass.mass_kg == 0.0 {
         let site = at("mass");
         warnings.push(Warning::InertiaWithoutMass { site });
+    }
+    if mass.mass_kg > 0.0 && !has_inertia && tower.mass_kg() > LARGE_KG {
+        POINT_MASS.check(mass.mass_kg, at("mass"), warnings);
     }
     let reach_m = REACH * tower.height_m();
     inertia(

@@ -34,6 +34,7 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
             warnings.push(Warning::NoEffect { site, what });
         }
     }
+    deep_scour(tip_m, ground, warnings);
     models(&piles, ground, warnings);
     if let Some(foundation) = given.foundation.frame() {
         frame_piles::check(foundation.frame.description(), ground, warnings);
@@ -50,6 +51,23 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
     }
     if let Some(water) = given.water {
         water_over(ground, water, warnings);
+    }
+}
+
+/// Built piles are embedded so deep that scour leaves most of it.
+const SCOURED: f64 = 0.5;
+
+/// Scour that leaves less than half of what is in the ground of the deepest pile.
+fn deep_scour(tip_m: f64, ground: &Ground, warnings: &mut Vec<Warning>) {
+    let scour_m = ground.scour.general_m + ground.scour.local_m;
+    let embedded_m = ground.surface_m - tip_m;
+    if embedded_m > 0.0 && scour_m > SCOURED * embedded_m {
+        warnings.push(Warning::DeepScour {
+            site: Site::at(Place::Ground { key: "scour" }),
+            scour_m,
+            embedded_m,
+            left_m: embedded_m - scour_m,
+        });
     }
 }
 

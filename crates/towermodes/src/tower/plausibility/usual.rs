@@ -73,9 +73,7 @@ pub(super) fn check_inputs(
     warnings: &mut Vec<Warning>,
 ) {
     for (input, given) in given_inputs(inputs) {
-        // The larger one of the values at top and bottom: the other may be zero.
-        let larger = given.pair().map(|[top, bottom]| top.max(bottom));
-        let finite = given.number().or(larger);
+        let finite = given.number().or(given.pair().map(checked_of_pair));
         let finite = finite.filter(|value| value.is_finite());
         if let (Some((quantity, [least, most])), Some(value)) = (input.usual, finite) {
             let usual = Usual::new(quantity, least, most);
@@ -94,6 +92,19 @@ pub(super) fn check_inputs(
         warnings.push(Warning::NoEffect { site, what });
     }
 }
+
+/// One of the values at top and bottom: the larger one, because the other may be zero; but the
+/// smaller one if it is so much smaller that it has another unit.
+fn checked_of_pair([top, bottom]: [f64; 2]) -> f64 {
+    let (smaller, larger) = (top.min(bottom), top.max(bottom));
+    match smaller > 0.0 && smaller * OTHER_UNIT <= larger {
+        true => smaller,
+        false => larger,
+    }
+}
+
+/// Of a layer one end is not so many times the other: kPa in place of Pa is a factor of 1000.
+const OTHER_UNIT: f64 = 300.0;
 
 /// Warns of the positive value that is furthest outside its range, if any is.
 pub(super) fn check_worst(

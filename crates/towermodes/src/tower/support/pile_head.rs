@@ -41,7 +41,28 @@ impl Tower {
     ///
     /// It is integrated from the tip up.
     pub fn pile_head(&self) -> Option<HeadStiffness> {
-        let (surface_m, base) = (self.ground_surface_m()?, self.base());
+        self.stiffness_at(self.ground_surface_m()?)
+    }
+
+    /// The height (m) of the uppermost soil around or under the tower, and the static stiffness of
+    /// pile and foundation there: at the surface of the ground, at the highest of the rows of
+    /// [`soil`](crate::TowerDescription::soil), or at the base. None where the base is held by more
+    /// than springs, on a frame, and for a tower that floats.
+    pub fn foundation_head(&self) -> Option<(f64, HeadStiffness)> {
+        if self.base().floats {
+            return None;
+        }
+        let pieces = self.pieces().iter().rev();
+        let mut in_soil = pieces.filter(|piece| piece.environment.soil.is_some());
+        let rows_m = || in_soil.next().map(|piece| piece.top_m);
+        let surface_m = self.ground_surface_m().or_else(rows_m);
+        let height_m = surface_m.unwrap_or(self.base_m());
+        Some((height_m, self.stiffness_at(height_m)?))
+    }
+
+    /// The static stiffness at a height (m) of everything below, without the water and the weight.
+    fn stiffness_at(&self, surface_m: f64) -> Option<HeadStiffness> {
+        let base = self.base();
         if base.on_frame || !(base.moves[0] && base.moves[4]) {
             return None;
         }

@@ -189,6 +189,10 @@ fn check_layers(ground: &Ground, tip_m: f64) -> Checked {
         let (top_m, bottom_m) = (layer.top_m, layer.bottom_m);
         coordinate(at("top"), "the height of the layer's top", top_m)?;
         coordinate(at("bottom"), "the height of the layer's bottom", bottom_m)?;
+        // First, because depths in place of heights do not join either.
+        if bottom_m >= top_m {
+            return error(at("bottom"), Problem::LayerUpsideDown { top_m, bottom_m });
+        }
         if top_m != above_m {
             let problem = match index {
                 0 => Problem::FirstLayerOffSurface {
@@ -198,9 +202,6 @@ fn check_layers(ground: &Ground, tip_m: f64) -> Checked {
                 _ => Problem::LayersApart { top_m, above_m },
             };
             return error(at("top"), problem);
-        }
-        if bottom_m >= top_m {
-            return error(at("bottom"), Problem::LayerUpsideDown { top_m, bottom_m });
         }
         above_m = bottom_m;
     }
