@@ -35,7 +35,7 @@ pub struct ElasticityQuestion {
     /// with nearly equal frequencies can have another order.
     #[serde(default)]
     pub label: Option<String>,
-    /// The numbers and columns that are wanted, by name, the most wanted first; all if it is absent.
+    /// The names of the parameters and columns to compute, the most urgent first; all if absent.
     #[serde(default)]
     pub names: Option<Vec<String>>,
 }
@@ -77,8 +77,8 @@ struct Slider {
 }
 
 impl Explorer {
-    /// The elasticities of one mode with respect to what the sliders move. The computation ends when
-    /// `wanted` returns false.
+    /// The elasticities of one mode with respect to what the sliders move. The computation ends
+    /// when `wanted` returns false.
     ///
     /// # Errors
     /// [`Refusal`].

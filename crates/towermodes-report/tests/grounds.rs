@@ -208,7 +208,10 @@ fn local_scour_is_a_hole_beside_the_pile() {
         ..GroundLayer::new([-30.0, -90.0], sand, SoilModel::Api)
     };
     let ground = Ground {
-        scour: with!(Scour, general_m = 1.0, local_m = 8.0),
+        scour: Scour {
+            general_m: 1.0,
+            local_m: 8.0,
+        },
         ..Ground::new(-30.0, vec![layer])
     };
     let description = TowerDescription {

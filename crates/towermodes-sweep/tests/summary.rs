@@ -86,8 +86,8 @@ fn few_values_and_none_have_statistics_too() {
 }
 
 /// 1P from 6.9 to 12.1 rpm and 5 %: frequencies from 0.115/1.05 = 0.1095238 to 0.201667/0.95 =
-/// 0.2122807 Hz are too near. 0.2122811 Hz is not, but could be with its error of 1e-6 Hz; 0.1095243
-/// Hz is, but could not be.
+/// 0.2122807 Hz are too near. 0.2122811 Hz is outside, but could be too near with its error of
+/// 1e-6 Hz; 0.1095243 Hz is too near, but could be outside.
 #[test]
 fn violated_margins_are_counted() {
     let rotor = rotor(3, 6.9, 12.1);

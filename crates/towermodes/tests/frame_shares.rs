@@ -195,7 +195,7 @@ fn a_pile_that_turns_below_a_tower_rigid_in_torsion_has_a_torsion_mode() {
         outer_diameter_m: 6.0,
         wall_thickness_m: 0.06,
     };
-    let member = |ends| FrameMember::tube("pile", ends, [section; 2], soft.clone());
+    let member = |ends| FrameMember::tube("pile", ends, [section; 2], soft);
     let heights_m = [-length_m, -12.0, 0.0];
     let joints = heights_m.iter().enumerate();
     let joints = joints.map(|(k, z)| FrameJoint::new((k + 1).to_string(), [0.0, 0.0, *z]));
@@ -232,7 +232,7 @@ fn a_pile_that_turns_below_a_tower_rigid_in_torsion_has_a_torsion_mode() {
     // Half of the pile's ρ J L moves with the head; of the tower nothing turns.
     let (outer, inner) = (6.0_f64, 5.88_f64);
     let polar = std::f64::consts::PI / 32.0 * (outer.powi(4) - inner.powi(4));
-    let inertia = turning.modal_inertia_kg_m2.expect("of a torsion mode");
+    let inertia = turning.modal_inertia_kg_m2().expect("of a torsion mode");
     assert_close(
         inertia,
         0.5 * density * polar * length_m,

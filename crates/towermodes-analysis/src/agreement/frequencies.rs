@@ -53,9 +53,8 @@ pub struct ComparedFrequency {
     pub verdict: Verdict,
 }
 
-/// The first two frequencies in each plane by the method spectral, and those of a floating platform,
-/// without modes that neither tower
-/// has.
+/// The first two frequencies in each plane by the method spectral, and those of a floating
+/// platform, without modes that neither tower has.
 pub(super) fn frequencies(
     towers: [&Tower; 2],
     rotary_inertia: bool,

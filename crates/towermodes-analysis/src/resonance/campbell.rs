@@ -250,8 +250,8 @@ impl Campbell {
         first.any(|line| self.lines[*line].is_of_same_mode(own))
     }
 
-    /// The multiples that can fail with tower modes: 1P and the blade passing frequency, if they are
-    /// in the diagram.
+    /// The multiples that can fail with tower modes: 1P and the blade passing frequency, if they
+    /// are in the diagram.
     pub fn strong_multiples(&self) -> impl Iterator<Item = usize> + '_ {
         let multiples = self.multiples.iter().copied();
         multiples.filter(|multiple| is_strong(*multiple, &self.rotor))

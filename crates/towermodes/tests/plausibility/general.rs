@@ -153,7 +153,7 @@ fn rows_and_materials_that_hold_for_nothing() {
 #[test]
 fn more_segments_than_asked_for() {
     let masses = |t: &mut TowerDescription| {
-        let mass = |height_m| with!(PointMass, height_m, mass_kg = 1.0);
+        let mass = |height_m| with!(PointMass, height_m, mass_kg = 100.0);
         t.point_masses = (1..250).map(|k| mass(0.35 * f64::from(k))).collect();
     };
     only(masses).says("250 segments are used instead of 200");

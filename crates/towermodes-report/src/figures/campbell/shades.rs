@@ -16,9 +16,9 @@ const AROUND: f64 = 4.0;
 /// From the operating band to that name: marks on its border extend so far.
 const FROM_BAND: f64 = 26.0;
 
-/// The soft-stiff range outside of the margin, Hz: the frequencies above 1P at the highest speed and
-/// below the blade passing frequency at the lowest that do not fail with them; none if these ranges
-/// overlap, and where nothing is checked.
+/// The soft-stiff range outside of the margin, Hz: the frequencies above 1P at the highest speed
+/// and below the blade passing frequency at the lowest that do not fail with them; none if these
+/// ranges overlap, and where nothing is checked.
 pub(super) fn window_hz(campbell: &Campbell) -> Option<[f64; 2]> {
     if !campbell.not_checked.is_empty() {
         return None;
