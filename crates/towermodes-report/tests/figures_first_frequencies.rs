@@ -38,8 +38,8 @@ fn labels_are_apart_whatever_the_rotor() {
         ("1P and 3P overlap", rotor(3, 4.0, 14.0)),
         ("one blade", rotor(1, 10.0, 20.0)),
         ("two blades", rotor(2, 15.0, 18.0)),
-        ("fast", rotor(3, 200.0, 400.0)),
-        ("slow", rotor(3, 0.1, 0.2)),
+        ("fast", rotor(3, 50.0, 100.0)),
+        ("slow", rotor(3, 1.0, 3.2)),
     ];
     for name in EXAMPLES {
         for (what, rotor) in &rotors {

@@ -11,7 +11,7 @@ use crate::source::Source;
 use crate::subdyn::SubdynInput;
 
 /// The largest length of piles as a fraction of the depth, if no joint is at the seabed.
-const PILES: f64 = 0.2;
+const PILES: f64 = 0.5;
 
 /// Notes on contradictions between the SubDyn file and the HydroDyn file, each with its line.
 pub(super) fn doubts(subdyn: &SubdynInput, water: &HydrodynInput, sea: &Sea) -> Vec<Note> {

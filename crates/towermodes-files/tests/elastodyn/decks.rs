@@ -538,7 +538,7 @@ fn a_written_tower_file_has_the_damping_of_the_deck() {
 #[test]
 fn a_nacelle_in_tonnes_is_a_warning() {
     let said = |mass: &str| {
-        let deck = deck(&[("NacMass", mass), ("TowerHt", "90")]);
+        let deck = deck(&[("NacMass", mass), ("NacYIner", "1e6"), ("TowerHt", "90")]);
         messages(&deck)
             .iter()
             .any(|note| note.contains("NacMass is 644.857 kg on a tower of"))
