@@ -123,10 +123,11 @@ struct GroundSummary {
 }
 
 impl GroundSummary {
-    fn of(tower: &Tower) -> Option<Self> {
+    /// At the surface of the ground, the head of the foundation is the head of the pile.
+    fn of(tower: &Tower, head: Option<&FoundationHead>) -> Option<Self> {
         Some(Self {
             surface_m: tower.ground_surface_m()?,
-            pile_head: tower.pile_head(),
+            pile_head: head.map(|head| head.stiffness),
             springs: tower.springs_of_soil(),
             members: tower.springs_of_members(),
         })
@@ -138,6 +139,7 @@ impl<'a> SolutionDocument<'a> {
     pub(super) fn of(tower: &'a Tower, solution: &'a Solution, notes: &[Note]) -> Self {
         let notes = notes.iter().map(ToString::to_string);
         let warnings = solution.warnings.iter().map(ToString::to_string);
+        let foundation_head = FoundationHead::of(tower);
         Self {
             method: solution.method,
             segments: solution.segments,
@@ -150,8 +152,8 @@ impl<'a> SolutionDocument<'a> {
                 top_mass_kg: tower.rna().mass_kg,
                 gravity_m_per_s2: tower.gravity_m_per_s2(),
                 rigid_inertia: solution.rigid_inertia,
-                foundation_head: FoundationHead::of(tower),
-                ground: GroundSummary::of(tower),
+                ground: GroundSummary::of(tower, foundation_head.as_ref()),
+                foundation_head,
                 missing: tower.missing_parts(),
                 frame: tower.frame().map(FrameSummary::of),
             },
