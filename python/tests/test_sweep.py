@@ -371,6 +371,6 @@ def test_rows_in_which_modes_share_a_motion_are_named() -> None:
     share = result.share_of("side-side 2")
     assert share[0] > 0.99 and share.min() < 0.6
     assert result.shared_rows == int((result.share < 0.6).any(axis=1).sum())
-    assert " share modes 3 and 4 here: " in result.shared[0][1]
+    assert " are coupled in modes 3 and 4: " in result.shared[0][1]
     assert result.mode("side-side", 2).max() < 1.98
     assert result.to_dict()["torsion_1_share"].tolist() == result.share[:, 1].tolist()

@@ -1,4 +1,4 @@
-//! Turbines whose rotor turns, by the program: fast rotors, generators, what is refused.
+//! Turbines with rotating rotor, by the program: fast rotors, generators, what is refused.
 
 use crate::program::{root, run, texts};
 use std::fs;

@@ -6,7 +6,7 @@
 //! deformation and rotary inertia for BModes.
 //! `cargo run --release -p towermodes-random --example random_study` prints the tables of the book.
 //!
-//! Turbines whose rotor turns are compared with finer elements; `--example random_turbines` prints
+//! Turbines with rotating rotor are compared with finer elements; `--example random_turbines` prints
 //! their table. Frames, by themselves and under a tower, are compared with elements of a higher
 //! degree (`--example random_frames`). [`paths`] follows names along paths of towers (`--example
 //! name_study`).

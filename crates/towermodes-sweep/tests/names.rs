@@ -86,6 +86,6 @@ fn no_row_jumps_where_modes_share_their_motions() {
         }
         assert!(results.shared.rows > 0, "{change}");
         let (_, sentence) = &results.shared.first[0];
-        sentence.says(" share modes ");
+        sentence.says(" are coupled in modes ");
     }
 }

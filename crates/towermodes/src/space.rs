@@ -23,11 +23,11 @@ pub use crate::symmetric::eigenpairs;
 /// One entry of the rigid-body transformation X(h) = 1 + h·Σ sign·e_moved e_byᵀ.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Lever {
-    /// The translation that is moved.
+    /// Index of the translation component.
     pub(crate) moved: usize,
-    /// The rotation that moves it.
+    /// Index of the rotation component that changes this translation.
     pub(crate) by: usize,
-    /// +1, or −1 where a positive rotation moves it backwards.
+    /// +1, or −1 if a positive rotation decreases the translation.
     pub(crate) sign: f64,
 }
 
@@ -50,7 +50,7 @@ const IN_SPACE: [Lever; 2] = [
     },
 ];
 
-/// The levers of motions in `components` components.
+/// The entries of X(h) for motions of `components` components.
 pub(crate) const fn levers(components: usize) -> &'static [Lever] {
     match components {
         1 => &[],

@@ -14,7 +14,7 @@ export function animateTurbine(turbine: Turbine): void {
   animate<WhirlMode>({
     id: "whirl",
     of: " of the turbine",
-    words: "Tower, nacelle and turning rotor, undeformed and deflected in the mode.",
+    words: "Tower, nacelle and rotating rotor, undeformed and deflected in the mode.",
     modes: turbine.modes,
     level: turbine.height_m[0]! + 0.5 * height,
     // The whole rotor and the largest amplitude; the base stays where it is.

@@ -11,7 +11,7 @@ use towermodes::{Family, MissingParts, Solution};
 pub enum NotChecked {
     /// The operating speeds are unknown; those of the rotor are only the ends of the diagram.
     SpeedsUnknown,
-    /// The operating speeds are those of no turbine of this size: probably in another unit.
+    /// No turbine of this size has these operating speeds: probably they are in another unit.
     SpeedsImplausible(Rotor),
     /// The frequencies are not those of the whole structure.
     PartsMissing(MissingParts),
@@ -29,7 +29,7 @@ impl fmt::Display for NotChecked {
             Self::PartsMissing(parts) => parts.fmt(f),
             Self::OutOfBalance(share) => write!(
                 f,
-                "weight, buoyancy and mooring lines leave {:.0} % of the weight, more than {:.0} %: the platform does not float as it is described",
+                "weight, buoyancy and mooring lines leave {:.0} % of the weight, more than {:.0} %: the platform is not in equilibrium in the described position",
                 100.0 * share,
                 100.0 * MOST_OUT_OF_BALANCE
             ),
@@ -40,14 +40,14 @@ impl fmt::Display for NotChecked {
 /// The highest speed of turbines in operation for which a unit is suggested, rpm.
 const LIKELY_RPM: std::ops::Range<f64> = 4.0..40.0;
 
-/// "the rotor speed of 0.09 to 0.2 rpm is that of no turbine of this size; in rpm it would be 5.4
-/// to 12 if these are Hz".
+/// "no turbine of this size has a rotor speed of 0.09 to 0.2 rpm; if the value is in Hz, the speed
+/// is 5.4 to 12 rpm".
 fn implausible(rotor: &Rotor, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let speeds = [rotor.lowest_rpm, rotor.highest_rpm];
     let [lowest, highest] = speeds.map(Rpm);
     write!(
         f,
-        "a rotor speed of {lowest} to {highest} rpm is that of no turbine of this size"
+        "no turbine of this size has a rotor speed of {lowest} to {highest} rpm"
     )?;
     let units = [("Hz", 60.0), ("rad/s", 60.0 / std::f64::consts::TAU)];
     let likely = units
@@ -55,7 +55,10 @@ fn implausible(rotor: &Rotor, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         .filter(|(_, in_rpm)| LIKELY_RPM.contains(&(speeds[1] * in_rpm)));
     for (unit, in_rpm) in likely {
         let [lowest, highest] = speeds.map(|speed| four_digits(in_rpm * speed));
-        write!(f, "; if it is in {unit}, it is {lowest} to {highest} rpm")?;
+        write!(
+            f,
+            "; if the value is in {unit}, the speed is {lowest} to {highest} rpm"
+        )?;
     }
     Ok(())
 }
@@ -164,7 +167,7 @@ mod tests {
         );
         assert_eq!(
             found[0].to_string(),
-            "weight, buoyancy and mooring lines leave 11 % of the weight, more than 10 %: the platform does not float as it is described"
+            "weight, buoyancy and mooring lines leave 11 % of the weight, more than 10 %: the platform is not in equilibrium in the described position"
         );
         // Without the buoyancy nothing is known.
         assert_eq!(not_checked(&tower(floater()), &ROTOR, true), []);
@@ -185,13 +188,13 @@ mod tests {
         assert_eq!(
             reasons(0.09, 0.2),
             [
-                "a rotor speed of 0.09 to 0.2 rpm is that of no turbine of this size; if it is in Hz, it is 5.400 to 12.00 rpm"
+                "no turbine of this size has a rotor speed of 0.09 to 0.2 rpm; if the value is in Hz, the speed is 5.400 to 12.00 rpm"
             ]
         );
         assert_eq!(
             reasons(0.5, 1.25),
             [
-                "a rotor speed of 0.5 to 1.25 rpm is that of no turbine of this size; if it is in rad/s, it is 4.775 to 11.94 rpm"
+                "no turbine of this size has a rotor speed of 0.5 to 1.25 rpm; if the value is in rad/s, the speed is 4.775 to 11.94 rpm"
             ]
         );
     }

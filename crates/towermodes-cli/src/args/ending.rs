@@ -9,12 +9,13 @@ use clap::ValueEnum;
 pub(crate) trait Ending: ValueEnum + Copy + PartialEq + Send + Sync + 'static {
     /// File extensions, without the dot, and their formats.
     const ENDINGS: &'static [(&'static str, Self)];
-    /// The format if neither says one.
+    /// The format if neither the option nor the extension gives one.
     const DEFAULT: Self;
     /// The option that selects the format.
     const OPTION: &'static str = "--format";
 
-    /// The selected format: the option, else the file extension; none if neither is given.
+    /// The selected format: that of the option, otherwise that of the file extension; none if
+    /// neither is given.
     ///
     /// # Errors
     /// The option and the extension contradict each other, or the extension is unknown.

@@ -1,5 +1,5 @@
-//! The output of commands that find numbers of a tower: the result is printed, the tower with the
-//! numbers found is a file.
+//! The output of commands that compute input values of a tower: the result is printed, and the
+//! tower with the computed values is written to a file.
 
 use std::path::{Path, PathBuf};
 
@@ -26,8 +26,7 @@ impl FoundArguments {
         file_of(self.output.as_deref())
     }
 
-    /// # Errors
-    /// The message for an output that is not possible.
+    /// The message if an output with this extension is not possible.
     pub(crate) fn check(&self) -> Result<(), &'static str> {
         let Some(path) = &self.output else {
             return Ok(());

@@ -1,4 +1,4 @@
-//! Options that are given, as words of a command line that repeats them.
+//! The given options as arguments of a command line that repeats them.
 
 use std::fmt::Display;
 

@@ -71,7 +71,7 @@ impl ConvertArguments {
     /// Checks that the options apply to the format.
     ///
     /// # Errors
-    /// The message for an option that does not.
+    /// The message for an option that does not apply.
     pub(crate) fn check(&self, to: Target) -> Result<(), &'static str> {
         if self.from_height.is_some() && to != Target::Elastodyn {
             return Err(

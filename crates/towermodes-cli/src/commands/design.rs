@@ -139,7 +139,7 @@ const ROTOR: &str = "add to the tower file:
   blades = 3
   rpm = [6.9, 12.1]  # lowest and highest operating speed";
 
-/// Errors that a line of the study explains name it.
+/// Adds the line of the design file to an error that such a line explains.
 fn failure(error: DesignError, study: &DesignStudy, tower: &TowerDescription) -> Failure {
     match (located(&error, study, tower), &error) {
         (Some(place), DesignError::NoDerivative { .. }) => Failure::unreached(place),

@@ -11,8 +11,9 @@ use crate::output::deliver;
 /// The introduction of the chapter.
 const INTRODUCTION: &str = "# The command line
 
-Every command with its arguments and options. This chapter is printed by `towermodes reference`; a test compares the two. `towermodes COMMAND
---help` says the same in the terminal, `towermodes man COMMAND` as a manual page. Exit codes are [a page of their own](exit-codes.md).
+Every command with its arguments and options. This chapter is printed by `towermodes reference`; a test compares it with the output of the program.
+`towermodes COMMAND --help` shows the text of a command in the terminal, `towermodes man COMMAND` shows it as a manual page. Exit codes are on
+[a separate page](exit-codes.md).
 ";
 
 /// `towermodes reference`.

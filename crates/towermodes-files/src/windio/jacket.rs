@@ -339,7 +339,7 @@ fn note_place(
             reading.note_at(
                 depth.span.start,
                 Note::suspicious(format!(
-                    "the feet of the jacket at z = {foot} m (base of the tower less height) are not on the seabed at z = {} m",
+                    "the feet of the jacket at z = {foot} m (base of the tower minus height of the jacket) are not on the seabed at z = {} m",
                     Rounded(0.0 - depth_m)
                 )),
             );

@@ -55,7 +55,7 @@ impl EmbeddedFile {
             differs.push("control characters are shown as spaces".to_owned());
         }
         if !file.is_of_text && file.text.len() as u64 != file.bytes {
-            differs.push("the file is not encoded in UTF-8, or begins with a byte order mark; the text is the same".to_owned());
+            differs.push("the file is not encoded in UTF-8, or begins with a byte order mark; the text shown here is in UTF-8 without this mark".to_owned());
         }
         Self {
             name: file.name.clone(),

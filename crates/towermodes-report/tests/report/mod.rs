@@ -205,7 +205,7 @@ const SECTIONS: &str = r#"
 "#;
 
 /// The appendix of the page alone: Markdown has a command in place of the numbers of a picture.
-const NUMBERS: &str = "<a href=\"#numbers\">Appendix C. Numbers of the figures</a>";
+const NUMBERS: &str = "<a href=\"#numbers\">Appendix C. Data of the figures</a>";
 
 #[test]
 fn every_section_is_there_in_its_order() {
@@ -224,7 +224,7 @@ fn every_section_is_there_in_its_order() {
         in_text = at;
     }
     page.says(NUMBERS);
-    assert!(!text.contains("Numbers of the figures"));
+    assert!(!text.contains("Data of the figures"));
 }
 
 /// Every picture refers to its numbers, which are in the appendix or in the tables of its section.

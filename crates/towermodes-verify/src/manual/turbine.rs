@@ -1,4 +1,4 @@
-//! Turbines whose rotor turns.
+//! Turbines with rotating rotor.
 
 use towermodes::TowerDescription;
 use towermodes::turbine::{TurbineDescription, TurbineMesh};
@@ -12,12 +12,11 @@ use crate::turning::Turning;
 
 pub(super) const CHAPTER: Chapter = Chapter {
     name: "turbine",
-    title: "Turbines whose rotor turns",
+    title: "Turbines with rotating rotor",
     introduction: "Coupled natural frequencies of tower, drivetrain and three flexible blades in multiblade coordinates, at a rotor speed; structure \
         alone, without wind and controller. The expected values are those of a program written for this comparison, which assembles real matrices in \
         multiblade coordinates with polynomials over whole elements and solves them by a dense eigensolver. The free generator adds a rotation at 0 Hz, \
-        which is not listed. The NREL 5 MW turbine is that of its OpenFAST model: tower and blades bend only; with the yaw drive its stiffness is \
-        9.02832e9 N m/rad.",
+        which is not listed. The NREL 5 MW turbine is that of its OpenFAST model: tower and blades have only bending flexibility; in the cases with a yaw drive the stiffness of the drive is 9.02832e9 N m/rad.",
 };
 
 const SOURCE: &str = "real multiblade matrices, dense eigensolver";

@@ -1,4 +1,4 @@
-//! Turbines whose rotor turns.
+//! Turbines with rotating rotor.
 
 use towermodes::blade::{BladeDescription, BladeSection};
 use towermodes::turbine::{Generator, Hub, TurbineDescription};

@@ -233,7 +233,8 @@ fn check_inertias(section: usize, values: &BladeSection) -> Result<(), BladeErro
     }
 }
 
-/// EA e² is a part of EI about the elastic axis.
+/// EI about the elastic axis includes EA a² of the offset a of the tension centre, so it must be
+/// larger than this part.
 fn check_tension_center(section: usize, values: &BladeSection) -> Result<(), BladeError> {
     let (offset_m, axial_n, edge_n_m2) =
         (values.tension_center_m, values.axial_n, values.edge_n_m2);
@@ -248,7 +249,7 @@ fn check_tension_center(section: usize, values: &BladeSection) -> Result<(), Bla
     })
 }
 
-/// Infinity, which is a motion that is not there, passes for 1.
+/// Replaces an infinite stiffness, which means that the deformation is excluded, by 1.
 fn or_one_if_infinite(stiffness: f64) -> f64 {
     if stiffness == f64::INFINITY {
         1.0
@@ -257,7 +258,7 @@ fn or_one_if_infinite(stiffness: f64) -> f64 {
     }
 }
 
-/// A blade twists, or stretches, everywhere or nowhere.
+/// Torsional and axial stiffness must be infinite in all sections or in none.
 fn check_rigidity(
     section: usize,
     values: &BladeSection,
@@ -283,7 +284,7 @@ fn check_rigidity(
     }
 }
 
-/// From 0 to 1, and rising.
+/// Checks that positions along the span begin at 0, end at 1 and increase.
 fn check_range(
     what: &'static str,
     spans: &[f64],

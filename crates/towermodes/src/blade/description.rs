@@ -24,7 +24,8 @@ pub struct BladeDescription {
     pub rotor_speed_rad_per_s: f64,
     /// Pitch, rad; adds to the twist.
     pub pitch_rad: f64,
-    /// Rigid body at the tip; its centre of mass from the tip, and its inertia, are in (X, Y, Z).
+    /// Rigid body at the tip; its centre of mass, measured from the tip, and its inertia are given
+    /// in the axes (X, Y, Z).
     pub tip: RigidBody,
     /// Whether the centrifugal force of the body at the tip is included; BModes 3.00 omits it.
     pub tip_is_pulled: bool,

@@ -75,7 +75,7 @@ pub enum BladeError {
         .section + 1
     )]
     RigidInSomeSections {
-        /// The quantity.
+        /// The stiffness, by its name.
         quantity: &'static str,
         /// Index of the section.
         section: usize,
@@ -84,7 +84,7 @@ pub enum BladeError {
         /// The value of the first section.
         first: f64,
     },
-    /// A hub beyond the tip, or a negative one.
+    /// A hub radius that is negative or not less than the tip radius.
     #[error("the blade extends from radius {} m to {} m; the tip radius must be larger than the hub radius, which must not be negative", Plain(*.hub_m), Plain(*.tip_m))]
     NoLength {
         /// Radius of the hub, m.

@@ -1,5 +1,5 @@
 //! Chains of rigid bodies and elastic joints in D components: O(n) product, articulated
-//! factorization, inertia count.
+//! factorization, eigenvalue count.
 
 #[macro_use]
 mod components;

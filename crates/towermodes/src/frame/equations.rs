@@ -15,10 +15,10 @@ use crate::space::SpatialMatrix;
 
 pub(super) use super::kinds::{ELASTIC, GEOMETRIC, GROUND, INERTIA, KINDS};
 
-/// What carries a node.
+/// A link, whose coordinates determine the motion of a node.
 #[derive(Debug, Clone)]
 pub(super) struct Link {
-    /// The node that it hangs on; none: the ground.
+    /// The node at its near end; none if this end is on the ground.
     pub(super) parent: Option<usize>,
     pub(super) child: usize,
     /// X.
@@ -27,24 +27,25 @@ pub(super) struct Link {
     pub(super) tip: Vec<Motion>,
     /// Place of the first coordinate among the unknowns.
     pub(super) first: usize,
-    /// All coordinates: those that move the child, then the bubbles.
+    /// Number of its coordinates: those that move the child, then the bubbles.
     pub(super) coordinates: usize,
-    /// Stiffness for each coordinate: 1 of an element, 0 of a hinge or a support that moves.
+    /// Diagonal stiffness of its coordinates: 1 for an element, 0 for a hinge or a support that
+    /// moves.
     pub(super) own: f64,
-    /// For the motion of the parent, the coordinates that move the child, and the bubbles.
+    /// Matrices for the motion of the parent, the coordinates that move the child, and the bubbles.
     pub(super) parts: Parts,
 }
 
-/// An element between two nodes that other links carry.
+/// An element between two nodes whose motions are determined by links.
 #[derive(Debug, Clone)]
 pub(super) struct Chord {
-    /// None: the ground.
+    /// The nodes at both ends; none for an end on the ground.
     pub(super) ends: [Option<usize>; 2],
-    /// Where they are, m.
+    /// Positions of the ends, m.
     pub(super) ends_m: [Vector; 2],
     /// Place of the first bubble among the unknowns.
     pub(super) first: usize,
-    /// For the motions of both ends and the bubbles.
+    /// Matrices for the motions of both ends and the bubbles.
     pub(super) parts: Parts,
 }
 

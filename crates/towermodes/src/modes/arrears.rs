@@ -18,13 +18,13 @@ const LEAST: f64 = 0.25;
 /// Families with less than a quarter of the mode's largest share are not considered.
 ///
 /// Each family counts its names from 1, so no name is given twice and none is left out. A name
-/// depends on the modes up to its own alone, so a longer list changes no name. For K families and
-/// shares ≥ 0 that sum to 1 the energy of a family in the first n modes,
-/// C(n, f) = Σ p(m, f), differs little from the number of its names c(n, f):
-/// −(1 − 1/K) ≤ C − c ≤ 1/2 + … + 1/K, as long as the quarter excludes no family that is most in
-/// arrears. The energies C(n, f) are continuous in every number of the structure where the next
-/// frequency is apart. So a name changes its place only among the neighbouring modes that share
-/// its motion. [`Arrears::fade`] gives up these bounds.
+/// depends only on its own mode and the modes below it, so a longer list changes no name. For K
+/// families and shares ≥ 0 that sum to 1 the energy of a family in the first n modes, C(n, f) = Σ
+/// p(m, f), differs little from the number of its names c(n, f): −(1 − 1/K) ≤ C − c ≤ 1/2 + … +
+/// 1/K, as long as the quarter excludes no family that is most in arrears. The energies C(n, f) are
+/// continuous in every number of the structure where the next frequency is apart. So a name changes
+/// its place only among the neighbouring modes that share its motion. [`Arrears::fade`] gives up
+/// these bounds.
 ///
 /// # Example
 /// Two modes that share two motions nearly equally, between two that do not:

@@ -108,7 +108,7 @@ impl Holders {
 
 /// Several modes share the motion of a name: the mode that has the name has less than 60 % of its
 /// energy in this motion, and after a small change of the tower another of these modes may have the
-/// name. Its text is "side-side 2 and torsion 1 share modes 3 and 4 here: 1.964 and 1.968 Hz".
+/// name. Its text is "the motions of side-side 2 and torsion 1 are coupled in modes 3 and 4: 1.964 and 1.968 Hz".
 #[derive(Debug, Clone, PartialEq)]
 pub struct SharedMotion {
     /// The name.
@@ -152,11 +152,14 @@ impl fmt::Display for SharedMotion {
         match self.modes.len() {
             0 | 1 => write!(
                 f,
-                "{names} has less than 60 % of its energy in the motion of its name here: {hz} Hz"
+                "{names} at {hz} Hz has less than 60 % of its energy in the type of motion that its name states"
             ),
             _ => {
                 let numbers = of(&|(number, ..)| number.to_string());
-                write!(f, "{names} share modes {numbers} here: {hz} Hz")
+                write!(
+                    f,
+                    "the motions of {names} are coupled in modes {numbers}: {hz} Hz"
+                )
             }
         }
     }
@@ -248,7 +251,7 @@ mod tests {
             let name = "side-side 2".parse().expect("a name");
             SharedMotion::of(name, all).map(|shared| shared.to_string())
         };
-        let expected = "torsion 1 and side-side 2 share modes 2 and 3 here: 1.964 and 1.968 Hz";
+        let expected = "the motions of torsion 1 and side-side 2 are coupled in modes 2 and 3: 1.964 and 1.968 Hz";
         assert_eq!(said([1.0, 0.45, 0.55, 1.0]).as_deref(), Some(expected));
         assert_eq!(said([1.0, 0.3, 0.7, 1.0]), None);
     }

@@ -7,7 +7,8 @@ use crate::subsystem::SegmentCurves;
 pub struct ModeCurve<'a> {
     borders_m: &'a [f64],
     curves: &'a dyn SegmentCurves,
-    /// The largest motion, with the sign of the top's.
+    /// The component with the largest absolute value over the height, signed so that the motion of
+    /// the top is positive after division by it.
     largest: f64,
 }
 

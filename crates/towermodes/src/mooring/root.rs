@@ -2,11 +2,11 @@
 
 /// Iterations of Newton's method, after which the bracket is halved.
 const NEWTON_STEPS: usize = 60;
-/// Halvings that narrow the widest bracket of two doubles to neighbours.
+/// Halvings after which even the widest bracket contains only two adjacent floating-point numbers.
 const HALVINGS: usize = 80;
-/// The largest step of the logarithm.
+/// Largest change of ln u in one step.
 const LONGEST_STEP: f64 = 30.0;
-/// The relative step that ends the search.
+/// Relative step at which the search ends.
 const CLOSE: f64 = 4.0 * f64::EPSILON;
 
 /// The root u > 0 of an increasing function, which is given with its derivative; none where the

@@ -1,4 +1,4 @@
-//! The changes of a tower that a designer can make with its numbers, one by one.
+//! All single changes of the input values of a tower.
 
 use super::Parameter;
 use super::change::{Change, Operation};

@@ -110,7 +110,7 @@ pub struct BladeSolution {
     pub degrees_of_freedom: usize,
     /// The modes by frequency.
     pub modes: Vec<BladeMode>,
-    /// The proof that none is missing.
+    /// The proof that no mode is missing.
     pub certificate: Certificate,
 }
 

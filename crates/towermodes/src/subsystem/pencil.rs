@@ -61,14 +61,14 @@ impl<'a> SubsystemPencil<'a> {
         }
     }
 
-    /// The same problem, with iterations that start from a vector, if one is known, instead of the
-    /// subsystem's own.
+    /// The same problem with this starting vector, if it is given, instead of the starting vector
+    /// of the subsystem.
     #[must_use]
     pub fn starting_from(self, start: Option<&'a [f64]>) -> Self {
         Self { start, ..self }
     }
 
-    /// The same problem, with an observer of its products.
+    /// The same problem, with an observer that counts its products.
     #[must_use]
     pub fn observed_by(self, observer: Option<&'a mut dyn ProductObserver>) -> Self {
         Self { observer, ..self }

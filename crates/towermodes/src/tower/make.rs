@@ -86,7 +86,7 @@ impl Tower {
         Self::made_of_parts(description, pieces)
     }
 
-    /// The same with pieces that have their environment.
+    /// As [`made_of`](Self::made_of), with pieces that already have their soil and water.
     pub(super) fn made_of_parts(description: &mut TowerDescription, pieces: Vec<Piece>) -> Self {
         let (base_m, top_m) = (pieces[0].base_m, pieces[pieces.len() - 1].top_m);
         let mut attachments = attachments_of(description, top_m);
@@ -184,8 +184,8 @@ fn held_frame(
     Some(Box::new(frame))
 }
 
-/// The sets without the motions that nothing can make: neither the tower deforms so nor its base
-/// moves so.
+/// The sets without the motions that are impossible because the tower is rigid in them and its base
+/// is fixed.
 fn possible(sets: Vec<Motions>, pieces: &[Piece], base: &Base) -> Vec<Motions> {
     let is_held = |motion: &Motion| {
         let components = motion.components();

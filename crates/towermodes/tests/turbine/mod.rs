@@ -1,4 +1,4 @@
-//! Turbines whose rotor turns: frequencies of another program and of closed forms, limits,
+//! Turbines with rotating rotor: frequencies of another program and of closed forms, limits,
 //! symmetries, what is refused.
 
 mod dense;

@@ -201,7 +201,7 @@ impl CampbellArguments {
 
 /// That verdicts for softer and stiffer soil are those of the other diagram.
 fn without_band(input: &TowerInput) -> Vec<Note> {
-    let sentence = "the verdicts are for the soil and the foundation of the file; --uncoupled gives verdicts for half and twice this stiffness, with a rigid rotor";
+    let sentence = "the verdicts apply to the stiffness of soil and foundation in the file; --uncoupled also gives verdicts for half and twice this stiffness, with a rigid rotor";
     let has_soil = input.description.stands_in_soil();
     has_soil
         .then(|| Note::suspicious(sentence.to_owned()))
@@ -327,7 +327,7 @@ fn pairs(count: usize) -> String {
 
 /// What is needed for verdicts, for each reason why there are none.
 fn for_verdicts(reasons: &[NotChecked], format: FileFormat) -> String {
-    const WHOLE: &str = "a file with the whole structure gives verdicts; --to toml of convert writes what was read as a tower file, to which the missing parts can be added";
+    const WHOLE: &str = "give a file that describes the whole structure; `towermodes convert --to toml` writes the data of this file as a tower file, to which you can add the missing parts";
     let speeds = match format {
         FileFormat::Toml => NO_ROTOR,
         _ => "give --rpm LOWEST,HIGHEST",
@@ -339,7 +339,7 @@ fn for_verdicts(reasons: &[NotChecked], format: FileFormat) -> String {
             "give the operating speeds in rpm ([rotor] rpm or --rpm)"
         }
         NotChecked::OutOfBalance(_) => {
-            "check masses, displaced volume and mooring lines; the line `static balance` of solve gives each part"
+            "check masses, displaced volume and mooring lines; the line `static balance` of solve gives weight, buoyancy and mooring force"
         }
     };
     match reasons {

@@ -30,8 +30,8 @@ pub(crate) enum ElastoDynCommand {
     /// Replace the mode-shape coefficients in the tower file of a deck by those of the computed
     /// modes; nothing else changes.
     Patch(Deferred<PatchArguments>),
-    /// Compare the mode-shape polynomials of a deck with the computed modes; exit code 1 if they
-    /// fail.
+    /// Compare the mode-shape polynomials of a deck with the computed modes; exit code 1 if the
+    /// verdict is FAIL.
     Validate(Deferred<ValidateArguments>),
 }
 
@@ -60,8 +60,8 @@ pub(crate) struct TowerArguments {
 
     /// Target damping ratio of the tower with its RNA, percent of critical; the damping values in
     /// the written file are scaled so that ElastoDyn reaches it [default: no target; TwrFADmp and
-    /// TwrSSDmp are those of the tower file that is read, otherwise 1, and the damping ratio with
-    /// RNA differs from them]
+    /// TwrSSDmp keep the values of the input file, or are 1 % if it has none; the damping ratio of
+    /// the tower with RNA then differs from these values]
     #[arg(long, value_name = "PERCENT", value_parser = damping_parser)]
     damping: Option<f64>,
 
@@ -85,7 +85,7 @@ impl TowerArguments {
         file_of(self.output.as_deref())
     }
 
-    /// The options of the tower file, with this damping if no other is wanted.
+    /// The options of the tower file; `otherwise` is the damping if no option gives it.
     pub(crate) fn options(&self, otherwise: Damping) -> MakeOptions {
         MakeOptions {
             from_m: self.from_height,

@@ -18,8 +18,8 @@ use crate::output::deliver;
 use crate::table;
 use planned::Planned;
 
-/// Solves rows of a table or a study and writes them as one slice, or reads slices that are there;
-/// or solves none, but differentiates.
+/// Solves the rows of a table or of a study and writes them as one slice, or reads existing slices;
+/// with `--first-order` it solves no rows and uses derivatives.
 pub(crate) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     arguments.check()?;
     let format = arguments.slice_format()?;
@@ -49,7 +49,7 @@ pub(crate) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     picture::run(&planned, &slices, arguments)
 }
 
-/// Prints the results in numbers, with the resonance check of the base's rotor if it has one.
+/// Prints the results as numbers, with the resonance check if the base tower has a rotor.
 fn summarize(planned: &Planned, slices: &Slices<'_>) -> Result<(), Failure> {
     let check = planned.sweep.margin_check();
     let summary = slices.summary(check.as_ref())?;

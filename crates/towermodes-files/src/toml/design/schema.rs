@@ -24,22 +24,22 @@ tables! {
         required "variables" Table "" "design variables: names of input values with their bounds";
         required "frequencies" Table "" "frequency targets: names of modes with their bands";
         optional "limits" Table "" "limits of the shape of the tower";
-        optional "segments" Number "" "number of segments or elements; default as of solve";
-        optional "method" Text "" "the method of computation; default as of solve";
+        optional "segments" Number "" "number of segments or elements; default as in solve";
+        optional "method" Text "" "the method of computation; default as in solve";
         optional "rotary_inertia" Flag "" "whether sections have rotary inertia in bending; default true";
 
     /// A value of `[design.variables]`.
     VARIABLE = "[design.variables]":
         required "between" Numbers "" "lowest and highest value";
-        optional "step" Number "" "values are multiples of it, such as plate thicknesses";
-        optional "each" Text "" "which input values of a list are separate variables: number (each one), height (one value for all stations at a height) or can (one value for both ends of a can); without it all have one value";
+        optional "step" Number "" "the values are multiples of this step, for example of a difference of plate thicknesses";
+        optional "each" Text "" "which input values of a list are separate variables: number (each one), height (one value for all stations at a height) or can (one value for both ends of a can); without each, all have the same value";
         optional "order" Text "" "with each: falling (no value exceeds the one below it) or free, the default";
 
     /// A value of `[design.frequencies]`.
     FREQUENCY = "[design.frequencies]":
         optional "min" Number "Hz" "lowest frequency";
         optional "max" Number "Hz" "highest frequency";
-        optional "between" Any "Hz" "lowest and highest frequency, or two multiples of the rotor speed as \"1P-3P\"";
+        optional "between" Any "Hz" "lowest and highest frequency, or two multiples of the rotor speed, for example \"1P-3P\"";
         optional "margin" Number "" "with multiples: least distance as a fraction of the frequency, as in campbell; default 0.05";
 
     /// `[design.limits]`.

@@ -39,7 +39,7 @@ fn flag(table: &Table<'_>, key: &str, default: bool, reading: &mut Reading) -> O
 
 /// A number of modes, or a list of their names.
 fn modes(value: &Value<'_>, reading: &mut Reading) -> Option<SweepModes> {
-    let hint = "a number of modes, or a list of names as [\"fore-aft 1\", \"torsion 1\"]";
+    let hint = "a number of modes, or a list of names, for example [\"fore-aft 1\", \"torsion 1\"]";
     if let Some(names) = value.get_ref().as_array() {
         let named = every_row(names, |_, name| mode_name(name, reading))?;
         if named.is_empty() {

@@ -50,7 +50,7 @@ tables! {
     RESULTS = "[sweep.results]":
         optional "modes" Any "" "number of lowest modes of the original tower, or a list of names; default 4";
         optional "segments" Number "" "number of segments or elements; default 20; with spectral chosen by the method, with bmodes the elements of a BModes deck";
-        optional "method" Text "" "the method of computation; default as of solve";
+        optional "method" Text "" "the method of computation; default as in solve";
         optional "rotary_inertia" Flag "" "whether sections have rotary inertia in bending; default true";
         optional "inputs" Flag "" "whether the varied values are columns of the results; default true";
 

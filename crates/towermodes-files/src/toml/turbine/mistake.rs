@@ -1,4 +1,4 @@
-//! What the library refuses of a turbine, at its place.
+//! Errors of the library in the values of a turbine, at the place of the value in the file.
 
 use towermodes::BladeError;
 use towermodes::turbine::{TurbineDescription, TurbineError};

@@ -358,7 +358,7 @@ fn note_ends(
         _ => "because the platform is then closer to balance",
     };
     let message = format!(
-        "members of the floating platform {}, {why}: they displace {cut:.1} m3 cut and {whole:.1} m3 whole; compare with the known mass of the turbine, because frequencies differ by some percent",
+        "members of the floating platform {}, {why}: the members displace {cut:.1} m3 if they are cut and {whole:.1} m3 if they reach to the axes; compare with the known displacement, because frequencies differ by some percent",
         how[chosen]
     );
     reading.note_at(node.span.start, Note::assumption(message));
@@ -383,7 +383,7 @@ fn ballast_water(hull: &Hull, needed_kg: f64, node: &Node, reading: &mut Reading
         ))
     } else if most_kg > 0.0 {
         Note::assumption(format!(
-            "the variable ballast is {needed_t:.1} t of water, which balances the turbine, its buoyancy and the mooring lines: all its parts are filled to {:.2} % and the water is spread over their whole length",
+            "the variable ballast is {needed_t:.1} t of water, which balances the turbine, its buoyancy and the mooring lines: all compartments are filled to {:.2} %, and the water is distributed over their whole length",
             100.0 * used_kg / most_kg
         ))
     } else {

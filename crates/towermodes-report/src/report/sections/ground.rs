@@ -26,7 +26,7 @@ pub(super) fn ground(ground: &Ground, names: &[String], tower: &Tower) -> Vec<Ta
 
 fn springs(tower: &Tower) -> Table {
     let mut table = Table::new(
-        "Springs per unit length of the pile, of all soil; linear between rows",
+        "Spring stiffness per unit length of the pile, sum of all soil layers; linear between rows",
         [
             "#height z (m)",
             "#lateral k (N/m²)",
@@ -54,7 +54,7 @@ fn cells(springs: &SpringsAt) -> [String; 5] {
 
 fn springs_of_members(tower: &Tower) -> Table {
     let mut table = Table::new(
-        "Springs per unit length of the piles below the surface, across and along each member; linear between rows",
+        "Spring stiffness per unit length of the piles below the surface of the soil, lateral and axial to each member; linear between rows",
         [
             "member",
             "#height z (m)",
@@ -75,7 +75,7 @@ fn springs_of_members(tower: &Tower) -> Table {
 
 pub(super) fn pile_head(surface_m: f64, head: &HeadStiffness) -> Table {
     Table::of_facts(
-        "Static stiffness of the pile at the surface of the soil: force and moment for deflection and rotation there",
+        "Static stiffness of the pile at the surface of the soil: force and moment per deflection and rotation of the pile at this height",
         [
             ("surface of the soil after scour z (m)", length(surface_m)),
             ("K_L (N/m)", given(head.lateral_n_per_m)),

@@ -53,7 +53,7 @@ fn with_numbers(mut document: Document) -> Document {
     if !blocks.is_empty() {
         document.sections.push(Section {
             is_appendix: true,
-            ..section("numbers", "Numbers of the figures".to_owned(), blocks)
+            ..section("numbers", "Data of the figures".to_owned(), blocks)
         });
     }
     document

@@ -14,11 +14,11 @@ use crate::subject::Subject;
 pub(super) const CHAPTER: Chapter = Chapter {
     name: "offshore",
     title: "Frames, moorings and floaters",
-    introduction: "Substructures by themselves, mooring systems at rest, and turbines on frames and floaters. The expected values are those of a \
+    introduction: "Substructures without tower, mooring systems at rest, and turbines on frames and floaters. The expected values are those of a \
         program written for this comparison, which assembles nodal elements into dense matrices: exact Timoshenko beams, the element of SubDyn, and \
-        elastic catenaries solved by Newton's method. They are compared where they are converged. Frequencies of SubDyn's own summaries follow at the \
+        elastic catenaries solved by Newton's method. Only converged values are compared. Frequencies of SubDyn's own summaries follow at the \
         end. The models are those of the tests of FAST 8 (OC3 monopile, OC4 jacket, OC3-Hywind, OC4 semi-submersible) and of the IEA-15 turbine \
-        (monopile, VolturnUS-S), with locked rotors and rigid blades. Where that program has another theory than this one, the remark of the case says so.",
+        (monopile, VolturnUS-S), with locked rotors and rigid blades. If the theory of that program differs from the theory of towermodes, the remark of the case describes the difference.",
 };
 
 const SOURCE: &str = "nodal elements, dense eigensolver";

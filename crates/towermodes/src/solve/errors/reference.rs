@@ -92,7 +92,7 @@ fn options_of_the_beam(options: &Options) -> Options {
     }
 }
 
-/// Refuses a reference that takes longer than anybody waits for an error.
+/// Refuses a reference solution that would take too long for an error estimate.
 fn check_cost(tower: &Tower, cut: &Cut, options: &Options) -> Result<(), SolveError> {
     let cost = Cost::of(tower, cut, &options_of_the_beam(options));
     cost.check(options.modes)?;
@@ -106,7 +106,8 @@ fn check_cost(tower: &Tower, cut: &Cut, options: &Options) -> Result<(), SolveEr
     Ok(())
 }
 
-/// Makes the beam of a method's physics: BModes has no shear deformation.
+/// Assembles the beam model with the effects that the method includes: BModes has no shear
+/// deformation.
 fn assemble(
     tower: &Tower,
     cut: &Cut,
@@ -127,8 +128,8 @@ fn assemble(
     Ok(())
 }
 
-/// The buckling load factor of the reference beam solution; none if it cannot be computed. The
-/// model of the workspace is that of the beam afterwards.
+/// The buckling load factor of the reference beam solution; none if it cannot be computed.
+/// Afterwards the workspace contains the beam model.
 fn load_factor_of_the_beam(
     tower: &Tower,
     options: &Options,
@@ -144,8 +145,8 @@ fn load_factor_of_the_beam(
     }
 }
 
-/// What is wrong with a tower that buckles when it is cut into segments: the tower, or that these
-/// are too few.
+/// The error for a discretized tower that buckles: the reference solution shows whether the tower
+/// itself buckles, or only the model because it has too few segments.
 pub(crate) fn buckles(
     tower: &Tower,
     cut: &Cut,
@@ -175,7 +176,8 @@ fn changes(before: &Level, after: &Level) -> Vec<f64> {
     before.iter().zip(after).map(change).collect()
 }
 
-/// Whether each change is small relative to the error that it shows, or to the frequency.
+/// Whether the reference is accurate enough: its last change is small relative to the difference
+/// between method and reference, or to the frequency.
 fn is_known(found_hz: &[f64], beam_hz: &Level, changes_hz: &[f64]) -> bool {
     let mut all = found_hz.iter().zip(beam_hz).zip(changes_hz);
     all.all(|((found_hz, beam_hz), change_hz)| {

@@ -10,7 +10,7 @@ use crate::tower::parts::rigid_body::RigidBody;
 
 impl FrameFoundation {
     /// Removes the body of the transition piece, the springs and the inertia of the supports, and
-    /// the water that holds a frame afloat.
+    /// the hydrostatic stiffness of a floating frame.
     pub(in crate::tower) fn remove_platform_and_supports(&mut self) {
         self.platform = RigidBody::default();
         if let Some(held) = &mut self.held {

@@ -21,8 +21,8 @@ const LEVER: f64 = 0.5;
 const PILE_LEVER: f64 = 2.0;
 /// Speed of sound in steel, m/s.
 const SOUND_M_PER_S: f64 = 5000.0;
-/// A foundation's centre may be above the base by this fraction of the tower's height: entries are
-/// rounded.
+/// The centre of the stiffness matrix may be above the base by this fraction of the tower's height,
+/// because entries are rounded.
 const ABOVE: f64 = 0.005;
 
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
@@ -91,8 +91,9 @@ fn coupling(tower: &Tower, what: &'static str, key: &'static str, warnings: &mut
     );
 }
 
-/// The springs of the head of a pile are coupled. Those of a footing are not: under water, where
-/// most towers stand on piles, springs without coupling whose lever is that of a pile are doubtful.
+/// Warns about springs of a pile head without coupling. The pile-head stiffness has coupling terms,
+/// the stiffness of a footing has none. Under water most towers stand on piles; so springs under
+/// water without coupling, with √(K_R/K_L) as large as for a pile, are doubtful.
 fn no_coupling(tower: &Tower, given: &Given<'_>, key: &'static str, warnings: &mut Vec<Warning>) {
     let k = &tower.base().stiffness;
     let is_under_water = given
@@ -111,8 +112,9 @@ fn no_coupling(tower: &Tower, given: &Given<'_>, key: &'static str, warnings: &m
     }
 }
 
-/// Springs that alone hold the tower, against its own stiffness and mass; wires may do their work.
-/// Beside soil along the tower they are those of the tip of a pile, of any size.
+/// Checks springs that alone support the tower, relative to the stiffness and mass of the tower;
+/// guy wires can replace springs. With soil along the tower the springs are at the pile tip and may
+/// have any value.
 fn springs(
     tower: &Tower,
     given: &Given<'_>,

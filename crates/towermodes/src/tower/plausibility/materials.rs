@@ -9,8 +9,8 @@ use crate::tower::{Material, Place, Tower};
 const DENSITY: Usual = Usual::new(Quantity::Density, 300.0, 25e3);
 const YOUNGS_MODULUS: Usual = Usual::new(Quantity::YoungsModulus, 1e9, 1e12);
 const POISSONS_RATIO: Usual = Usual::new(Quantity::PoissonsRatio, 0.0, 0.49);
-/// Plastics with fibres of glass have 3500 m/s, with fibres of carbon up to 9700; steel whose
-/// density carries bolts and paint 4500.
+/// Wave speed √(E/ρ), m/s: plastics with glass fibres have 3500, with carbon fibres up to 9700;
+/// steel whose density includes bolts and paint has 4500.
 const WAVE_SPEED: Usual = Usual::new(Quantity::MaterialWaveSpeed, 1500.0, 9800.0);
 const OUTFITTING_FACTOR: Usual = Usual::new(Quantity::OutfittingFactor, 0.9, 2.0);
 
@@ -26,8 +26,8 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
     useless(tower, &used, warnings);
 }
 
-/// Which of the materials a part of the tower is made of: a row's material reaches up to the next
-/// row.
+/// For each material, whether a part of the tower consists of it: the material of a row applies up
+/// to the next row.
 fn used(tower: &Tower, count: usize) -> Vec<bool> {
     let mut used = vec![false; count];
     for pair in tower.stations().windows(2) {
@@ -47,7 +47,8 @@ fn of_material(index: usize, material: &Material, warnings: &mut Vec<Warning>) {
     POISSONS_RATIO.check(material.poissons_ratio(), at("shear_modulus"), warnings);
 }
 
-/// Materials that nothing is made of; that of the last row alone has its own words.
+/// Warns about materials that no part of the tower consists of. If only the last row has a
+/// material, the warning is at this row.
 fn useless(tower: &Tower, used: &[bool], warnings: &mut Vec<Warning>) {
     let stations = tower.stations();
     let last_alone = match stations {

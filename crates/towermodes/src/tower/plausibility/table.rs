@@ -13,14 +13,15 @@ use crate::tower::{Quantity, Site};
 const SOUND_M_PER_S: f64 = 5000.0;
 /// No section is denser than this throughout, kg/m³: steel with all that is fixed to it.
 const DENSEST_KG_PER_M3: f64 = 1e4;
-/// Sections are no wider than this: √(EI/EA), m, and as a fraction of the tower's height.
+/// Largest radius of gyration √(EI/EA) of a section, m, and as a fraction of the tower's height.
 const WIDEST_M: f64 = 20.0;
 const WIDEST_SHARE: f64 = 0.25;
 /// EI of one plane is at most this many times EI of the other.
 const PLANES_APART: f64 = 5.0;
 
-/// A speed that a material has. One row may carry a mass that is spread over it; half of the rows
-/// do not.
+/// The speed of an elastic wave, √(stiffness per length/mass or inertia per length), with its usual
+/// ranges: for a single row, which may contain a distributed additional mass, and for at least half
+/// of the rows, which should not.
 struct Speed {
     key: &'static str,
     quantity: Quantity,
@@ -127,8 +128,8 @@ fn check_speed(speed: &Speed, rows: &[PropertyStation], warnings: &mut Vec<Warni
     check_worst(values.filter(|(_, value, _)| value.is_finite()), warnings);
 }
 
-/// The radius of gyration of a section in each plane, with the range that it can be in: no section
-/// is narrower than a solid rod that is as heavy, r² = A/(4π).
+/// The radius of gyration of a section in each plane, with its possible range: the section is at
+/// least as wide as a solid rod of the same mass, r² = A/(4π).
 fn radii_of(
     index: usize,
     row: &PropertyStation,

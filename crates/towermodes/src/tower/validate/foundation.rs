@@ -113,7 +113,7 @@ fn check_platform(platform: &FloatingPlatform) -> Result<(), TowerError> {
         ("mooring", "mooring stiffness", &platform.mooring),
     ];
     for (key, what, referred) in matrices {
-        let quantity = "the height that the matrix is about";
+        let quantity = "the reference height of the matrix";
         coordinate(at(key), quantity, referred.height_m)?;
         if referred.matrix.iter().flatten().any(|x| x.is_infinite()) {
             return error(at(key), Problem::InfiniteAndFloating { what });

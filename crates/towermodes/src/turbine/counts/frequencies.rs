@@ -259,7 +259,8 @@ impl Whole {
 }
 
 impl Found {
-    /// Whether the count falls: the energy is negative.
+    /// Whether the count decreases at this frequency, which means that the mode has negative
+    /// energy.
     fn falls(&self) -> bool {
         self.bounds[1].negative < self.bounds[0].negative
     }
@@ -276,10 +277,10 @@ impl Found {
     }
 }
 
-/// The speed, rad/s.
+/// The rotor speed, rad/s.
 ///
 /// # Errors
-/// [`TurbineError`] if limit (Hz) or speed (rpm) is no number.
+/// [`TurbineError`] if the limit (Hz) is not positive, or limit or speed (rpm) is not finite.
 pub(crate) fn check(limit_hz: f64, rotor_speed_rpm: f64) -> Result<f64, TurbineError> {
     if !(limit_hz.is_finite() && limit_hz > 0.0) {
         return Err(TurbineError::Limit { limit_hz });

@@ -3,14 +3,14 @@
 use crate::beam::{Condensed, eliminate, first_block, reduce, substitute};
 use crate::scalar::{Complex, Scalar};
 
-/// Most coordinates: six of the body and two of joints.
+/// Largest number of coordinates: six of the body and two of joints.
 const MOST: usize = 8;
 
 /// A 6×6 Hermitian matrix of a body, bordered by up to two further coordinates.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bordered {
     entries: [[Complex; MOST]; MOST],
-    /// Row by row without gaps, once it is condensed.
+    /// Factors after [`Self::condense`], row by row with `rows` numbers per row.
     factors: [Complex; MOST * MOST],
     pub(super) rows: usize,
 }
@@ -34,8 +34,9 @@ impl Bordered {
         }
     }
 
-    /// Adds a coordinate that moves what is above it in one component, as the component itself
-    /// does; returns its place.
+    /// Adds the coordinate of a joint about or along this component: everything above the joint
+    /// moves in the coordinate as in the component, so the coordinate gets a copy of its row and
+    /// column. Returns the index of the coordinate.
     pub(super) fn border(&mut self, component: usize) -> usize {
         let place = self.rows;
         for i in 0..place {

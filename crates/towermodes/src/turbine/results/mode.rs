@@ -63,8 +63,8 @@ pub struct TurbineModes {
     /// the turbine is stable; see
     /// [`CoupledSpectrum::is_complete`](super::super::CoupledSpectrum::is_complete).
     pub is_complete: bool,
-    /// Intervals, Hz, in which counts do not exclude two more modes, one of positive and one of
-    /// negative energy; see
+    /// Frequency intervals, Hz, in which the eigenvalue counts do not exclude two more modes, one
+    /// of positive and one of negative energy; see
     /// [`CoupledSpectrum::unproven_hz`](super::super::CoupledSpectrum::unproven_hz).
     pub unproven_hz: Vec<[f64; 2]>,
     /// Number of unstable modes, whose amplitude grows without limit, as far as it is known; see
@@ -82,7 +82,7 @@ pub struct TurbineModes {
 }
 
 impl TurbineModes {
-    /// The speed, rad/s.
+    /// Rotor speed, rad/s.
     pub(crate) fn speed(&self) -> f64 {
         rad_per_s(self.rotor_speed_rpm)
     }

@@ -8,7 +8,7 @@ use super::description::AxialModel;
 use super::layer_springs::AxialSprings;
 use super::values::{Made, Values};
 
-/// The axial springs of a layer by the model of the ground; none without one.
+/// The axial springs of a layer by the axial model that the layer names; none if it names no model.
 pub(super) fn axial_springs_of(values: &mut Values<'_>) -> Option<Made<dyn AxialSprings>> {
     let make = match values.ground.axial? {
         AxialModel::Api => api::springs,
