@@ -183,7 +183,7 @@ fn bending_plane(c: &mut Criterion) {
     group.finish();
 }
 
-/// The pieces: assembly, product, inertia count.
+/// The pieces: assembly, product, eigenvalue count.
 fn pieces(c: &mut Criterion) {
     let mut group = c.benchmark_group("pieces, 100 segments");
     let tower = tower(350e3);

@@ -99,7 +99,7 @@
 //! | a turning turbine on its tower: frequencies by counts | [`turbine`] |
 //! | mooring lines: force and stiffness on a platform | [`mooring`] |
 //! | uncoupled groups of motions, each as an eigenvalue problem | `subsystem` |
-//! | Lanczos process for the lowest eigenvalues, error bounds, inertia count | `eigen` |
+//! | Lanczos process for the lowest eigenvalues, error bounds, eigenvalue count | `eigen` |
 //! | family, shape, energy, discretization error of a mode | [`modes`] |
 //! | options, spectrum of the tower, certificate, error estimates, warnings | [`solve()`] |
 //!

@@ -1,4 +1,4 @@
-//! Recipes that turn a tower into beams.
+//! Element types of beams.
 //!
 //! **BModes.** The 15-dof element: cubics in bending, cubics axially, quadratics in torsion,
 //! Euler-Bernoulli, the section constant over an element and that of its middle. In strains: two
@@ -39,7 +39,7 @@ pub struct BeamWorkspace {
     compressions_n: Vec<f64>,
 }
 
-/// How many polynomials each strain has, and at how many points they are integrated.
+/// For each strain the number of polynomials, and the number of integration points.
 struct Degrees {
     curvature: usize,
     shear: usize,
@@ -171,7 +171,7 @@ fn assemble<S: BeamAssembly + ?Sized>(
 }
 
 impl<S: BeamAssembly + ?Sized> Subsystems<S> {
-    /// Sets how many coordinates elements from here on have for each strain.
+    /// Sets, for the following elements, the number of coordinates of each strain.
     pub(super) fn set_strains(&mut self, count: impl Fn(Strain) -> usize) {
         for beam in self.members_mut() {
             beam.set_strains(&count);
@@ -185,8 +185,8 @@ impl<S: BeamAssembly + ?Sized> Subsystems<S> {
     }
 }
 
-/// The sections at the points of an element, or that of the middle at all of them, and the
-/// compression if there is gravity.
+/// Sets the sections at the points of an element, or the section at its middle for all points, and
+/// the compression if there is gravity.
 fn take_sections(
     tower: &Tower,
     recipe: BeamRecipe,

@@ -1,4 +1,4 @@
-//! The factorization of a matrix A of a beam in O(n), with its inertia count.
+//! The factorization of a matrix A of a beam in O(n), with its eigenvalue count.
 //!
 //! As for a chain of rigid bodies: seen from the base of an element, all that is above it is one
 //! Hermitian D×D matrix P. From the top down,
@@ -25,12 +25,12 @@ const TINY_PIVOT: f64 = 1e-30;
 /// A factored a, and working memory; reused from solve to solve.
 #[derive(Debug, Clone, Default)]
 pub struct Factors<S = f64> {
-    /// Each element's matrix after its coordinates were eliminated: a row holds what it was coupled
-    /// with before.
+    /// The matrix of each element after the elimination of its coordinates: each row contains the
+    /// coupling with the rows before it.
     pub(super) elements: Vec<S>,
-    /// The same of the base.
+    /// The factors of the base, in the same form.
     pub(super) base: Vec<S>,
-    /// The base's when nothing is to be stored: a count must leave the factors alone.
+    /// Factors of the base if nothing is to be stored: a count must not change the stored factors.
     scratch: Vec<S>,
     matrix: Vec<S>,
     /// Forces at the top of an element, a row per coordinate.
@@ -47,11 +47,11 @@ pub fn count_negative<const D: usize>(
     count_negative_between(beam, a, ([[0.0; D]; D], None), work)
 }
 
-/// What is added at the ends of a beam: a matrix for the motion of its top, and possibly one for
-/// that of a base that moves.
+/// Matrices added at the ends of a beam: one for the motion of the top, and possibly one for the
+/// motion of a moving base.
 pub(super) type Ends<'a, S, const D: usize> = (SquareMatrix<S, D>, Option<&'a Matrix<D>>);
 
-/// The same with matrices added at both ends.
+/// As [`count_negative`], with matrices added at both ends.
 pub(super) fn count_negative_between<const D: usize, S: Scalar>(
     beam: &Beam<D>,
     a: &Coefficients,
@@ -69,7 +69,7 @@ pub fn factorize<const D: usize>(beam: &Beam<D>, a: &Coefficients, work: &mut Fa
     factorize_between(beam, a, ([[0.0; D]; D], None), work)
 }
 
-/// The same with matrices added at both ends.
+/// As [`factorize`], with matrices added at both ends.
 pub(super) fn factorize_between<const D: usize, S: Scalar>(
     beam: &Beam<D>,
     a: &Coefficients,
@@ -87,8 +87,8 @@ pub(super) fn factorize_between<const D: usize, S: Scalar>(
     negative
 }
 
-/// Eliminates everything from the top down, passes each element's matrix to `record`, and leaves
-/// that of the base in `base`.
+/// Eliminates everything from the top down, passes the matrix of each element to `record`, and
+/// leaves the matrix of the base in `base`.
 fn eliminate_all<const D: usize, S: Scalar>(
     beam: &Beam<D>,
     a: &Coefficients,
@@ -216,7 +216,7 @@ pub(super) fn condense_blade(
     Condensed { matrix, negative }
 }
 
-/// The same with the factors stored.
+/// As above, with the factors stored.
 pub(super) fn factorize_blade(
     beam: &Beam<6>,
     a: &TurningMatrix<'_>,
@@ -271,8 +271,8 @@ fn combine<const D: usize, S: Scalar>(
     }
 }
 
-/// Eliminates the coordinates of the base, where everything above it is the matrix `above`, and
-/// what it stands on adds `below`.
+/// Eliminates the coordinates of the base; `above` is the matrix of everything above it, `below`
+/// the matrix of its support.
 fn eliminate_base<const D: usize, S: Scalar>(
     beam: &Beam<D>,
     factors: &[f64; 3],
@@ -314,8 +314,8 @@ pub(crate) fn eliminate<S: Scalar>(matrix: &mut [S], rows: usize, first: usize) 
     negative
 }
 
-/// The same where the rows from `first` on are given alone: what they leave for the rows before is
-/// not subtracted from these.
+/// As [`eliminate`], with only the rows from `first` on given: their contribution to the rows
+/// before is not subtracted from these rows.
 pub(crate) fn eliminate_rows(given: &mut [f64], rows: usize, first: usize) -> usize {
     let mut negative = 0;
     for last in (first..rows).rev() {
@@ -325,8 +325,8 @@ pub(crate) fn eliminate_rows(given: &mut [f64], rows: usize, first: usize) -> us
     negative
 }
 
-/// Eliminates a row, the one with this number, from those before it, the first of which has the
-/// number `first`; returns how many pivots are negative.
+/// Eliminates row number `row` from the rows before it, beginning with row `first`; returns the
+/// number of negative pivots.
 #[inline]
 fn eliminate_row<S: Scalar>(
     rest: &mut [S],

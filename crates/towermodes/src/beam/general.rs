@@ -1,5 +1,5 @@
-//! Elements with a full section stiffness: strains that are coupled, and full matrices for the
-//! motion of sections.
+//! Elements with a full section stiffness: coupled strains, and full matrices for the motion of the
+//! sections.
 
 use super::element::{Stencil, write_shape};
 use super::model::{Beam, add_congruent, place};

@@ -1,5 +1,5 @@
-//! One element of a straight member by itself: its matrices for the motion of its near end and its
-//! own coordinates, in the axes of the member.
+//! One element of a straight member: its matrices for the motion of its near end and its own
+//! coordinates, in the axes of the member.
 
 use super::element::{Slice, Stencil, add_squares, soil, write_shape};
 use super::legendre::{Legendre, Term, gauss_points};
@@ -9,13 +9,13 @@ use crate::space::SpatialMatrix;
 use crate::subsystem::MatrixKind;
 use crate::tower::{Component, Motion, Motions, Section, SoilStiffness};
 
-/// All components, none backwards.
+/// All components, all with positive sign.
 const ALL: [Component; 6] = [(0, 1.0), (1, 1.0), (2, 1.0), (3, 1.0), (4, 1.0), (5, 1.0)];
-/// More points than a polynomial needs: shear flexibility is rational.
+/// More points than a polynomial requires: shear flexibility is a rational function.
 const EXTRA_POINTS: usize = 7;
-/// The same where only masses and the compression vary.
+/// Additional points if only masses and the compression vary.
 const EXTRA_POINTS_OF_UNIFORM: usize = 4;
-/// Points on a part of an element besides those that its share of the polynomials needs.
+/// Additional points on a part of an element, besides those for its fraction of the polynomials.
 const POINTS_OF_A_PART: usize = 4;
 
 /// Makes elements one by one, with memory that is reused.
@@ -25,42 +25,44 @@ pub(crate) struct MemberElement {
     in_line: Beam<1>,
     in_space: Beam<6>,
     stencil: Stencil,
-    /// For uniform elements.
+    /// Tables for uniform elements.
     of_uniform: Stencil,
     sections: Vec<Section>,
     compressions_n: Vec<f64>,
-    /// ξ and weight of each number of points that was needed.
+    /// ξ and weight for each number of points used so far.
     points: Vec<Vec<(f64, f64)>>,
 }
 
-/// Motions of an element that couple with no others, and their matrices.
+/// Motions of an element that are coupled with no other motions, and their matrices.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct MemberPart {
-    /// The components of the motion of an end, in the axes of the member; of a bending plane that
-    /// is equal to the other one also those of the other.
+    /// The components of the motion of an end, in the axes of the member; for equal bending planes
+    /// the components of both planes.
     pub(crate) planes: Vec<&'static [Component]>,
-    /// Its kinds of strain with the number of their coordinates, in the order of these.
+    /// Its kinds of strain, each with the number of its coordinates, in the order of the
+    /// coordinates.
     pub(crate) strains: Vec<(Strain, usize)>,
-    /// The motion of the far end for the part's own coordinates, whose stiffness is the identity: a
-    /// row for each component.
+    /// The motion of the far end for the coordinates of the part, whose stiffness is the identity:
+    /// a row for each component.
     pub(crate) tips: Vec<Vec<f64>>,
     /// Inertia, stiffness to the ground and geometric stiffness for the motion of the near end and
     /// the own coordinates, row by row; empty where it has none.
     pub(crate) matrices: [Vec<f64>; 3],
-    /// The motion at each distance that was asked for, for that of the near end and the own
-    /// coordinates: a row for each component, row by row.
+    /// The motion at each requested distance, for the motion of the near end and the coordinates of
+    /// the part: a row for each component, row by row.
     pub(crate) shapes: Vec<Vec<f64>>,
 }
 
-/// What an element is made of.
+/// Data of an element.
 pub(crate) struct MemberSlice<'a> {
     /// Length, m.
     pub(crate) length_m: f64,
-    /// Whether its own section, without what moves with it, is the same along it.
+    /// Whether its section, without the masses and springs attached to it, is constant along the
+    /// element.
     pub(crate) is_uniform: bool,
     /// The section at a distance (m) from the near end.
     pub(crate) section_at: &'a dyn Fn(f64) -> Section,
-    /// The compression (N) there, if it is known.
+    /// The compression (N) at such a distance, if it is known.
     pub(crate) compression_n: Option<&'a dyn Fn(f64) -> f64>,
     /// Inertia that moves with the section at a distance (m) from the near end. It can couple all
     /// motions.
@@ -68,14 +70,14 @@ pub(crate) struct MemberSlice<'a> {
     /// Springs to the ground between two distances (m) from the near end, with the stiffness at
     /// both and linear between them. They have kinks, so each part is integrated by itself.
     pub(crate) soil: &'a [SoilPart],
-    /// Distances (m) from the near end at which the shapes are wanted.
+    /// Distances (m) from the near end at which the shapes are requested.
     pub(crate) sampled_m: &'a [f64],
 }
 
-/// A part of an element, and the springs at both ends.
+/// The ends of a part of an element, and the springs at both ends.
 pub(crate) type SoilPart = ([f64; 2], [SoilStiffness; 2]);
 
-/// The strains of an element: how many polynomials each has.
+/// The number of polynomials of each strain of an element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct MemberStrains {
     pub(crate) curvature: usize,
@@ -94,7 +96,8 @@ impl MemberStrains {
             false => degree,
         };
         Self {
-            // One curvature alone would tie the rotation of the far end to its deflection.
+            // With only one curvature polynomial the rotation of the far end would be proportional
+            // to its deflection.
             curvature: (degree - 1).max(2),
             shear: if shears { (degree - 2).max(1) } else { 0 },
             torsion: along,
@@ -124,8 +127,7 @@ impl MemberStrains {
 }
 
 impl MemberElement {
-    /// Makes an element in its parts: each motion by itself, or all as one where bodies on it can
-    /// couple them.
+    /// Makes an element as separate parts, or as one part if bodies on it can couple all motions.
     pub(crate) fn make(
         &mut self,
         strains: MemberStrains,
@@ -192,7 +194,7 @@ impl MemberElement {
         parts
     }
 
-    /// The motion of its far end for that of its near end, if it does not deform.
+    /// The motion of the far end for that of the near end without deformation.
     pub(crate) fn rigid(length_m: f64) -> SpatialMatrix {
         rigid_motion(length_m)
     }
@@ -232,7 +234,7 @@ fn part_of<const D: usize>(
     }
 }
 
-/// Whether an element is the same in both bending planes.
+/// Whether an element has equal matrices in both bending planes.
 fn planes_are_equal(sections: &[Section], soil: &[SoilPart]) -> bool {
     let is_equal = |soil: &SoilStiffness| {
         soil.x_n_per_m2 == soil.y_n_per_m2 && soil.rotation_x_n == soil.rotation_y_n
@@ -292,8 +294,8 @@ fn points_of(count: usize, known: &mut Vec<Vec<(f64, f64)>>) -> Vec<(f64, f64)> 
     points.clone()
 }
 
-/// The motion of the section at a distance (m) from the near end, for that of the near end and its
-/// own coordinates: D rows.
+/// The motion of the section at a distance (m) from the near end, for the motion of the near end
+/// and the coordinates of the element: D rows.
 fn shape_at<const D: usize>(beam: &Beam<D>, distance_m: f64) -> Vec<f64> {
     let length_m = beam.length_m(0);
     let deformations = beam.deformations();

@@ -1,5 +1,5 @@
-//! Beams of flexible elements in D components: the element of BModes, the spectral element, and
-//! those of rotating blades.
+//! Beams of flexible elements in D components: the elements of BModes, of the spectral method and
+//! of rotating blades.
 
 mod assembly;
 mod blade;

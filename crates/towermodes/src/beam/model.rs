@@ -23,11 +23,11 @@ use crate::subsystem::{Coefficients, MatrixKind};
 /// up.
 #[derive(Debug, Clone, Default)]
 pub struct Beam<const D: usize> {
-    /// How elements deform.
+    /// The deformations of an element.
     pub(super) deformations: Vec<Deformation<D>>,
     coordinates: usize,
     pub(super) base: Option<MovingBase<D>>,
-    /// Where each element begins, m, and its length, m.
+    /// Height of the base of each element, m, and its length, m.
     pub(super) ends: Vec<(f64, f64)>,
     /// Motion of each element's top for its coordinates: D rows per element.
     pub(super) tips: Vec<f64>,
@@ -44,7 +44,7 @@ pub struct Beam<const D: usize> {
 /// A base that moves.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct MovingBase<const D: usize> {
-    /// Motion for a coordinate of 1; zero where it is held.
+    /// Motion for a coordinate of 1; zero in fixed components.
     pub(super) unit: [f64; D],
     height_m: f64,
     /// Inertia, foundation and geometric stiffness.
@@ -59,10 +59,10 @@ impl<const D: usize> MovingBase<D> {
     }
 }
 
-/// The place of the geometric stiffness among the matrices.
+/// Index of the geometric stiffness in the list of matrices.
 pub(super) const GEOMETRIC: usize = 2;
 
-/// The place of a kind among the matrices.
+/// Index of a kind of matrix in the list.
 pub(super) fn place(kind: MatrixKind) -> usize {
     match kind {
         MatrixKind::Inertia => 0,
@@ -131,7 +131,7 @@ impl<const D: usize> Beam<D> {
         self.base_coordinates() + self.coordinates * self.elements()
     }
 
-    /// Rows of an element's matrices.
+    /// Number of rows of an element's matrices.
     #[inline]
     pub(super) fn rows(&self) -> usize {
         D + self.coordinates
@@ -177,7 +177,7 @@ impl<const D: usize> Beam<D> {
         self.top = top;
     }
 
-    /// The matrix of the last element at a place.
+    /// The matrix of the last element with this index in the list.
     pub(super) fn last_matrix(&mut self, place: usize) -> &mut [f64] {
         let size = self.rows() * self.rows();
         let count = self.elements();
@@ -243,7 +243,7 @@ impl<const D: usize> Beam<D> {
     }
 }
 
-/// X(h): the rigid motion a height h (m) above one that is known, as a matrix.
+/// X(h): the rigid motion at a height h (m) above a point with known motion, as a matrix.
 pub(super) fn rigid_motion<const D: usize>(rise_m: f64) -> Matrix<D> {
     let mut matrix = [[0.0; D]; D];
     for column in 0..D {

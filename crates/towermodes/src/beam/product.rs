@@ -51,7 +51,7 @@ pub fn product<const D: usize>(
 pub fn base_excitation<const D: usize>(beam: &Beam<D>, loads: &mut Vec<f64>, out: &mut [f64]) {
     let factors = factors(&Coefficients::MASS);
     loads.clear();
-    // No element deforms: no coordinates are as good as zeros.
+    // Without deformations there are no coordinates.
     sweep_up(beam, [1.0; D], &[], |e, motion, own| {
         add_load(beam, &factors, e, motion, own, loads);
     });
@@ -168,8 +168,8 @@ fn add_forces<const D: usize>(
     loads.extend(matrix.chunks_exact(rows).map(force));
 }
 
-/// From the base up: v ← X v + T y, passed to `visit` element by element before it changes; returns
-/// the motion of the top.
+/// From the base up: v ← X v + T y; `visit` receives the motion of the base of each element;
+/// returns the motion of the top.
 #[inline]
 pub(super) fn sweep_up<const D: usize, S: Scalar>(
     beam: &Beam<D>,

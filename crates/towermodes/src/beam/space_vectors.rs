@@ -1,5 +1,5 @@
-//! A beam in space with something complex on its top: count, solution, products and the curve of
-//! its axis in phasors.
+//! A beam in space with a complex matrix at its top: eigenvalue count, solution, products, and the
+//! curve of its axis in phasors.
 
 use super::blade::phasors::{InertiaMatrix, Loads, inertia_loads, motions_along};
 use super::elimination::{Factors, count_negative_between, factorize_between};
@@ -13,21 +13,22 @@ use crate::space::{SpatialMatrix, SquareMatrix};
 use crate::subsystem::Coefficients;
 use crate::tower::Plane;
 
-/// Factors of a beam with what is on its top, and working memory.
+/// Factors of a beam with the matrix at its top, and working memory.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct TopWorkspace {
     factors: Factors<Complex>,
     loads: Loads,
 }
 
-/// Twice the energies of a motion of a beam with what holds it.
+/// Twice the energies of a motion of a beam with its support.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SpaceEnergies {
-    /// Of strains, in fore-aft bending, side-side bending, torsion and stretch.
+    /// Strain energies of fore-aft bending, side-side bending, torsion and axial deformation.
     pub(crate) strain: [f64; 4],
-    /// Of what holds the base, and of gravity in the rigid motion of the base, by component.
+    /// Energies of the support of the base, and of gravity in the rigid motion of the base, by
+    /// component.
     pub(crate) base: [f64; 6],
-    /// Of the soil along the beam, and of gravity in the rest of the motion, by component.
+    /// Energies of the soil along the beam, and of gravity in the rest of the motion, by component.
     pub(crate) others: [f64; 6],
 }
 
@@ -53,7 +54,7 @@ impl BeamSubsystem<6> {
         count_negative_between(self.beam(), a, ends, &mut work.factors)
     }
 
-    /// The same, with the factors that [`solve_under`](Self::solve_under) needs.
+    /// As above, with the factors that [`solve_under`](Self::solve_under) needs.
     pub(crate) fn factorize_between(
         &self,
         a: &Coefficients,
@@ -92,7 +93,7 @@ impl BeamSubsystem<6> {
         (top, mass + dot(&base, &self.base_force(&base, 0)))
     }
 
-    /// Ends it, with a force at the top: the product is in `out`.
+    /// Ends this product with a force at the top; the product is in `out`.
     pub(crate) fn end_derivative(
         &self,
         frequency: f64,
@@ -152,7 +153,7 @@ impl BeamSubsystem<6> {
         sum
     }
 
-    /// The motion of the base alone.
+    /// The vector with the motion of the base and without deformations.
     fn rigid(&self, x: &[Complex]) -> Vec<Complex> {
         let moving = self.beam().base_coordinates();
         let still = x[moving..].iter().map(|_| Complex::default());
@@ -174,9 +175,9 @@ impl BeamSubsystem<6> {
         base_motion(self.beam(), &x[..self.beam().base_coordinates()])
     }
 
-    /// The number of negative eigenvalues of the stiffness of the beam by itself, with a little of
-    /// its inertia (1/s²), so that motions which nothing resists do not count, and with a matrix
-    /// `below` for the motion of the base.
+    /// The number of negative eigenvalues of the stiffness of the beam without its surroundings,
+    /// with a small multiple of its inertia (1/s²), so that motions without stiffness do not count,
+    /// and with a matrix `below` for the motion of the base.
     pub(crate) fn negative_stiffness(&self, inertia: f64, below: Option<SpatialMatrix>) -> usize {
         let a = Coefficients::STIFFNESS.minus(-inertia, Coefficients::MASS);
         let mut work = Factors::<f64>::default();
@@ -236,7 +237,7 @@ impl BeamSubsystem<6> {
         });
     }
 
-    /// The component of the motion that each row of an element's matrices belongs to.
+    /// The component of the motion of each row of an element's matrices.
     fn components_of_rows(&self) -> impl Iterator<Item = usize> {
         let own = self.beam().deformations().iter().flat_map(|deformation| {
             let component = [4, 3, 5, 2][group(deformation.strain)];

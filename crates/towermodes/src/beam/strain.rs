@@ -1,13 +1,13 @@
-//! The ways in which an element deforms.
+//! The strains of an element.
 
 use crate::tower::{Component, Motion, Motions, Plane, Section};
 
 /// A kind of strain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Strain {
-    /// Curvature in a plane: turns sections and moves them.
+    /// Curvature in a plane: causes rotation and deflection.
     Curvature(Plane),
-    /// Shear in a plane: moves sections.
+    /// Shear in a plane: causes deflection only.
     Shear(Plane),
     /// Twist about the axis.
     Twist,
@@ -26,7 +26,7 @@ impl Strain {
         Self::Stretch,
     ];
 
-    /// Its place in [`ALL`](Self::ALL).
+    /// Index in [`ALL`](Self::ALL).
     pub(super) fn index(self) -> usize {
         match self {
             Self::Curvature(Plane::ForeAft) => 0,
@@ -38,7 +38,7 @@ impl Strain {
         }
     }
 
-    /// The motion it is part of.
+    /// The motion to which the strain belongs.
     pub(super) fn motion(self) -> Motion {
         match self {
             Self::Curvature(plane) | Self::Shear(plane) => Motion::Bending(plane),
@@ -47,7 +47,7 @@ impl Strain {
         }
     }
 
-    /// How many times it is integrated to give each component of its motion, translation before
+    /// Number of integrations from the strain to each component of its motion, translation before
     /// rotation.
     fn integrals(self) -> &'static [usize] {
         match self {
@@ -75,8 +75,8 @@ pub struct Deformation<const D: usize> {
     pub strain: Strain,
     /// Number of its coordinates.
     pub count: usize,
-    /// How many times it is integrated to give each component, 0 where it does not move it;
-    /// negative where it moves it backwards.
+    /// Number of integrations to each component, 0 for components that do not depend on this
+    /// strain; with negative sign if the component decreases.
     pub(super) integrals: [i32; D],
 }
 

@@ -13,7 +13,7 @@ pub fn solve<const D: usize, S: Scalar>(beam: &Beam<D>, work: &mut Factors<S>, x
     solve_under(beam, work, [S::default(); D], x);
 }
 
-/// The same with a force at the top; returns the motion of the top.
+/// As above, with a force at the top; returns the motion of the top.
 pub(super) fn solve_under<const D: usize, S: Scalar>(
     beam: &Beam<D>,
     work: &mut Factors<S>,
@@ -57,8 +57,8 @@ pub(super) fn reduce_down<const D: usize, S: Scalar>(
     force
 }
 
-/// Finds the coordinates of the elements from the base up, from the motion of the base; returns
-/// that of the top.
+/// Computes the coordinates of the elements from the base up, from the motion of the base; returns
+/// the motion of the top.
 pub(super) fn substitute_up<const D: usize, S: Scalar>(
     beam: &Beam<D>,
     work: &mut Factors<S>,
@@ -105,7 +105,7 @@ fn solve_base<const D: usize, S: Scalar>(
     substitute(matrix, rows, 0, of_base);
 }
 
-/// Eliminates the coordinates from `first` on from a right side.
+/// Eliminates the coordinates with index `first` and higher from a right side.
 pub(crate) fn reduce<S: Scalar>(factors: &[S], rows: usize, first: usize, right: &mut [S]) {
     for last in (first..rows).rev() {
         let row = &factors[last * rows..=last * rows + last];
@@ -116,8 +116,8 @@ pub(crate) fn reduce<S: Scalar>(factors: &[S], rows: usize, first: usize, right:
     }
 }
 
-/// Finds the coordinates from `first` on of a reduced right side, the unknowns before them being
-/// known.
+/// Computes the coordinates with index `first` and higher from a reduced right side; the unknowns
+/// before them are known.
 pub(crate) fn substitute<S: Scalar>(factors: &[S], rows: usize, first: usize, right: &mut [S]) {
     for k in first..rows {
         let row = &factors[k * rows..=k * rows + k];

@@ -137,7 +137,7 @@ impl<const D: usize> Subsystem for BeamSubsystem<D> {
 
 /// How a subsystem is made of flexible elements.
 pub trait BeamAssembly: Subsystem {
-    /// Sets how many coordinates elements from here on have for each strain.
+    /// Sets, for the following elements, the number of coordinates of each strain.
     fn set_strains(&mut self, count: &dyn Fn(Strain) -> usize);
 
     /// Adds an element with these sections.

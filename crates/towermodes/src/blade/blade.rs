@@ -100,7 +100,7 @@ impl Blade {
         let above = sections.partition_point(|section| section.span < span);
         let above = above.clamp(1, sections.len() - 1);
         let (a, b) = (&sections[above - 1], &sections[above]);
-        // At a step there is no way between the two.
+        // At a step nothing is interpolated.
         let s = if a.span == b.span {
             0.0
         } else {
@@ -108,7 +108,7 @@ impl Blade {
         };
         let blend = |value: fn(&BladeSection) -> f64| {
             let (a, b) = (value(a), value(b));
-            // Infinite is infinite all the way.
+            // An infinite stiffness is infinite in all sections.
             if a == b { a } else { a + s * (b - a) }
         };
         let mass_kg_per_m = blend(|s| s.mass_kg_per_m);
@@ -191,7 +191,8 @@ fn check_section(section: usize, values: &BladeSection) -> Result<(), BladeError
     check_tension_center(section, values)
 }
 
-/// A section that can twist needs a polar inertia; for others it may be zero, but not negative.
+/// A section of a blade with torsion needs a polar inertia; without torsion it may be zero, but not
+/// negative.
 fn check_polar_inertia(section: usize, values: &BladeSection) -> Result<(), BladeError> {
     let quantity = "the sum of both inertias";
     let value = values.flap_inertia_kg_m + values.edge_inertia_kg_m;
@@ -295,7 +296,7 @@ fn check_range(
         let (first, last) = (ends.0.unwrap_or(f64::NAN), ends.1.unwrap_or(f64::NAN));
         return Err(BladeError::NotWhole { what, first, last });
     }
-    // A place that is not a number rises over nothing.
+    // With NaN as a position, the list does not increase.
     match spans.windows(2).find(|pair| !rises(pair[0], pair[1])) {
         None => Ok(()),
         Some(pair) => Err(BladeError::NotRising {

@@ -65,7 +65,7 @@ pub struct BladeSection {
     pub tension_center_m: f64,
 }
 
-/// Inertias given in decimal digits may be this fraction too small.
+/// Because of decimal rounding in the input, inertias may be too small by this fraction.
 const ROUNDED: f64 = 1e-9;
 
 impl BladeSection {

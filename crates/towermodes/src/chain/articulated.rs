@@ -1,5 +1,5 @@
-//! The articulated factorization of a matrix A of a chain, as K − σM, in O(n), with solve and
-//! inertia count.
+//! The articulated factorization of a matrix A of a chain, as K − σM, in O(n), with solution and
+//! eigenvalue count.
 //!
 //! In scaled joint coordinates A = k + Gᵀ Jᵀ B J G with k = 1 for springs, 0 for a free base, and B
 //! = S + W − σM block diagonal over the bodies (S stiffness to the ground, W geometric stiffness).
@@ -29,9 +29,9 @@ const TINY_PIVOT: f64 = 1e-30;
 /// One eliminated spring.
 #[derive(Debug, Clone, Copy)]
 pub struct Elimination<const D: usize> {
-    /// 1/δ.
+    /// 1/δ of the pivot δ.
     inverse: f64,
-    /// P e before the elimination.
+    /// Column P e before the elimination.
     column: [f64; D],
 }
 
@@ -117,8 +117,8 @@ fn update<const D: usize>(
     }
 }
 
-/// The same where a compression couples the spring with a rotation by `p_delta`, which is part of
-/// the column.
+/// As above, if a compression couples the spring with a rotation by `p_delta`, which is part of the
+/// column.
 #[inline(always)]
 fn update_pressed<const D: usize>(
     matrix: &mut Matrix<D>,
@@ -138,7 +138,7 @@ fn update_pressed<const D: usize>(
     }
 }
 
-/// Subtracts `factor` c cᵀ from a symmetric matrix, but for one row and column.
+/// Subtracts `factor` c cᵀ from a symmetric matrix, except in one row and column.
 #[inline(always)]
 fn subtract_square<const D: usize>(
     matrix: &mut Matrix<D>,
@@ -210,12 +210,12 @@ fn bias_down<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &m
     for link in chain.links.iter().rev() {
         transform_force(&mut bias, above_m - link.height_m);
         above_m = link.height_m;
-        // Within a joint the springs were eliminated in order of component, but x is filled from
-        // its end: go joint by joint.
+        // The springs of a joint were eliminated in order of component, but x is read from its end:
+        // process joint by joint.
         let (below, own) = rest.split_at_mut(rest.len() - link.moving);
         let (eliminations, others) = factors.split_at(link.moving);
         (rest, factors) = (below, others);
-        // Nearly all joints move in every component: no branch for each.
+        // Nearly all joints move in every component, so this case has no branches.
         if let (Ok(own), Ok(springs)) = (
             <&mut [f64; D]>::try_from(&mut *own),
             <&[Elimination<D>; D]>::try_from(eliminations),
@@ -292,7 +292,8 @@ impl<const D: usize> Elimination<D> {
     }
 }
 
-/// pᵀv, even and odd components apart: half as long a chain of additions to wait for.
+/// pᵀv, with even and odd components summed separately: this halves the chain of dependent
+/// additions.
 #[inline]
 fn dot<const D: usize>(p: &[f64; D], v: &[f64; D]) -> f64 {
     let mut sums = [0.0; 2];

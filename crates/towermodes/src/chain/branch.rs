@@ -1,11 +1,11 @@
-//! A chain as a branch of links: each joint, with the body above it, is one.
+//! A chain as a branch of a frame: each joint with the body above it is a link.
 
 use super::model::{Chain, Link};
 use crate::space::{SpatialMatrix, levers, transform_motion};
 use crate::subsystem::{Branch, BranchLink};
 
 impl<const D: usize> Chain<D> {
-    /// The joints as links, and what is attached to a base that moves; D is 6.
+    /// The joints as links, and the matrices at a moving base; D is 6.
     pub(super) fn branch(&self) -> Branch {
         let mut branch = Branch::default();
         let mut height_m = self.links.first().map_or(0.0, |link| link.height_m);
@@ -58,7 +58,8 @@ fn transfer<const D: usize>(rise_m: f64) -> SpatialMatrix {
     matrix
 }
 
-/// The motion of the body for the coordinates of its joint: the springs that move.
+/// The motion of the body for the coordinates of its joint: one column for each spring that is not
+/// rigid.
 fn tips<const D: usize>(link: &Link<D>) -> [Vec<f64>; 6] {
     let moving: Vec<usize> = (0..D).filter(|i| link.root[*i] != 0.0).collect();
     let entry = |i: usize, k: usize| if i == k { link.root[k] } else { 0.0 };

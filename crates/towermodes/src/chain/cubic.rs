@@ -5,7 +5,7 @@
 pub(super) struct Cubic {
     /// Coefficients of 1, s, s², s³.
     c: [f64; 4],
-    /// Shear's part of the slope with s, which does not rotate the section.
+    /// Part of the slope with respect to s that is shear and does not rotate the section.
     shear: f64,
     length_m: f64,
 }
@@ -38,7 +38,7 @@ impl Cubic {
         }
     }
 
-    /// A straight line between the ends' values.
+    /// A straight line between the values at the ends.
     pub(super) fn line(below: f64, above: f64, length_m: f64) -> Self {
         Self {
             c: [below, above - below, 0.0, 0.0],
@@ -53,7 +53,7 @@ impl Cubic {
         c[0] + s * (c[1] + s * (c[2] + s * c[3]))
     }
 
-    /// The section's rotation at s: the slope without shear's part.
+    /// Rotation of the section at s: the slope without its shear part.
     pub(super) fn rotation(&self, s: f64) -> f64 {
         let c = &self.c;
         (c[1] - self.shear + s * (2.0 * c[2] + s * 3.0 * c[3])) / self.length_m
@@ -74,7 +74,7 @@ impl Cubic {
         }
     }
 
-    /// Where c₁ + 2c₂s + 3c₃s² vanishes; NaN where it does not.
+    /// The zeros of c₁ + 2c₂s + 3c₃s²; NaN if there are none.
     fn turning_points(&self) -> [f64; 2] {
         let [_, c1, c2, c3] = self.c;
         let q = -(c2 + (c2 * c2 - 3.0 * c1 * c3).sqrt().copysign(c2));

@@ -15,13 +15,13 @@ use crate::tower::{Motion, Motions};
 pub(super) struct ChainCurves<'a> {
     borders_m: &'a [f64],
     shear: &'a ShearFraction<'a>,
-    /// The motion of every segment border.
+    /// The motion at every segment border.
     borders: Vec<[f64; 6]>,
     motions: Motions,
 }
 
 impl<'a> ChainCurves<'a> {
-    /// Those of an eigenvector over segments with these borders, m.
+    /// The curves of an eigenvector over segments with these borders, m.
     pub(super) fn new<const D: usize>(
         borders_m: &'a [f64],
         shear: &'a ShearFraction<'a>,
@@ -77,7 +77,7 @@ impl SegmentCurves for ChainCurves<'_> {
     }
 }
 
-/// The motion at every segment border: that of the body that reaches over it.
+/// The motion at every segment border, that of the body that contains the border.
 fn border_motions<const D: usize>(
     borders_m: &[f64],
     chain: &Chain<D>,

@@ -1,4 +1,4 @@
-//! The chain itself: joints with springs, bodies between them.
+//! The chain: joints with springs, and bodies between them.
 
 use crate::space::{Matrix, add_scaled, levers, transform_matrix};
 use crate::subsystem::{Coefficients, MatrixKind};
@@ -8,20 +8,21 @@ use crate::subsystem::{Coefficients, MatrixKind};
 pub struct Link<const D: usize> {
     /// Height of the joint, m.
     pub(super) height_m: f64,
-    /// √(1/k) of each spring; zero where the joint is rigid. Where it is free any number, the unit
-    /// of its coordinate.
+    /// √(1/k) of each spring; zero for a rigid joint. For a free component any number, the unit of
+    /// its coordinate.
     pub(super) root: [f64; D],
-    /// How many of these are not zero.
+    /// Number of springs that are not rigid.
     pub(super) moving: usize,
-    /// Whether the body above has an inertia or a stiffness to the ground: there is nothing between
-    /// the joints that one joint is split into.
+    /// Whether the body above has an inertia or a stiffness to the ground: a joint can be divided
+    /// into several joints without bodies between them.
     pub(super) has_body: bool,
-    /// 1 for a joint with springs; 0 for a base that moves, which only the foundation holds.
+    /// 1 for a joint with springs; 0 for a moving base, which has only the stiffness of the
+    /// foundation.
     pub(super) spring: f64,
     /// Compression at the joint, N.
     pub(super) compression_n: f64,
-    /// By how much gravity reduces the body's stiffness against rotation in the bending planes,
-    /// N m/rad.
+    /// Reduction by gravity of the body's stiffness against rotation in the bending planes, N
+    /// m/rad.
     pub(super) geometric_n_m: f64,
 }
 
@@ -30,7 +31,7 @@ impl<const D: usize> Link<D> {
     #[inline(always)]
     pub(super) fn scaled(&self, coordinates: &[f64]) -> [f64; D] {
         let mut motion = [0.0; D];
-        // Nearly all joints move in every component: no branch for each.
+        // Nearly all joints move in every component, so this case has no branches.
         if let Ok(all) = <&[f64; D]>::try_from(coordinates) {
             for component in 0..D {
                 motion[component] = self.root[component] * all[component];
@@ -89,8 +90,8 @@ impl<const D: usize> Link<D> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chain<const D: usize> {
     pub(super) links: Vec<Link<D>>,
-    /// Inertia of each body about its joint; apart from the links, because most sweeps do not need
-    /// it.
+    /// Inertia of each body about its joint; stored separately from the links, because most passes
+    /// do not need it.
     pub(super) inertias: Vec<Matrix<D>>,
     /// Stiffness to the ground of each body about its joint; shorter, or empty, if the bodies above
     /// have none.

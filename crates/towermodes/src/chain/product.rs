@@ -1,4 +1,4 @@
-//! Products with the chain's matrices in O(n): one sweep up for the motions, one sweep down for the
+//! Products with the chain's matrices in O(n): one pass up for the motions, one pass down for the
 //! forces.
 
 use super::model::{Chain, Link};
@@ -196,8 +196,8 @@ pub fn modal_resultant<const D: usize>(
     (force, kinetic, strain)
 }
 
-/// Tells `body` each joint with the motion of the body above, its own motion, and the load A v on
-/// that body.
+/// Passes to `body` each joint with the motion of the body above, its own motion, and the load A v
+/// on this body.
 pub(super) fn for_each_body<const D: usize>(
     chain: &Chain<D>,
     a: &Coefficients,
@@ -320,7 +320,7 @@ fn squares(x: &[f64]) -> f64 {
     (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
 }
 
-/// The number of coordinates of a base that moves: only the base, the first link, can be free.
+/// Number of coordinates of a moving base: only the base, the first link, can be free.
 fn free_coordinates<const D: usize>(chain: &Chain<D>) -> usize {
     match chain.links.first() {
         Some(base) if base.spring == 0.0 => base.moving,

@@ -1,4 +1,4 @@
-//! What the joints and bodies of a chain do in a mode.
+//! The motions and loads of the joints and bodies of a chain in a mode.
 
 use super::model::Chain;
 use super::product;

@@ -1,4 +1,4 @@
-//! A vector carried from one chain of a tower to another one by its internal forces.
+//! Transfer of a vector from one chain of a tower to another chain by its internal forces.
 
 use super::model::Chain;
 use crate::subsystem::InternalForces;
@@ -11,7 +11,7 @@ pub fn internal_forces<const D: usize>(chain: &Chain<D>, x: &[f64], forces: &mut
         let (own, above) = rest.split_at(link.moving);
         rest = above;
         if link.spring == 0.0 {
-            // The units of a base that moves are those of the tower, not of the mesh.
+            // The units of a moving base do not depend on the mesh.
             forces.base.extend_from_slice(own);
             continue;
         }

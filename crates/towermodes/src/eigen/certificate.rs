@@ -1,22 +1,23 @@
 //! The proof that a list of eigenvalues is complete, and the bound on each.
 //!
 //! The list holds k orthonormal vectors with small residuals, so there are k eigenvalues near it
-//! (Kahan 1967). An inertia count just above the last one that gives k proves that there are no
+//! (Kahan 1967). An eigenvalue count just above the last one that gives k proves that there are no
 //! more: the list is complete.
 
-/// The result of the counts above a list of eigenvalues.
+/// The result of the eigenvalue counts above a list of eigenvalues.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum CountCheck {
-    /// As many as in the list, and none within this relative distance above the last.
+    /// The count equals the length of the list, and no eigenvalue is within this relative distance
+    /// above the last one.
     Complete {
-        /// (σ − λ_last)/λ_last of the count that agreed.
+        /// (σ − λ_last)/λ_last of the shift σ with this count.
         margin: f64,
     },
-    /// This many, though the list is shorter or longer.
+    /// The count differs from the length of the list.
     Disagrees {
         /// Eigenvalues below `shift`.
         count: usize,
-        /// λ just above the last of the list, rad²/s².
+        /// The shift, just above the last eigenvalue of the list, rad²/s².
         shift: f64,
     },
 }

@@ -1,4 +1,4 @@
-//! Why eigenvalues could not be computed.
+//! Errors of the computation of eigenvalues.
 
 use thiserror::Error;
 
@@ -34,9 +34,9 @@ pub enum EigenError {
          is too stiff relative to the softest"
     )]
     Unresolved {
-        /// How many were sought.
+        /// Number of requested modes.
         wanted: usize,
-        /// How many have small residuals.
+        /// Number of modes with small residuals.
         resolved: usize,
     },
     /// The eigenvalue count never agreed with the list.
@@ -47,9 +47,9 @@ pub enum EigenError {
     Incomplete {
         /// Modes in the list.
         found: usize,
-        /// Modes that are there.
+        /// Number of modes by the eigenvalue count.
         counted: usize,
-        /// Below this frequency, Hz.
+        /// The limit of the count, Hz.
         below_hz: f64,
         /// Restarts tried.
         restarts: usize,

@@ -17,8 +17,8 @@ const TOLERANCE: f64 = 1e-13;
 const FLOOR: f64 = 2.0 * f64::EPSILON;
 /// A projected matrix up to this size is diagonalized at once with its eigenvectors.
 const SMALL: usize = 64;
-/// The Ritz values are looked at when the forecast of the residual is small enough, and at every so
-/// many steps regardless.
+/// The Ritz values are computed when the estimated residual is small enough, and at every so many
+/// steps regardless.
 const LOOK_ANYWAY: usize = 8;
 
 /// The state and the memory of a Lanczos process; a second process of the same size allocates
@@ -31,8 +31,8 @@ pub(super) struct Lanczos {
     /// The projected operator: diagonal and off-diagonal.
     alpha: Vec<f64>,
     beta: Vec<f64>,
-    /// M v, then the next vector, then K times it before its last change; that only unless K is the
-    /// identity.
+    /// M v, then the next vector, then (only if K is not the identity) K times this vector before
+    /// its last change.
     image: Vec<f64>,
     next: Vec<f64>,
     stiff: Vec<f64>,
@@ -48,7 +48,7 @@ pub(super) struct Lanczos {
 }
 
 impl Lanczos {
-    /// Forgets everything but the memory.
+    /// Resets the state and keeps the memory.
     pub(super) fn reset(&mut self, size: usize) {
         self.used = 0;
         self.alpha.clear();
@@ -60,8 +60,8 @@ impl Lanczos {
         }
     }
 
-    /// Starts again beside `locked` eigenvectors (K-orthonormal, with their θ), which the new
-    /// process leaves alone.
+    /// Starts again with `locked` eigenvectors (K-orthonormal, with their θ), to which the new
+    /// process stays orthogonal.
     pub(super) fn lock(&mut self, locked: &[Vec<f64>], thetas: &[f64]) {
         self.used = 0;
         self.alpha.clear();
@@ -74,8 +74,8 @@ impl Lanczos {
         }
     }
 
-    /// Sets the first vector: the pencil's own, or pseudo-random ones for later attempts. False if
-    /// there is none.
+    /// Sets the starting vector: that of the pencil, or a pseudo-random one for later attempts.
+    /// False if there is none.
     pub(super) fn start(&mut self, pencil: &mut dyn Pencil, attempt: usize) -> bool {
         if attempt == 0 {
             pencil.start(&mut self.next);
@@ -103,7 +103,8 @@ impl Lanczos {
                 if self.has_converged(wanted, beta) {
                     return true;
                 }
-                // A look costs the cube of the steps, so the more there are the rarer it is.
+                // The cost of the Ritz values is the cube of the number of steps, so they are
+                // computed less often as the steps increase.
                 next_look = self.used + 1 + (self.used - wanted) / 8;
             }
             if !self.extend(pencil, beta) {
@@ -120,8 +121,8 @@ impl Lanczos {
         self.products += 1;
         self.next.copy_from_slice(&self.image);
         pencil.solve(&mut self.next);
-        // First the two vectors that the exact process would leave, then all of them for what
-        // rounding leaves.
+        // First against the two vectors of exact arithmetic, then against all vectors because of
+        // rounding.
         let alpha = dot(&self.basis[newest], &self.image);
         let last_two = &self.basis[newest.saturating_sub(1)..=newest];
         let factors = [-self.beta.last().copied().unwrap_or(0.0), -alpha];
@@ -162,8 +163,8 @@ impl Lanczos {
         add_combination(&self.basis[..self.used], &self.coefficients, &mut self.next);
     }
 
-    /// Makes `next` the newest vector; a vanishing one means an invariant space, and a fresh
-    /// direction goes on from there. False if there is none.
+    /// Makes `next` the newest vector. If it vanishes, the space is invariant, and the process
+    /// continues in a new direction. False if there is none.
     fn extend(&mut self, pencil: &mut dyn Pencil, beta: f64) -> bool {
         let largest = self.alpha.iter().fold(0.0_f64, |a, x| a.max(x.abs()));
         if beta > FLOOR * largest {
@@ -183,7 +184,7 @@ impl Lanczos {
         for attempt in 0..4 {
             pencil.stiffness_times(&self.next, &mut self.stiff);
             let before = dot(&self.next, &self.stiff).max(0.0).sqrt();
-            // The first vector has nothing to be orthogonal to.
+            // The first vector has no previous vector.
             if self.used > 0 {
                 self.orthogonalize(pencil);
                 self.orthogonalize(pencil);
@@ -198,8 +199,8 @@ impl Lanczos {
         false
     }
 
-    /// Copies factor·next to the end of the basis, in memory that is there if a process was there
-    /// before.
+    /// Copies factor·next to the end of the basis, in existing memory if an earlier process
+    /// allocated it.
     fn append(&mut self, factor: f64) {
         if self.used == self.basis.len() {
             self.basis.push(Vec::new());
@@ -210,7 +211,7 @@ impl Lanczos {
         self.used += 1;
     }
 
-    /// Whether a look at the Ritz values is worth its cost.
+    /// Whether computing the Ritz values is worth its cost.
     ///
     /// The projected matrix is nearly diagonal where the spectrum falls fast, so the last component
     /// of the wanted-th Ritz vector is about the product of the couplings after it over its Ritz
@@ -233,8 +234,8 @@ impl Lanczos {
     /// Whether the residual estimates β |last component| of the `wanted` largest Ritz values are
     /// small.
     fn has_converged(&mut self, wanted: usize, beta: f64) -> bool {
-        // Last components alone cost the square of the size, whole eigenvectors its cube: worth it
-        // where looks are in vain for long.
+        // Only the last components cost the square of the size, whole eigenvectors its cube: used
+        // if convergence is still far.
         if self.used > SMALL && !(self.diagonalize_rows(1) && self.are_small(wanted, beta, 1)) {
             return false;
         }

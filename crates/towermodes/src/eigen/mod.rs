@@ -25,14 +25,14 @@ const MAX_RESTARTS: usize = 8;
 /// The relative distances above the last eigenvalue at which a count is tried.
 const MARGINS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];
 
-/// The same for a list that was found from guesses.
+/// The relative distances for a list that was found from guesses.
 const WIDE_MARGINS: [f64; 4] = [0.1, 1e-2, 1e-3, 1e-4];
 
-/// With a larger relative residual a mode is below the rounding errors of the lowest one.
+/// With a larger relative residual the rounding errors of the lowest mode are larger than the mode.
 const MAX_RESIDUAL: f64 = 1e-4;
 
-/// Cancellation in the stiffness that leaves a larger relative error is refused: soil or guy wires
-/// 10¹⁴ times as stiff as the tower.
+/// If cancellation in the stiffness causes a larger relative error, the tower is refused: soil or
+/// guy wires 10¹⁴ times as stiff as the tower.
 const MAX_ROUNDING: f64 = 1e-7;
 
 /// The relative error that an eigenvalue from a guess of its vector may have.
@@ -132,7 +132,7 @@ impl EigenWorkspace {
         }
     }
 
-    /// Takes the converged Ritz pairs over, sorted by λ. Returns false if they are not numbers.
+    /// Copies the converged Ritz pairs, sorted by λ. Returns false if they are not numbers.
     fn extract(&mut self, pencil: &mut dyn Pencil, wanted: usize) -> bool {
         self.vectors
             .resize_with(self.vectors.len().max(wanted), Vec::new);
@@ -198,7 +198,7 @@ impl EigenWorkspace {
         }
     }
 
-    /// Takes the eigenvalues and vectors of a refinement over.
+    /// Copies the eigenvalues and vectors of a refinement.
     fn adopt(&mut self, wanted: usize, refinement: &mut Refinement) {
         let most = self.vectors.len().max(wanted);
         self.vectors.resize_with(most, Vec::new);
@@ -219,7 +219,7 @@ impl EigenWorkspace {
         certificate::residual_bound(&self.lambdas, index, residual, margin) <= ACCURATE
     }
 
-    /// Keeps the vectors found; missed modes are in their orthogonal complement.
+    /// Keeps the vectors found; missing modes are in their orthogonal complement.
     fn lock(&mut self, found: usize) {
         self.lanczos.lock(&self.vectors[..found], &self.thetas);
     }
@@ -346,8 +346,8 @@ fn factorize(pencil: &mut dyn Pencil) -> Result<(), EigenError> {
     }
 }
 
-/// The relative distance below the least eigenvalue at which a count proves that there is none
-/// below.
+/// The relative distance below the least eigenvalue at which a count proves that no eigenvalue is
+/// below it.
 const LEAST: f64 = 1e-9;
 
 /// Computes the smallest eigenvalue alone and proves that none is below it; it may be repeated.

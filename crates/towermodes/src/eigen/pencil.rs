@@ -37,7 +37,7 @@ pub trait Pencil {
         0.0
     }
 
-    /// A start vector with a part in every low mode.
+    /// A starting vector that has a component in every low mode.
     fn start(&mut self, out: &mut [f64]);
 }
 

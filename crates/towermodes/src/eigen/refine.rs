@@ -14,7 +14,7 @@ use super::certificate::{CountCheck, verify};
 use super::pencil::ShiftInvert;
 use super::vector::scale;
 
-/// More steps than a good guess needs.
+/// Limit of the steps; a good guess needs fewer.
 const MAX_STEPS: usize = 6;
 /// A shift nearer to the eigenvalue than this fraction of the gap is kept: a step with it reduces
 /// the error by as much, and saves a factorization.
@@ -35,7 +35,7 @@ pub(crate) struct Refinement {
     pub(crate) vectors: Vec<Vec<f64>>,
     /// The eigenvalues of the last [`refine`].
     pub(crate) lambdas: Vec<f64>,
-    /// r/ρ of each.
+    /// r/ρ of each eigenvalue.
     pub(super) residuals: Vec<f64>,
     /// Products with the mass matrix in the last [`refine`].
     pub(super) products: usize,
@@ -115,8 +115,8 @@ impl Refinement {
         self.products = 0;
     }
 
-    /// Iterates from a guess until its eigenvalue is known; then the vector with xᵀKx = 1 is in its
-    /// place.
+    /// Iterates from a guess until the eigenvalue is accurate; then the vector with xᵀKx = 1
+    /// replaces the guess.
     fn refine_one(
         &mut self,
         pencil: &mut dyn ShiftInvert,
@@ -138,7 +138,7 @@ impl Refinement {
             if !(quotient > 0.0 && quotient.is_finite()) {
                 return None;
             }
-            // A shift that is near enough serves once more. The first one is no number, so not
+            // A shift near the eigenvalue is used once more. The first shift is NaN, so it is not
             // near.
             let is_near = (quotient - shift).abs() <= NEAR * gap * quotient;
             if !is_near {

@@ -1,6 +1,6 @@
 //! Eigenvalues of the small symmetric tridiagonal matrix of the Lanczos process.
 
-/// More QL iterations for one eigenvalue than this never happen in exact or rounded arithmetic.
+/// Limit of the QL iterations for one eigenvalue; fewer are always enough.
 const MAX_ITERATIONS: usize = 60;
 
 /// Diagonalizes the symmetric tridiagonal matrix with diagonal `d` and off-diagonal `e` (e[i]
@@ -20,7 +20,7 @@ pub(super) fn diagonalize(d: &mut [f64], e: &mut [f64], z: &mut [f64], rows: usi
     if !(scale > 0.0 && scale.is_finite()) {
         return scale == 0.0;
     }
-    // At unit scale no square overflows or underflows to harm.
+    // At unit scale squares neither overflow nor underflow harmfully.
     d.iter_mut().chain(e.iter_mut()).for_each(|x| *x /= scale);
     let converged = (0..size).all(|first| isolate(d, e, z, rows, first));
     d.iter_mut().for_each(|x| *x *= scale);
@@ -59,7 +59,7 @@ fn ql_step(d: &mut [f64], e: &mut [f64], z: &mut [f64], rows: usize, first: usiz
             e[i + 1] = r;
         }
         if r == 0.0 {
-            // The rotation would be by nothing: the block has split here.
+            // The rotation angle would be zero: the block has split here.
             d[i + 1] -= p;
             return;
         }

@@ -18,7 +18,7 @@ impl Assembly<'_> {
         let second = transverse_kg * length * length / 12.0;
         let inertia = Axisymmetric {
             bending: masses.rotary_inertia_kg_m.map(|rotary| {
-                // Sections have rotary inertia in bending only with this recipe.
+                // Only some element types include the rotary inertia of sections in bending.
                 let rotary = if self.recipe.rotary_inertia {
                     rotary * length
                 } else {
@@ -65,8 +65,8 @@ impl Assembly<'_> {
         }
     }
 
-    /// The axial compression at a height (m), N. The last one is kept: a body ends where the next
-    /// joint is.
+    /// The axial compression at a height (m), N. The last value is kept, because the next joint is
+    /// at the end of a body.
     #[inline]
     fn compression_n(&mut self, height_m: f64) -> f64 {
         if self.last_compression.0 != height_m {
@@ -77,9 +77,10 @@ impl Assembly<'_> {
 
     /// Adds a joint at a height (m).
     ///
-    /// A compression works on the shear deflection times the rotation at its place, which is
-    /// between those below and above the joint. So where shear is large the hinge is halved around
-    /// the shear deflection; either rotation alone would cost an order of convergence.
+    /// The work of a compression is the shear deflection times the rotation at the joint, which is
+    /// between the rotations below and above it. So if the shear is large, the hinge is divided into
+    /// two halves, below and above the shear deflection; with only one of these rotations the order
+    /// of convergence would be lower by one.
     pub(super) fn add_joint(&mut self, height_m: f64, joint: &JointFlexibility) {
         if self.tower.gravity_m_per_s2() == 0.0 {
             self.chains.add_joint(height_m, joint, 0.0);
@@ -100,8 +101,7 @@ impl Assembly<'_> {
         }
     }
 
-    /// Adds exact bodies between two heights (m), joined where `joints` say, with their heights
-    /// (m).
+    /// Adds exact bodies between two heights (m), connected by `joints` at these heights (m).
     pub(super) fn add_exact_bodies<const N: usize>(
         &mut self,
         piece: &Piece,
@@ -109,8 +109,9 @@ impl Assembly<'_> {
         top_m: f64,
         mut joints: [(f64, JointFlexibility); N],
     ) {
-        // Near towers have their joints in one order. A body between two joints in falling order
-        // takes away what the bodies around it have twice.
+        // In slightly changed towers the order of the joints stays the same. If two joints exchange
+        // their heights, the body between them has negative mass, which compensates for the overlap
+        // of its neighbours.
         if !self.tower.planes_are_apart() {
             joints.sort_by(|a, b| a.0.total_cmp(&b.0));
         }

@@ -127,7 +127,7 @@ impl Mesh {
     /// [`BorderError`]: the first condition that is violated.
     pub fn with_borders(tower: &Tower, heights_m: &[f64]) -> Result<Self, BorderError> {
         let mut borders_m = heights_m.to_vec();
-        // What is no number rises over nothing.
+        // With NaN as a height, the list does not increase.
         let rises = |pair: &[f64]| pair[0] < pair[1];
         if let Some(row) = borders_m.windows(2).position(|pair| !rises(pair)) {
             let height_m = borders_m[row + 1];
@@ -219,7 +219,7 @@ impl Mesh {
         mesh.set_borders();
     }
 
-    /// The mesh with every end of a span moved to another height, m.
+    /// The mesh with the end of each span moved to another height, m.
     pub(crate) fn moved(&self, moved_m: impl Fn(f64) -> f64) -> Self {
         let spans = self.spans.iter().map(|span| Span {
             base_m: moved_m(span.base_m),
@@ -299,7 +299,7 @@ fn spans_of(tower: &Tower, borders: Borders) -> Vec<Span> {
     gradual
 }
 
-/// Adds a span, cut until it is gradual.
+/// Adds a span, divided until it is gradual.
 fn add_gradual(tower: &Tower, span: Span, spans: &mut Vec<Span>) {
     let piece = &tower.pieces()[span.piece];
     match piece.even_cut_m(span.base_m, span.top_m, STEEPEST_SPAN) {

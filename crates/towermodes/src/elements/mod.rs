@@ -1,4 +1,4 @@
-//! Recipes that make chains of a tower, one per file, and the mesh.
+//! The element types that make chains of a tower, one per file, and the mesh.
 
 mod bodies;
 mod cardanic;
@@ -66,8 +66,8 @@ impl Element {
         }
     }
 
-    /// Joints of a segment in one bending plane, hinges and sliding joints: memory is reserved for
-    /// this number.
+    /// Number of joints of a segment in one bending plane, hinges and sliding joints, for which
+    /// memory is reserved.
     fn joints(self) -> usize {
         match self {
             Self::RmjeExact | Self::Lumped => 1,
@@ -100,17 +100,18 @@ impl Default for Recipe {
     }
 }
 
-/// A tower that is being made into chains.
+/// A tower during the assembly of its chains.
 struct Assembly<'a> {
     tower: &'a Tower,
     chains: &'a mut Chains,
     recipe: &'a Recipe,
-    /// The height (m) that a compression was computed at last, and the compression, N.
+    /// The height (m) of the last computed compression, and this compression, N.
     last_compression: (f64, f64),
 }
 
 impl Assembly<'_> {
-    /// Whether the joints of both bending planes are at the same heights, so that they are one.
+    /// Whether the joints of both bending planes are at the same heights, so that one joint serves
+    /// both.
     fn planes_share_joints(&self, piece: &Piece) -> bool {
         let may_differ =
             self.tower.planes_are_apart() && matches!(piece.profile, Profile::Table { .. });

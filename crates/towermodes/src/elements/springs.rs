@@ -4,8 +4,7 @@
 use crate::chain::JointFlexibility;
 use crate::tower::{Compliance, Plane, Planes, Section, Tower, compliance};
 
-/// Of a prismatic segment of a length (m): L/EI, L³(1+φ)/(12EI) with φ = 12EI/(κGAL²) written out,
-/// L/EA, L/GJ.
+/// The springs of a prismatic segment of a length (m):
 #[inline]
 pub(super) fn prismatic(section: &Section, length: f64) -> JointFlexibility {
     let bending = section.bending_n_m2.map(|ei| length / ei);
@@ -18,7 +17,7 @@ pub(super) fn prismatic(section: &Section, length: f64) -> JointFlexibility {
     }
 }
 
-/// Of any segment, about the centre of flexibility of each plane.
+/// The springs of any segment, about the centre of flexibility of each plane.
 #[inline]
 pub(super) fn exact(compliance: &Compliance) -> JointFlexibility {
     let bending = compliance.bending;

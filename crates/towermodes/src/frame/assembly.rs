@@ -18,7 +18,7 @@ use crate::space::{SpatialMatrix, add_scaled};
 use crate::tower::frame::{Frame, FrameMember, JointKind, MemberKind};
 use crate::tower::{RigidBody, spatial_inertia};
 
-/// The weight of what does not deform, and of hinges: less than that of any element.
+/// The weight of rigid links and hinges in the graph: less than the weight of any element.
 const LOOSE: f64 = -3.0;
 const RIGID: f64 = -2.0;
 const HINGED: f64 = -1.0;
@@ -26,34 +26,34 @@ const HINGED: f64 = -1.0;
 /// Two nodes and their positions, m.
 type Ends = ([Node; 2], [Vector; 2]);
 
-/// A frame as equations, and where its parts are in them.
+/// The equations of a frame, and the places of its parts in them.
 pub(super) struct Assembled {
     pub(super) equations: Equations,
-    /// The node of each joint; the ground is none.
+    /// The node of each joint; none for the ground.
     pub(super) joints: Vec<Node>,
     /// The node of the transition piece.
     pub(super) transition: Node,
     /// The positions of the nodes, m.
     pub(super) positions_m: Vec<Vector>,
-    /// The joint of each node, or that where its member begins.
+    /// The joint at each node, or the joint where the member of the node begins.
     pub(super) joint_of_node: Vec<usize>,
     /// The elements of beams.
     pub(super) elements: Vec<PlacedElement>,
-    /// Its rigid links.
+    /// The rigid links.
     pub(super) rigid_links: Vec<RigidLink>,
-    /// The tension in the elements, by edge.
+    /// The tension in the elements, by index of the edge.
     pub(super) tensions: Vec<(usize, Tension)>,
-    /// Points of them.
+    /// Points of the elements.
     pub(super) samples: Vec<Sample>,
 }
 
-/// Where an element of a beam is in the equations.
+/// The place of an element in the equations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct PlacedElement {
-    /// Its edge in the graph, the same for each frame with the same members.
+    /// Index of its edge in the graph, the same for each frame with the same members.
     pub(super) edge: usize,
     pub(super) member: usize,
-    /// Where it begins and ends, as fractions of the member.
+    /// Its ends, as fractions of the member.
     pub(super) from: f64,
     pub(super) to: f64,
     pub(super) carrier: Carrier,
@@ -68,7 +68,7 @@ pub(super) enum Carrier {
     Chord(usize),
 }
 
-/// What equations are made for.
+/// The purpose of the equations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Purpose {
     /// Modes and their shapes.
@@ -93,9 +93,9 @@ pub(super) fn assemble(
     made(Assembly::new(frame, recipe, purpose), forces)
 }
 
-/// The same with the transition piece carried by six free motions of its own, the first unknowns:
-/// what hangs on it and on the ground meets in chords, so that all else can be eliminated before
-/// it.
+/// As [`assemble`], with the six motions of the transition piece as the first unknowns: chords
+/// connect it with the ground and with the parts above it, so that all other unknowns can be
+/// eliminated before it.
 ///
 /// # Errors
 /// [`FrameSolveError`]: as before, or a transition piece that a support holds rigidly.
@@ -144,12 +144,12 @@ pub(super) struct Assembly<'a> {
     graph: Graph,
     joints: Vec<Node>,
     transition: Node,
-    /// Whether the transition piece is carried by free motions of its own.
+    /// Whether the transition piece has six unknowns for its motion.
     has_loose_transition: bool,
     /// The node of each end of each member.
     ends: Vec<[Node; 2]>,
     memory: MemberElement,
-    /// Chords that are no elements, without bubbles.
+    /// Chords that are not elements, without bubbles.
     matrices: Vec<Chord>,
     /// The tension in elements, by edge.
     tensions: HashMap<usize, Tension>,
@@ -175,7 +175,7 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// The same with the tension in elements, by edge.
+    /// As above, with the tension in elements, by index of the edge.
     pub(super) fn with_tensions(mut self, tensions: &[(usize, Tension)]) -> Self {
         self.tensions = tensions.iter().copied().collect();
         self
@@ -457,7 +457,7 @@ impl<'a> Assembly<'a> {
         Ok((equations, elements, rigid_links, self.samples))
     }
 
-    /// The element of an edge, if it is one.
+    /// The element of an edge, if the edge is an element.
     fn placed(&self, edge: usize, carrier: Carrier, reversed: bool) -> Option<PlacedElement> {
         match self.graph.edges[edge].kind {
             EdgeKind::Element { member, from, to } => Some(PlacedElement {
@@ -472,7 +472,8 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// An edge that carries no node must be an element, or hold nothing that is not held already.
+    /// Checks that an edge that carries no node is an element, or connects nodes that are rigidly
+    /// connected already.
     fn check_unused(&self, edge: usize) -> Result<(), FrameSolveError> {
         let edge = &self.graph.edges[edge];
         let node = edge.ends[1].or(edge.ends[0]).unwrap_or_default();
@@ -489,7 +490,8 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// Between the transition piece, if it is loose, and the ground must be a member that deforms.
+    /// Checks that there is a flexible member between the transition piece, if it has unknowns of
+    /// its own, and the ground.
     fn check_loose(&self, branches: &[Branch]) -> Result<(), FrameSolveError> {
         let mut on_transition = vec![false; self.graph.positions_m.len()];
         let hangs = |on_transition: &[bool], node: Node| node.is_some_and(|n| on_transition[n]);
@@ -522,7 +524,7 @@ impl<'a> Assembly<'a> {
         Ok(())
     }
 
-    /// Whether something resists the rotation of each node: cables do not.
+    /// Whether the rotation of each node has a stiffness: cables have none.
     fn rotating(&self) -> Vec<bool> {
         let mut rotates = vec![false; self.graph.positions_m.len()];
         for edge in &self.graph.edges {
@@ -539,7 +541,7 @@ impl<'a> Assembly<'a> {
         rotates
     }
 
-    /// The element of a stretch of a member, and its axes.
+    /// The element of a part of a member, and its axes.
     fn element(
         &mut self,
         edge: usize,
@@ -554,7 +556,7 @@ impl<'a> Assembly<'a> {
         Some((element?, axes))
     }
 
-    /// A stretch of a member between two fractions, and its axes.
+    /// A part of a member between two fractions of its length, and its axes.
     pub(super) fn stretch(
         &self,
         edge: usize,
@@ -652,7 +654,7 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// The chord of an edge that carries no node; none for a rigid one, which other rigid ones
+    /// The chord of an edge that carries no node; none for a rigid edge, which other rigid edges
     /// replace.
     fn chord(&mut self, edge: usize, first: usize) -> Option<Chord> {
         let Edge { ends, kind, .. } = self.graph.edges[edge].clone();
@@ -673,8 +675,8 @@ impl<'a> Assembly<'a> {
     }
 }
 
-/// The axes of a member as rows, seen from one of its joints: from the second to the first they are
-/// turned about x.
+/// The axes of a member as rows, seen from one of its joints: if seen from the second joint, they
+/// are rotated by 180° about x.
 fn axes_from(frame: &Frame, member: &FrameMember, is_first: bool) -> [Vector; 3] {
     let [x, y, z] = frame.axes(member);
     let back = |axis: Vector| axis.map(|a| -a);

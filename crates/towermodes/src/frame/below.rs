@@ -1,4 +1,5 @@
-//! A frame below a tower: at each frequency a 6×6 matrix at the tower's base, and a count.
+//! A frame below a tower: at each frequency a 6×6 matrix at the tower's base, and an eigenvalue
+//! count.
 //!
 //! The transition piece is the root of a tree of its own and is eliminated last: what is left is
 //! all that the tower feels of the frame. The elimination is a congruence (Haynsworth 1968), so
@@ -22,9 +23,10 @@ use crate::scalar::{Complex, Scalar};
 use crate::space::SpatialMatrix;
 use crate::tower::frame::FrameFoundation;
 
-/// Motions of the transition piece: the first unknowns.
+/// Number of unknowns for the motion of the transition piece, the first unknowns.
 const OF_TRANSITION: usize = 6;
-/// A little inertia, 1/s², so that motions that nothing resists do not divide by zero.
+/// A small factor on the inertia, 1/s², so that motions without stiffness do not cause a division
+/// by zero.
 const ALMOST_STILL: f64 = 1e-10;
 
 /// A motion or a force in phasors.
@@ -42,9 +44,9 @@ pub struct FrameBelow {
     sweep: Sweep,
     real: Vec<f64>,
     product: Vec<f64>,
-    /// The stiffness that the base feels at rest.
+    /// The static stiffness at the base.
     at_rest: SpatialMatrix,
-    /// Whether members are in loops and so can vibrate by themselves; a single pile cannot.
+    /// Whether members are in loops, so that they have local modes; a single pile has none.
     has_loops: bool,
 }
 
@@ -91,7 +93,8 @@ impl FrameBelow {
             },
         )?;
         let node = transition.ok_or(FrameSolveError::NoTransition)?;
-        // What the tower weighs was there for the tensions; it moves by itself.
+        // The weight of the tower was needed only for the tensions; the tower is modelled
+        // separately.
         equations.nodes.pop();
         equations.links.pop();
         let mut own = Self {
@@ -110,7 +113,7 @@ impl FrameBelow {
         Ok(own)
     }
 
-    /// Number of coordinates beside the motion of the base.
+    /// Number of coordinates without the motion of the base.
     pub(crate) fn degrees_of_freedom(&self) -> usize {
         self.equations.unknowns - OF_TRANSITION
     }
@@ -123,7 +126,7 @@ impl FrameBelow {
         seen
     }
 
-    /// The same, with the factors for a solution.
+    /// As above, with the factors for a solution.
     pub(crate) fn factorize(&mut self, inertia: f64) -> ReducedFrame {
         let mut factors = std::mem::take(&mut self.factors);
         let seen = self.eliminate(inertia, &mut factors);
@@ -153,7 +156,7 @@ impl FrameBelow {
         self.at_base(&force)
     }
 
-    /// Finds the coordinates from the motion of the base, in place of a reduced right side.
+    /// Computes the coordinates from the motion of the base; they replace the reduced right side.
     pub(crate) fn substitute(&mut self, base: &Phasors, right: &mut [Complex]) {
         self.of_parts(base, right, |own, motion, x| {
             let Self {
@@ -280,7 +283,7 @@ impl FrameBelow {
         std::array::from_fn(|i| Complex::new(real[i], imaginary[i]))
     }
 
-    /// A force on the transition piece as one on the base.
+    /// A force on the transition piece as a force on the base.
     fn at_base(&self, force: &Phasors) -> Phasors {
         let rows = self.from_base.iter().zip(force);
         let mut sum = Phasors::default();
@@ -293,7 +296,7 @@ impl FrameBelow {
     }
 }
 
-/// The coefficients of the stiffness.
+/// The coefficients of the stiffness matrix.
 fn stiffness() -> [f64; KINDS] {
     let mut all = [0.0; KINDS];
     (all[GROUND], all[GEOMETRIC], all[ELASTIC]) = (1.0, 1.0, 1.0);

@@ -29,35 +29,38 @@ use crate::subsystem::{
 use crate::tower::frame::FrameFoundation;
 use crate::tower::{Motions, Tower, spatial_inertia};
 
-/// Work of the tower on the frame below this fraction of the frame's energy is taken for rounding.
+/// Work of the tower on the frame that is less than this fraction of the frame's energy is treated
+/// as rounding.
 const NO_WORK: f64 = 1e-6;
 
-/// Nodes nearer to the axis of the tower are on it, m.
+/// Nodes within this distance of the axis of the tower are on it, m.
 const ON_AXIS_M: f64 = 1e-3;
 
-/// The equations of a frame under a tower, with the platform and the stiffness of the weight of
-/// all, but without the tower: the same on every mesh of the tower.
+/// The equations of a frame under a tower, with the platform and the geometric stiffness of the
+/// total weight, but without the tower: the same for every mesh of the tower.
 #[derive(Debug)]
 pub(crate) struct BareFrame {
-    /// For which tower they are.
+    /// The tower of the frame.
     tower: Tower,
-    /// Of which degree the elements of its members are.
+    /// Degree of the elements of its members.
     degree: usize,
     equations: Equations,
     /// The node of the transition piece.
     node: usize,
-    /// Its nodes from the base of the tower.
+    /// Positions of its nodes relative to the base of the tower.
     places: Places,
-    /// The tension in its elements, by edge.
+    /// The tension in its elements, by index of the edge.
     tensions: Vec<(usize, Tension)>,
-    /// Its elements, and what those of a higher degree have more, when it was needed.
+    /// Its elements, and the additional coordinates of elements of a higher degree if they were
+    /// needed.
     elements: Vec<PlacedElement>,
     finer: Option<Vec<FinerElement>>,
     /// The joint of each of its nodes.
     joint_of_node: Vec<usize>,
-    /// Where its joints and points of its members are in the equations.
+    /// The places of its joints and of points of its members in the equations.
     shapes: ShapeReader,
-    /// What its members do by themselves; none yet, or none if they cannot.
+    /// Data of the local modes of its members; none before they are needed, and none if there are
+    /// no local modes.
     local: Option<Option<Local>>,
     memory: Memory,
 }
@@ -71,15 +74,15 @@ struct Memory {
     product: Vec<f64>,
 }
 
-/// A tower of any kind of elements, in which all motions are coupled, on a frame.
+/// A tower of any element type, in which all motions are coupled, on a frame.
 pub(crate) struct OnFrame {
     tower: Box<dyn Subsystem>,
-    /// The frame, whose equations are here with those of the tower.
+    /// The frame; its equations include the tower.
     frame: BareFrame,
     order: Order,
-    /// Which links are those of the tower.
+    /// The links of the tower.
     branch: Range<usize>,
-    /// The changed elements of these links.
+    /// The elements of these links, in changed coordinates.
     elements: Vec<Part>,
     /// The motion of the tower's base for each of its coordinates.
     units: Motion,
@@ -87,7 +90,7 @@ pub(crate) struct OnFrame {
 }
 
 impl BareFrame {
-    /// The frame of a tower, whose elements are `branch`, with elements of this degree.
+    /// The frame below a tower, with elements of this degree.
     ///
     /// # Errors
     /// [`FrameSolveError`].
@@ -190,8 +193,8 @@ impl OnFrame {
         Some(self.frame.shapes.read(frame, &motions, x).divided_by(size))
     }
 
-    /// The shares of the kinetic and of the strain energy of a mode that members of the frame have
-    /// by themselves; none if no members can.
+    /// The fractions of the kinetic and of the strain energy of a mode in local motions of the
+    /// members; none if there are no local modes.
     pub(crate) fn local_shares(&mut self, x: &[f64]) -> Option<[f64; 2]> {
         let whole = [Coefficients::MASS, Coefficients::STIFFNESS].map(|a| self.energy(&a, x));
         let (nodes, links) = (self.foot, self.branch.start);
@@ -217,8 +220,8 @@ impl OnFrame {
         Some([share(0), share(1)])
     }
 
-    /// By how much the eigenvalue λ (rad²/s²) of a vector changes with elements of the frame of a
-    /// degree higher by two.
+    /// The change of the eigenvalue λ (rad²/s²) of a vector if the degree of the elements of the
+    /// frame is increased by two.
     pub(crate) fn change_on_finer(&mut self, lambda: f64, x: &[f64]) -> f64 {
         let BareFrame {
             tower,
@@ -240,14 +243,13 @@ impl OnFrame {
         change / self.energy(&Coefficients::MASS, x)
     }
 
-    /// The inertia of the frame against motions of the base of the tower, with which all moves as
-    /// one rigid body: kg, kg m, kg m².
+    /// The rigid-body inertia of the frame about the base of the tower: kg, kg m, kg m².
     pub(crate) fn rigid_inertia_of_frame(&self) -> SpatialMatrix {
         let (factors, _) = factors_of(&Coefficients::MASS);
         self.frame.places.as_rigid(&self.frame.equations, &factors)
     }
 
-    /// Whether it floats, so that the frame follows the base but for its deformation.
+    /// Whether it floats, so that the frame moves with the base except for its deformation.
     fn floats(&self) -> bool {
         self.frame.tower.base().floats
     }
@@ -271,12 +273,12 @@ impl OnFrame {
         self.frame
     }
 
-    /// Number of unknowns of the frame, which are the first.
+    /// Number of unknowns of the frame, the first unknowns.
     fn of_frame(&self) -> usize {
         self.frame.equations.links[self.branch.start].first
     }
 
-    /// Number of coordinates of the tower's base, if it stands by itself.
+    /// Number of coordinates of the tower's base without a frame.
     fn base_coordinates(&self) -> usize {
         self.units.iter().filter(|unit| **unit != 0.0).count()
     }
@@ -289,7 +291,7 @@ impl OnFrame {
             .skip(1)
     }
 
-    /// The vector of the tower by itself, for a vector of the whole.
+    /// The vector of the tower only, from the vector of the whole model.
     fn tower_vector(&self, x: &[f64]) -> Vec<f64> {
         let mut motions = Vec::new();
         self.frame.equations.set_motions(x, &mut motions);
@@ -381,7 +383,8 @@ impl OnFrame {
     }
 }
 
-/// Adds the body of the transition piece, with its weight, and what holds a frame that floats.
+/// Adds the body of the transition piece, with its weight, and the hydrostatic and mooring
+/// stiffness of a floating frame.
 pub(super) fn add_platform(
     assembled: &mut Assembled,
     node: usize,
@@ -453,7 +456,8 @@ fn add_tower(
     (foot, elements)
 }
 
-/// Adds a node with a body `rise_m` (m) above another one, on which it is fixed; returns it.
+/// Adds a node with a body `rise_m` (m) above another node and rigidly connected to it; returns the
+/// new node.
 pub(super) fn add_rigidly(
     equations: &mut Equations,
     (node, rise_m): (usize, f64),
@@ -479,7 +483,7 @@ fn add_node(equations: &mut Equations, body: &[SpatialMatrix; 3]) -> usize {
     equations.nodes.len() - 1
 }
 
-/// The factors of the matrices of a frame, and that of the coordinates' own stiffness.
+/// The factors of the matrices of a frame, and the factor of the stiffness of its coordinates.
 fn factors_of(a: &Coefficients) -> ([f64; KINDS], f64) {
     let mut factors = [0.0; KINDS];
     (factors[INERTIA], factors[GROUND]) = (a.mass, a.foundation);
@@ -585,7 +589,7 @@ impl Subsystem for OnFrame {
     }
 
     fn with_internal_forces(&self, forces: &InternalForces, jumps_m: &[f64], out: &mut [f64]) {
-        // Those of a tower on another frame are no guess.
+        // The vectors of a tower on another frame are not a good guess.
         if forces.base.len() != self.base_coordinates() + self.of_frame() {
             return out.fill(0.0);
         }

@@ -13,10 +13,11 @@ use crate::beam::{MemberElement, MemberPart};
 use crate::space::SpatialMatrix;
 use crate::tower::Component;
 
-/// A row of T with a smaller part that is independent of the rows before is taken as dependent.
+/// A row of T is treated as dependent on the rows before if its independent part is smaller than
+/// this.
 const INDEPENDENT: f64 = 1e-12;
 
-/// All components, none backwards.
+/// All components, all with positive sign.
 pub(super) const ALL: [Component; 6] = [(0, 1.0), (1, 1.0), (2, 1.0), (3, 1.0), (4, 1.0), (5, 1.0)];
 
 /// An element in the axes of its member.
@@ -30,19 +31,18 @@ pub(super) struct Element {
 /// A part of an element.
 #[derive(Debug, Clone)]
 pub(super) struct Part {
-    /// The components of the motion of an end that it has, each with its sign; a second time for a
-    /// bending plane that is equal to the first.
+    /// The components of the motion of an end in this part, each with its sign; two lists for equal
+    /// bending planes.
     pub(super) planes: Vec<&'static [Component]>,
     /// The columns of L: the motion of the far end in these components for each coordinate of a
     /// plane that moves it.
     pub(super) tip: Vec<Vec<f64>>,
-    /// All coordinates of a plane, the bubbles last.
+    /// Number of coordinates of a plane, the bubbles last.
     pub(super) coordinates: usize,
     /// Inertia, stiffness to the ground, geometric stiffness for v and y: a row for each component
     /// and coordinate; empty where there is none.
     pub(super) matrices: [Vec<f64>; 3],
-    /// The motion at each distance that was asked for, for v and y: a row for each component, with
-    /// its sign.
+    /// The motion at each requested distance, for v and y: a row for each component, with its sign.
     shapes: Vec<Vec<f64>>,
     /// The unit vectors of the reflections that changed the coordinates.
     reflectors: Vec<Vec<f64>>,
@@ -63,19 +63,19 @@ impl Element {
         planes.flat_map(|(part, components)| part.tip_in(components))
     }
 
-    /// Its parts, each in each of its planes.
+    /// Its parts, each in all its planes.
     pub(super) fn planes(&self) -> impl Iterator<Item = (&Part, &'static [Component])> {
         let parts = self.parts.iter();
         parts.flat_map(|part| part.planes.iter().map(move |plane| (part, *plane)))
     }
 
-    /// All coordinates.
+    /// Number of coordinates.
     pub(super) fn coordinates(&self) -> usize {
         self.planes().map(|(part, _)| part.coordinates).sum()
     }
 
-    /// The same without its bubbles, and with more inertia, given for the motions of both ends (12
-    /// rows).
+    /// As above without bubbles, and with additional inertia, given for the motions of both ends
+    /// (12 rows).
     pub(super) fn with_nodal_inertia(&self, inertia: &[[f64; 12]; 12]) -> Self {
         let parts = self.planes().map(|(part, components)| {
             let in_plane = (components, &self.transfer);
@@ -129,12 +129,12 @@ impl Part {
         }
     }
 
-    /// How many coordinates move the far end.
+    /// Number of coordinates that move the far end.
     pub(super) fn moving(&self) -> usize {
         self.tip.len()
     }
 
-    /// How many components the motion of an end has in a plane.
+    /// Number of components of the motion of an end in a plane.
     pub(super) fn own(&self) -> usize {
         self.planes[0].len()
     }
@@ -150,9 +150,8 @@ impl Part {
         })
     }
 
-    /// The translation at a distance that was asked for, by place: the share that a plane has of
-    /// it for the motion of the near end, then for each of its coordinates, in the axes of the
-    /// element.
+    /// The translation at a requested distance, given by its index, in a plane: for the motion of
+    /// the near end, then for each coordinate, in the axes of the element.
     pub(super) fn translation(
         &self,
         components: &'static [Component],
@@ -178,8 +177,8 @@ impl Part {
         translation
     }
 
-    /// A row for the motion of the near end and the coordinates, divided: the motion, the
-    /// coordinates that move the far end, the bubbles.
+    /// Splits a row: the motion of the near end, the coordinates that move the far end, the
+    /// bubbles.
     pub(super) fn split<'a>(&self, row: &'a [f64]) -> [&'a [f64]; 3] {
         let (near, own) = row.split_at(6);
         let (moving, bubbles) = own.split_at(self.moving());
@@ -253,7 +252,7 @@ impl Part {
 }
 
 /// The unit vector u for which 1 − 2 u uᵀ turns a row from `rank` on to its first entry; none if
-/// nothing is left of the row there.
+/// the row is zero there.
 fn reflector(row: &[f64], rank: usize) -> Option<Vec<f64>> {
     let size = |values: &[f64]| values.iter().map(|x| x * x).sum::<f64>().sqrt();
     let rest = row.get(rank..)?;

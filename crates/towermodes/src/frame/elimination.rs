@@ -1,4 +1,4 @@
-//! The factorization of a matrix A of a frame, node by node, with its inertia count.
+//! The factorization of a matrix A of a frame, node by node, with its eigenvalue count.
 //!
 //! The bubbles of each element are eliminated first, by themselves. Then each node that nothing
 //! hangs on is eliminated: its motion X q + T y is replaced by that of the node that it hangs on
@@ -16,11 +16,11 @@ use crate::space::{SpatialMatrix, add_scaled};
 /// Factors of a matrix, and working memory; reused from factorization to factorization.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Factors {
-    /// The matrix of each block of links and then of chords after its bubbles were eliminated.
+    /// The matrix of each part of a link or chord after the elimination of its bubbles.
     blocks_of_parts: Vec<Vec<f64>>,
-    /// What is left of each link for its ends.
+    /// The matrix of each link for its ends, without bubbles.
     links: Vec<Vec<f64>>,
-    /// What is left of a chord.
+    /// The matrix of a chord without bubbles.
     chord: Vec<f64>,
     /// The front of each step after its coordinates were eliminated: the rows of the coordinates.
     fronts: Vec<Vec<f64>>,
@@ -42,8 +42,8 @@ impl Equations {
         self.factorize_steps(order, &order.steps, a, factors)
     }
 
-    /// Eliminates all nodes but the last one; returns the matrix that it feels, and the number of
-    /// negative eigenvalues of A with this node held.
+    /// Eliminates all nodes except the last one; returns the matrix condensed to this node, and the
+    /// number of negative eigenvalues of A with this node fixed.
     pub(super) fn factorize_to_last(
         &self,
         order: &Order,
@@ -129,8 +129,8 @@ impl Equations {
         factors.forces[last.node]
     }
 
-    /// Finds all unknowns but those of the last node from its motion, in place of a reduced right
-    /// side.
+    /// Computes all unknowns except those of the last node from its motion; they replace the
+    /// reduced right side.
     pub(super) fn substitute_from_last(
         &self,
         order: &Order,
@@ -204,7 +204,7 @@ impl Equations {
     }
 }
 
-/// Adds what is left of a chord to the nodes at its ends.
+/// Adds the condensed matrix of a chord to the nodes at its ends.
 fn add_chord(
     ends: [Option<usize>; 2],
     rest: &[f64],
@@ -242,7 +242,7 @@ fn block_of(blocks: &[SpatialMatrix], block: Block) -> SpatialMatrix {
     }
 }
 
-/// The block of two neighbours of a step, the greater place first.
+/// The block of two neighbours of a step, the larger index first.
 fn pair(step: &Step, greater: usize, less: usize) -> Block {
     step.pairs[greater * (greater - 1) / 2 + less]
 }
@@ -287,7 +287,7 @@ fn eliminate_node(link: &Link, step: &Step, factors: &mut Factors, front: &mut V
         carry_to_parent(link, step, parent, own, diagonal, blocks);
     }
     let negative = eliminate_rows(front, size, n);
-    // What the rows leave for two neighbours: −Σ r rᵀ/pivot.
+    // The contribution of the rows to two neighbours: −Σ r rᵀ/pivot.
     let left = |k: usize, l: usize| {
         let mut block = NONE;
         for (t, row) in front.chunks_exact(size).enumerate() {
@@ -312,7 +312,7 @@ fn eliminate_node(link: &Link, step: &Step, factors: &mut Factors, front: &mut V
     negative
 }
 
-/// Adds what a node that hangs on its parent by X feels to the parent.
+/// Adds the matrix of a node to its parent, to which the node is connected by X.
 fn carry_to_parent(
     link: &Link,
     step: &Step,

@@ -25,7 +25,7 @@ pub(super) struct Link {
     pub(super) transfer: SpatialMatrix,
     /// The columns of T.
     pub(super) tip: Vec<Motion>,
-    /// Place of the first coordinate among the unknowns.
+    /// Index of the first coordinate among the unknowns.
     pub(super) first: usize,
     /// Number of its coordinates: those that move the child, then the bubbles.
     pub(super) coordinates: usize,
@@ -43,7 +43,7 @@ pub(super) struct Chord {
     pub(super) ends: [Option<usize>; 2],
     /// Positions of the ends, m.
     pub(super) ends_m: [Vector; 2],
-    /// Place of the first bubble among the unknowns.
+    /// Index of the first bubble among the unknowns.
     pub(super) first: usize,
     /// Matrices for the motions of both ends and the bubbles.
     pub(super) parts: Parts,
@@ -52,17 +52,17 @@ pub(super) struct Chord {
 /// The equations of a frame.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Equations {
-    /// Parents before children.
+    /// The links, parents before children.
     pub(super) links: Vec<Link>,
     pub(super) chords: Vec<Chord>,
-    /// What is attached to each node, by kind.
+    /// The matrices attached to each node, by kind.
     pub(super) nodes: Vec<[SpatialMatrix; KINDS]>,
     /// Number of unknowns.
     pub(super) unknowns: usize,
 }
 
 impl Link {
-    /// Its ends and bubbles for the unknowns x and the motion of the node that it hangs on.
+    /// Its ends and bubbles for the unknowns x and the motion of its parent.
     pub(super) fn side<'a>(&self, x: &'a [f64], near: &Motion) -> Side<'a> {
         let moving = self.tip.len();
         let (own, bubbles) = x[self.first..][..self.coordinates].split_at(moving);
@@ -109,7 +109,7 @@ pub(super) fn motion_of(motions: &[Motion], node: Option<usize>) -> Motion {
     node.map_or([0.0; 6], |node| motions[node])
 }
 
-/// Adds a force to that on a node; the ground takes any.
+/// Adds a force to the force on a node; forces on the ground are ignored.
 pub(super) fn add_force(forces: &mut [Motion], node: Option<usize>, force: &[f64]) {
     if let Some(node) = node {
         for (sum, force) in forces[node].iter_mut().zip(force) {

@@ -1,4 +1,4 @@
-//! Why a frame was not solved.
+//! Errors of the solution of a frame.
 
 use thiserror::Error;
 
@@ -17,9 +17,9 @@ pub enum FrameSolveError {
     Mechanism {
         /// How many motions have no stiffness.
         modes: usize,
-        /// The joint in which the first is free.
+        /// The joint where the first of these motions is free.
         joint: String,
-        /// Its largest motion there, "along z" or "about x".
+        /// The largest motion of this joint, "along z" or "about x".
         motion: &'static str,
     },
     /// A frame whose members have nearly no stiffness beside their mass.

@@ -1,4 +1,4 @@
-//! How much eigenvalues of a frame change with elements of a higher degree.
+//! The change of the eigenvalues of a frame with elements of a higher degree.
 //!
 //! The polynomials of a strain are hierarchical: an element of a higher degree has the coordinates
 //! of the coarser one and further ones, which leave the far end where it is together with some of
@@ -23,7 +23,7 @@ use crate::space::SpatialMatrix;
 use crate::tower::Component;
 use crate::tower::frame::Frame;
 
-/// What an element of a higher degree has more.
+/// The additional coordinates of an element of a higher degree.
 #[derive(Debug)]
 pub(super) struct FinerElement {
     carrier: Carrier,
@@ -32,12 +32,12 @@ pub(super) struct FinerElement {
     parts: Vec<FinerPart>,
 }
 
-/// The same of a part of it, with the coordinates of the coarser part and further ones that do not
-/// move the far end.
+/// The additional coordinates of one part of the element.
 #[derive(Debug)]
 struct FinerPart {
     planes: Vec<&'static [Component]>,
-    /// Coordinates of the coarser part that move the far end, and all of them.
+    /// Number of coordinates of the coarser part that move the far end, and number of all its
+    /// coordinates.
     moving: usize,
     kept: usize,
     /// L⁻¹ of the coarser part.
@@ -137,7 +137,8 @@ impl FinerElement {
 }
 
 impl FinerPart {
-    /// From a part of an element of a higher degree, and the strains of the coarser one.
+    /// The additional coordinates of a part of an element of a higher degree; `strains` are those
+    /// of the coarser part.
     fn new(fine: MemberPart, strains: MemberStrains) -> Self {
         let own = fine.tips.len();
         let (mut order, mut further, mut first) = (Vec::new(), Vec::new(), 0);
@@ -169,7 +170,8 @@ impl FinerPart {
             strains: Vec::new(),
         });
         let (inverse, moving) = (inverse_tip(&part), part.moving());
-        // What the moving coordinates do so that a further one leaves the far end where it is.
+        // The motion of the first coordinates for which a further coordinate does not move the far
+        // end.
         let held = |k: &usize| -> Vec<f64> {
             let tip: Vec<f64> = fine.tips.iter().map(|row| row[*k]).collect();
             let moved = inverse.iter().take(moving).map(|row| -dot(row, &tip));
@@ -233,7 +235,7 @@ fn held_rows(matrix: &[f64], [own, kept]: [usize; 2], held: &[Vec<f64>]) -> Vec<
     rows.flat_map(|(k, amounts)| row(k, amounts)).collect()
 }
 
-/// Takes some entries from the beginning.
+/// Splits off entries at the beginning.
 fn split_off<'a>(rest: &mut &'a [f64], count: usize) -> &'a [f64] {
     let (taken, left) = rest.split_at(count);
     *rest = left;

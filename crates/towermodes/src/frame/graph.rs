@@ -1,4 +1,4 @@
-//! The graph of a frame: nodes, what connects them, and the trees that carry them.
+//! The graph of a frame: its nodes, the edges between them, and the spanning trees.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -6,31 +6,31 @@ use std::collections::BinaryHeap;
 use super::hinge::Hinge;
 use super::rigid::Vector;
 
-/// A node of the graph; the ground is none.
+/// A node of the graph; none for the ground.
 pub(super) type Node = Option<usize>;
 
-/// What connects two nodes and can carry one of them.
+/// A connection of two nodes, which can carry one of them.
 #[derive(Debug, Clone)]
 pub(super) struct Edge {
     pub(super) ends: [Node; 2],
     pub(super) kind: EdgeKind,
-    /// What carries a node is the edge with the least weight: the flexibility of an element, less
-    /// than that of any for what does not deform.
+    /// The edge with the smallest weight carries a node. The weight of an element is its
+    /// flexibility; rigid edges have a smaller weight than any element.
     pub(super) weight: f64,
 }
 
 #[derive(Debug, Clone)]
 pub(super) enum EdgeKind {
-    /// The nodes move as one body.
+    /// Rigid connection.
     Rigid,
-    /// The second node moves with the first but for some rotations.
+    /// Hinge: the second node moves with the first except for some rotations.
     Hinge(Box<Hinge>),
-    /// Motions of the second node, from the ground, that nothing holds: one for each `true`.
+    /// Free motions of the second node relative to the ground: one for each `true`.
     Free([bool; 6]),
     /// An element of a member.
     Element {
         member: usize,
-        /// Where it begins and ends, as fractions of the member.
+        /// Its ends, as fractions of the member.
         from: f64,
         to: f64,
     },
@@ -40,7 +40,7 @@ pub(super) enum EdgeKind {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Graph {
     pub(super) positions_m: Vec<Vector>,
-    /// The joint that each node belongs to, or is next to.
+    /// The joint at each node or next to it.
     pub(super) joints: Vec<usize>,
     pub(super) edges: Vec<Edge>,
 }

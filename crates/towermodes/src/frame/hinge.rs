@@ -4,15 +4,16 @@ use super::rigid::{Motion, NONE, Vector, identity};
 use crate::space::SpatialMatrix;
 use crate::tower::frame::JointKind;
 
-/// The motion (m or rad) for a coordinate of 1 of what nothing holds.
+/// The motion (m or rad) for a coordinate of 1 of a free motion.
 pub(super) const UNIT: f64 = 1e-4;
 
-/// How the end of one member moves with that of another in the same joint.
+/// The relation of the motions of two members at a hinge.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Hinge {
-    /// The motion of the second end if the hinge does not rotate, and back.
+    /// The motion of the second end for that of the first without rotation of the hinge, and the
+    /// inverse.
     transfers: [SpatialMatrix; 2],
-    /// The motion of the second end for each rotation of the hinge, and back.
+    /// The motion of the second end for each rotation of the hinge, and the inverse.
     rotations: [Vec<Motion>; 2],
 }
 

@@ -1,7 +1,7 @@
 //! The kinds of matrices of a frame, and sums of them.
 
 /// The kinds of matrices: inertia, stiffness to the ground, geometric stiffness, and elastic
-/// stiffness of what has no own coordinates.
+/// stiffness of parts without coordinates.
 pub(super) const KINDS: usize = 4;
 pub(super) const INERTIA: usize = 0;
 pub(super) const GROUND: usize = 1;

@@ -1,5 +1,5 @@
-//! What members of a frame do by themselves in a mode: the motion that is left when the frame
-//! follows its transition piece as it would at rest.
+//! Local motions of the members of a frame in a mode: the difference between the motion of the
+//! frame and its static motion for the motion of its transition piece.
 //!
 //! x = Ψ q + f, with the motion q of the transition piece and the static shapes Ψ of the frame for
 //! it (Guyan 1965). The strain energy has no product of both parts. Of the kinetic energy f has
@@ -13,7 +13,7 @@ use super::parts::{Parts, Side};
 use super::rigid::Motion;
 use crate::space::{SpatialMatrix, eigenpairs};
 
-/// A flexibility less than this fraction of the largest is that of a motion that is held.
+/// A flexibility less than this fraction of the largest one belongs to a fixed motion.
 const HELD: f64 = 1e-15;
 
 /// The static shapes of a frame for the motions of its transition piece, and its members in loops.
@@ -26,7 +26,8 @@ pub(super) struct Local {
 }
 
 impl Local {
-    /// Of a frame without its tower; none without loops, or if nothing but the tower holds it.
+    /// Data of a frame without its tower; none without loops, or if the frame is supported only by
+    /// the tower.
     pub(super) fn new(equations: &Equations, node: usize) -> Option<Self> {
         let in_loop = links_in_loops(equations);
         if !in_loop.contains(&true) {
@@ -75,7 +76,7 @@ impl Local {
                 .zip(shape)
                 .for_each(|(x, shape)| *x -= amount * shape);
         }
-        // What hangs on the frame beyond its own unknowns does not move in f.
+        // Parts connected to the frame that are beyond its unknowns have no motion in f.
         own[self.shapes[0].len()..].fill(0.0);
         let mut own_motions = Vec::new();
         equations.set_motions(&own, &mut own_motions);
@@ -118,12 +119,12 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Whether any members of a frame are in loops.
+/// Whether members of a frame are in loops.
 pub(super) fn has_loops(equations: &Equations) -> bool {
     links_in_loops(equations).contains(&true)
 }
 
-/// Which links are in loops: each chord of a beam closes one, over the ground too.
+/// The links in loops: each chord of a beam closes a loop, also through the ground.
 fn links_in_loops(equations: &Equations) -> Vec<bool> {
     let mut link_of = vec![None; equations.nodes.len()];
     for (place, link) in equations.links.iter().enumerate() {
@@ -153,7 +154,7 @@ fn links_in_loops(equations: &Equations) -> Vec<bool> {
     in_loop
 }
 
-/// Memory to find a flexibility.
+/// Working memory for a flexibility.
 #[derive(Debug, Clone, Default)]
 struct UnitLoads {
     x: Vec<f64>,

@@ -1,4 +1,4 @@
-//! Motions of a frame that nothing resists, and the joint where they are free.
+//! Motions of a frame without stiffness, and the joint where they are free.
 //!
 //! The coordinates of elements have the stiffness 1: what moves without stiffness moves in a hinge,
 //! in a support, or in a joint that cables alone hold.
@@ -14,9 +14,10 @@ use super::product::Sweep;
 use super::rigid::Motion;
 use crate::tower::frame::Frame;
 
-/// A mode below this frequency, Hz, has no stiffness: a hundredth of the slowest floater's.
+/// A mode below this frequency, Hz, has no stiffness: a hundredth of the frequency of the slowest
+/// floater.
 const NO_STIFFNESS_HZ: f64 = 2e-5;
-/// Steps of the inverse iteration to the softest motion.
+/// Number of steps of the inverse iteration to the softest motion.
 const STEPS: usize = 4;
 
 /// λ, rad²/s², below which a mode has no stiffness.
@@ -84,7 +85,7 @@ const MOTIONS: [&str; 6] = [
     "along x", "along y", "along z", "about x", "about y", "about z",
 ];
 
-/// Whether no support holds anything.
+/// Whether no support has a stiffness.
 fn is_loose(frame: &Frame) -> bool {
     let supports = &frame.description().supports;
     !frame.has_soil()

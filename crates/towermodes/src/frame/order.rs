@@ -1,5 +1,6 @@
-//! The order in which nodes are eliminated: a node after those that hang on it, and of these the
-//! one with the fewest neighbours (minimum degree; Tinney & Walker 1967).
+//! The order of elimination of the nodes: a node is eliminated after its children in the tree, and
+//! of several possible nodes the one with the fewest neighbours is next (minimum degree; Tinney &
+//! Walker 1967).
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -8,14 +9,14 @@ use super::equations::Equations;
 /// A node to be eliminated.
 #[derive(Debug, Clone)]
 pub(super) struct Step {
-    /// Its link, by place.
+    /// Index of its link.
     pub(super) link: usize,
     pub(super) node: usize,
-    /// The nodes that it is coupled with and that are eliminated later.
+    /// The nodes that are coupled with it and are eliminated later.
     pub(super) neighbours: Vec<usize>,
     /// The blocks of the matrix that couple it with each of them.
     pub(super) own_blocks: Vec<Block>,
-    /// Which of the neighbours is the node that it hangs on.
+    /// Index of the parent among the neighbours.
     pub(super) parent: Option<usize>,
     /// The blocks between two neighbours, row by row of the lower triangle without the diagonal.
     pub(super) pairs: Vec<Block>,
@@ -28,11 +29,11 @@ pub(super) struct Block {
     pub(super) transposed: bool,
 }
 
-/// The order of elimination and the places of the blocks that it fills.
+/// The order of elimination and the places of the blocks that become nonzero.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Order {
     pub(super) steps: Vec<Step>,
-    /// For each chord between two nodes the block that couples them.
+    /// For each chord between two nodes, the block that couples them.
     pub(super) chords: Vec<Option<Block>>,
     /// Number of blocks beside the diagonal.
     pub(super) blocks: usize,
@@ -45,7 +46,7 @@ impl Order {
         Self::ending_with(equations, None)
     }
 
-    /// The same with a node that nothing but the ground carries as the last one.
+    /// As above, with a node that is carried by the ground as the last one.
     pub(super) fn ending_with(equations: &Equations, last: Option<usize>) -> Self {
         let count = equations.nodes.len();
         let mut neighbours = vec![BTreeSet::new(); count];
@@ -129,7 +130,7 @@ impl Order {
     }
 }
 
-/// Of the nodes on which nothing hangs any more, the one with the fewest neighbours.
+/// The node with the fewest neighbours among the nodes whose children are all eliminated.
 fn next(
     left: &BTreeSet<usize>,
     children: &[usize],

@@ -134,7 +134,7 @@ fn compare(solution: &mut FrameSolution, other: &FrameSolution) {
     }
 }
 
-/// The number of modes of a frame below a frequency, Hz, by an inertia count.
+/// The number of modes of a frame below a frequency, Hz, by an eigenvalue count.
 ///
 /// # Errors
 /// [`FrameSolveError`]: an impossible recipe or loops that cannot be solved.

@@ -10,9 +10,7 @@ const IN_PLANE: [usize; 2] = [0, 2];
 
 const NONE: SpatialMatrix = [[0.0; 6]; 6];
 
-/// What rotation adds to the stiffness against motions of a body at the tip, `tip_m` (m) from the
-/// rotor's axis, at Ω² = `speed_squared` (rad²/s²): N/m, N, N m. The tension that the body causes
-/// in the blade is not included.
+/// The stiffness due to rotation against motions of a body at the tip
 ///
 /// The potential of the centrifugal forces is −½ Ω² ∫ |P r|² dm, with P r the part of r normal to
 /// the rotor's axis. A point of the body that is ρ from the tip moves to r₀ + u + R ρ, where R
@@ -79,8 +77,7 @@ fn generator(a: usize) -> Tensor {
     matrix
 }
 
-/// The part of twice the second order of R that goes with rotations a and b: both halves of B² + 2
-/// B T + T².
+/// Twice the second-order part of R for the rotations a and b: both halves of B² + 2 B T + T².
 fn second_order(a: usize, b: usize) -> Tensor {
     let product = |first: usize, then: usize| -> Tensor {
         let (left, right) = (generator(first), generator(then));

@@ -1,4 +1,4 @@
-//! Blades that turn: steady forces, sections and elements in the frame that turns with the rotor.
+//! Rotating blades: steady forces, sections and elements in the rotating frame.
 
 pub(super) mod centrifugal;
 pub(super) mod phasors;

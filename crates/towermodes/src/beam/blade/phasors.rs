@@ -15,15 +15,15 @@ pub(crate) struct InertiaMatrix<'a> {
     pub(crate) coriolis: &'a [f64],
 }
 
-/// The loads of elements, and working memory.
+/// The forces on the elements, and working memory.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Loads {
     pub(crate) loads: Vec<Complex>,
     motion: Vec<Complex>,
 }
 
-/// The loads of the elements for a motion x of the base and their coordinates, in `memory`; returns
-/// the motion of the top and xᴴ M x.
+/// The forces on the elements for a motion x of the base and their coordinates, in `memory`;
+/// returns the motion of the top and xᴴ M x.
 pub(crate) fn inertia_loads(
     beam: &Beam<6>,
     a: &InertiaMatrix<'_>,
@@ -56,7 +56,7 @@ pub(crate) fn inertia_loads(
     (top, mass)
 }
 
-/// Heights and motions at equal steps, this many per element, from the base to the top.
+/// Heights and motions at equal steps, `steps` per element, from the base to the top.
 pub(crate) fn motions_along(
     beam: &Beam<6>,
     (base, own): ([Complex; 6], &[Complex]),

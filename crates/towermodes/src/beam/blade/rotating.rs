@@ -1,5 +1,5 @@
-//! The recipe that makes a beam of a rotating blade: the element of BModes with twist, offsets and
-//! the forces of rotation.
+//! The element type of a rotating blade: the element of BModes with twist, offsets and the forces
+//! of rotation.
 //!
 //! v is the motion in lag (X), w in flap (Y), u along the span (Z), φ the twist about the deformed
 //! axis; θ the section's twist with the pitch, e its centre of mass and a its tension centre along
@@ -17,13 +17,13 @@ use crate::space::SpatialMatrix;
 use crate::subsystem::MatrixKind;
 use crate::tower::spatial_inertia;
 
-/// Six Gauss points, as BModes takes: the sines of a twist that varies over an element have no
-/// exact rule.
+/// Six Gauss points, as in BModes: the sines of a twist that varies over an element cannot be
+/// integrated exactly.
 const POINTS: usize = 6;
 
 const NONE: SpatialMatrix = [[0.0; 6]; 6];
 
-/// A section of an element, and the forces of rotation there.
+/// A section of an element, and the forces of rotation in it.
 struct Local {
     section: BladeSection,
     /// sin and cos of twist and pitch.
@@ -63,8 +63,8 @@ pub(crate) fn assemble_blade(blade: &Blade, borders: &[f64], beams: &mut Beams) 
     }
 }
 
-/// How many polynomials each strain of BModes' element has; none where the blade's stiffness is
-/// infinite.
+/// Number of polynomials of a strain in the element of BModes; zero if the stiffness of the blade
+/// is infinite.
 fn coordinates(blade: &Blade, strain: Strain) -> usize {
     let is_rigid = |stiffness: fn(&BladeSection) -> f64| {
         let first = blade.description().sections.first();
@@ -80,13 +80,14 @@ fn coordinates(blade: &Blade, strain: Strain) -> usize {
     }
 }
 
-/// How many unknowns an element of a blade has.
+/// Number of unknowns of an element of a blade.
 pub(crate) fn blade_coordinates(blade: &Blade) -> usize {
     let strains = Strain::ALL.into_iter();
     strains.map(|strain| coordinates(blade, strain)).sum()
 }
 
-/// The centrifugal force of all that is outside each element, N, from the root to the tip.
+/// The centrifugal force of the part of the blade outside each element, N, from the root to the
+/// tip.
 fn tensions_outside(blade: &Blade, borders: &[f64]) -> std::vec::IntoIter<f64> {
     let description = blade.description();
     let speed_squared = description.rotor_speed_rad_per_s.powi(2);
@@ -108,12 +109,12 @@ fn tensions_outside(blade: &Blade, borders: &[f64]) -> std::vec::IntoIter<f64> {
     tensions.into_iter()
 }
 
-/// An element before it is part of a beam.
+/// Data of an element before it is added to the beam.
 struct Element<'a> {
     blade: &'a Blade,
-    /// Fractions of the span.
+    /// Its ends, as fractions of the span.
     ends: (f64, f64),
-    /// Centrifugal force of all that is outside it, N.
+    /// Centrifugal force of the part of the blade outside the element, N.
     outside_n: f64,
 }
 
@@ -141,7 +142,7 @@ impl Element<'_> {
         }
     }
 
-    /// The section of the middle with the twist at a radius, and the tension there.
+    /// The section at the middle with the twist at a radius, and the tension there.
     fn local(&self, radius_m: f64) -> Local {
         let (blade, description) = (self.blade, self.blade.description());
         let section = blade.section_at(0.5 * (self.ends.0 + self.ends.1));
@@ -175,8 +176,8 @@ impl Local {
         matrix
     }
 
-    /// What rotation adds to the stiffness, per length: T (v′² + w′²) − m Ω² v² and what offsets
-    /// do. w′ is minus the rotation about X.
+    /// The stiffness per length due to rotation: T (v′² + w′²) − m Ω² v² and the terms of the
+    /// offsets. w′ is minus the rotation about X.
     fn rotation(&self) -> SpatialMatrix {
         let (sin, cos) = self.turn;
         let section = &self.section;

@@ -1,4 +1,4 @@
-//! The steady forces in a turning blade: what centrifugal force pulls in each section.
+//! The steady forces in a rotating blade: the internal forces due to the centrifugal force.
 
 use super::super::element::Stencil;
 use super::tensor::{Tensor, Vector, across, cross, times};
@@ -18,7 +18,8 @@ pub(super) struct Mass {
 }
 
 impl Mass {
-    /// That of a section that is turned by an angle, given by its sin and cos, from X towards Y.
+    /// The mass of a section that is rotated by an angle, given by its sin and cos, from X towards
+    /// Y.
     pub(super) fn of_section(section: &BladeSection, (sin, cos): (f64, f64)) -> Self {
         let (x, y) = ([cos, sin, 0.0], [-sin, cos, 0.0]);
         let (m, offset_m) = (section.mass_kg_per_m, section.center_of_mass_m);
@@ -32,7 +33,7 @@ impl Mass {
         }
     }
 
-    /// That of a body about the tip: second moments are ½ tr(J) 1 − J.
+    /// The mass of a body about the tip: second moments are ½ tr(J) 1 − J.
     pub(super) fn of_body(body: &RigidBody) -> Self {
         let about_tip = body.tensor_about([0.0; 3]);
         let half_trace = 0.5 * (about_tip[0][0] + about_tip[1][1] + about_tip[2][2]);
@@ -48,7 +49,7 @@ impl Mass {
         }
     }
 
-    /// The centrifugal force P (m x₀ + s) and moment s × P x₀ + n × J n per Ω² at a radius, m.
+    /// of the mass at a radius (m)
     fn centrifugal(&self, axis: Vector, radius_m: f64) -> SteadyForces {
         let across = across(axis);
         let outwards = times(&across, [0.0, 0.0, radius_m]);
@@ -62,7 +63,8 @@ impl Mass {
     }
 }
 
-/// Force F and moment Q in a section, by what is outside it, per Ω²: kg m and kg m².
+/// Force F and moment Q in a section due to the part of the blade outside it, per Ω²: kg m and kg
+/// m².
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct SteadyForces {
     pub(crate) force: Vector,
@@ -70,7 +72,7 @@ pub(super) struct SteadyForces {
 }
 
 impl SteadyForces {
-    /// Adds forces that act `lever_m` (m) further out: their moment is t × F times the lever.
+    /// Adds forces that act `lever_m` (m) further out: their moment is t × F times this distance.
     fn add(&mut self, factor: f64, forces: &Self, lever_m: f64) {
         let turned = along_cross(forces.force);
         for (i, turned) in turned.into_iter().enumerate() {
@@ -82,9 +84,9 @@ impl SteadyForces {
 
 /// The steady forces of a whole blade.
 pub(super) struct Steady {
-    /// At the points of each element, from the root.
+    /// Forces at the points of each element, from the root.
     pub(crate) elements: Vec<Vec<SteadyForces>>,
-    /// At the root.
+    /// Forces at the root.
     root: SteadyForces,
 }
 
@@ -127,7 +129,7 @@ pub(super) fn steady_forces(
     }
 }
 
-/// The forces at the inner of two radii (m) of an element, from those at the outer.
+/// The forces at the inner of two radii (m) of an element, from the forces at the outer one.
 fn between(
     blade: &Blade,
     axis: Vector,

@@ -1,5 +1,5 @@
-//! The recipe that makes a beam of a blade in the frame that turns with the rotor, and the blade as
-//! the apex of the rotor feels it.
+//! The element type of a blade in the rotating frame, and the condensation of the blade to the apex
+//! of the rotor.
 //!
 //! The beam's motions are total ones from the apex outwards: the hub's motion is that of the beam's
 //! base. In the turning frame, at a frequency s and a speed Ω, a blade is the Hermitian matrix
@@ -27,8 +27,8 @@ use crate::space::{SpatialMatrix, SquareMatrix, add_scaled, transform_matrix};
 use crate::subsystem::{Coordinates, MatrixKind};
 use crate::tower::{Motion, Motions, Plane};
 
-/// More points than a polynomial of the degree of mass or stiffness times two strains needs: twist
-/// makes the integrands analytic only.
+/// More points than the degree of mass or stiffness times two strains requires: because of the
+/// twist the integrands are not polynomials.
 const EXTRA_POINTS: usize = 4;
 
 /// A blade in the frame that turns with its rotor.
@@ -41,7 +41,8 @@ pub struct TurningBlade {
     pub(super) root_m: f64,
     /// K_g of the rigid stretch from the apex to the root, for the motion of the apex.
     pub(crate) stretch: SpatialMatrix,
-    /// Rows are the blade's axes in (axis of the rotor, against the rotation, radial).
+    /// Axes of the blade as rows, in the components (along the axis of the rotor, against the
+    /// rotation, radial).
     pub(super) axes: [[f64; 3]; 3],
     /// The sections at the points of the elements, point by point.
     pub(super) gauges: Vec<Gauge>,
@@ -235,8 +236,8 @@ impl Stencil {
     }
 }
 
-/// The place of a strain among the components of a section, and its sign: bending in the side-side
-/// plane turns backwards about x.
+/// Index of a strain among the components of a section, and its sign: bending in the side-side
+/// plane rotates negatively about x.
 fn strain_component(strain: Strain) -> (usize, f64) {
     match strain {
         Strain::Shear(Plane::ForeAft) => (6, 1.0),
@@ -248,8 +249,8 @@ fn strain_component(strain: Strain) -> (usize, f64) {
     }
 }
 
-/// How many polynomials a strain has in elements of a degree; none where the blade's stiffness is
-/// infinite. Blades do not shear.
+/// Number of polynomials of a strain in elements of this degree; zero if the stiffness of the blade
+/// is infinite. Blades have no shear deformation.
 fn coordinates_of(blade: &Blade, strain: Strain, degree: usize) -> usize {
     let first = blade.description().sections.first();
     let is_rigid =

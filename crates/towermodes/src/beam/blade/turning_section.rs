@@ -1,4 +1,4 @@
-//! The section of a blade, or a rigid body at its tip, in the frame that turns with the rotor.
+//! The section of a blade, or a rigid body at its tip, in the rotating frame.
 
 use super::super::strain::Strain;
 use super::steady::{Mass, SteadyForces, section_at, twice_second_order};
@@ -28,7 +28,7 @@ pub(super) struct TurningSection {
 }
 
 impl TurningSection {
-    /// That at a radius (m), under the steady forces there.
+    /// The matrices of the section at a radius (m), under the steady forces there.
     pub(crate) fn at(blade: &Blade, axis: Vector, radius_m: f64, forces: &SteadyForces) -> Self {
         let (section, turn) = section_at(blade, radius_m);
         let mass = Mass::of_section(&section, turn);
@@ -38,15 +38,15 @@ impl TurningSection {
         own
     }
 
-    /// The body at the tip.
+    /// The matrices of the body at the tip.
     pub(super) fn of_tip(blade: &Blade, axis: Vector) -> Self {
         let description = blade.description();
         let mass = Mass::of_body(&description.tip);
         Self::of_mass(&mass, axis, description.tip_radius_m)
     }
 
-    /// M, C, −S and what the extent of the mass adds to K_g: Θᵀ (tr(A) 1 − A) Θ with A the
-    /// symmetric part of s (P x₀)ᵀ + J P.
+    /// M, C, −S and the contribution of the extent of the mass to K_g: Θᵀ (tr(A) 1 − A) Θ with A
+    /// the symmetric part of s (P x₀)ᵀ + J P.
     fn of_mass(mass: &Mass, axis: Vector, radius_m: f64) -> Self {
         let Mass {
             mass: m,
@@ -97,8 +97,8 @@ impl TurningSection {
         own
     }
 
-    /// Adds what the steady force F and moment Q in the section do: −F·Θ×(Θ×t) − 2 F·(Θ×γ) −
-    /// Q·(Θ×κ) with t along the span.
+    /// Adds the stiffness due to the steady force F and moment Q in the section: −F·Θ×(Θ×t) − 2
+    /// F·(Θ×γ) − Q·(Θ×κ) with t along the span.
     fn add_steady(&mut self, forces: &SteadyForces) {
         let turned = twice_second_order(forces.force);
         for (i, row) in turned.iter().enumerate() {
@@ -113,12 +113,13 @@ impl TurningSection {
     }
 }
 
-/// Against curvatures, twist and stretch, per length, in the order of [`Strain::ALL`].
+/// Section stiffness against curvatures, twist and stretch, per length, in the order of
+/// [`Strain::ALL`].
 pub(crate) fn strain_stiffness(section: &BladeSection, (sin, cos): (f64, f64)) -> SpatialMatrix {
     let (edge, flap) = (section.edge_n_m2, section.flap_n_m2);
     let [v, w] = [Plane::ForeAft, Plane::SideSide].map(|plane| Strain::Curvature(plane).index());
     let (twist, stretch) = (Strain::Twist.index(), Strain::Stretch.index());
-    // A blade that does not stretch has its tension centre nowhere.
+    // A blade without axial deformation has no tension centre.
     let offset = match section.tension_center_m {
         0.0 => 0.0,
         center_m => section.axial_n * center_m,

@@ -1,4 +1,4 @@
-//! A turning blade as the apex of its rotor feels it, and its motion: solutions and products at a
+//! A rotating blade condensed to the apex of its rotor, and its motion: solutions and products at a
 //! frequency, energies, and the curve of its axis.
 
 use super::super::elimination::{Condensed, TurningMatrix, condense_blade, factorize_blade};
@@ -121,7 +121,8 @@ impl TurningBlade {
         self.out_of_axes(&force)
     }
 
-    /// A motion or a force in (axis of the rotor, against the rotation, radial).
+    /// A motion or a force in the components (along the axis of the rotor, against the rotation,
+    /// radial).
     fn out_of_axes(&self, of_blade: &[Complex; 6]) -> [Complex; 6] {
         std::array::from_fn(|i| {
             let of = &of_blade[i / 3 * 3..];
@@ -168,7 +169,7 @@ impl TurningBlade {
                 let all = [flap, edge, twist, stretch];
                 for ((sum, strain), stiffness) in sum.iter_mut().zip(all).zip(gauge.stiffness) {
                     let square = strain.norm_squared();
-                    // A strain that the blade does not have has an infinite stiffness.
+                    // A strain that the element does not have has an infinite stiffness.
                     *sum += if square == 0.0 {
                         0.0
                     } else {

@@ -1,10 +1,12 @@
-//! From the borders of segments to the heights of a tower that they move with.
+//! From derivatives with respect to segment borders to derivatives with respect to heights of the
+//! tower.
 
 use crate::elements::Mesh;
 use crate::tower::{NumberPlace, Places, Tower};
 
-/// Adds the derivatives with respect to the borders of a mesh to those of the heights that the
-/// spans move with: ends of pieces and attachments, and what is between them in proportion.
+/// Adds the derivatives with respect to the borders of a mesh to those with respect to the heights
+/// that determine the spans: ends of pieces and attachments; borders inside a span move in
+/// proportion.
 pub(super) fn carry_to_heights(tower: &Tower, mesh: &Mesh, borders: &[f64], sums: &mut [f64]) {
     let knots = knots(tower);
     let mut first = 0;
@@ -43,7 +45,7 @@ fn add_at(knots: &[(f64, NumberPlace)], height_m: f64, value: f64, sums: &mut [f
     }
 }
 
-/// The heights that meshes move with, m, rising, and their places.
+/// The heights that determine the mesh, m, in increasing order, with their indices.
 fn knots(tower: &Tower) -> Vec<(f64, NumberPlace)> {
     let places = Places::of(tower);
     let pieces = tower.pieces().iter().enumerate();
@@ -51,7 +53,7 @@ fn knots(tower: &Tower) -> Vec<(f64, NumberPlace)> {
     let attached = tower.attachments().iter().enumerate();
     let attached = attached.map(|(index, a)| (a.height_m, places.attachment(index)));
     let base = (tower.base_m(), Places::BASE_HEIGHT);
-    // Of several at one height the end of a piece counts: what is attached moves with it.
+    // Of several at one height the end of a piece is used: attachments move with it.
     let mut knots: Vec<_> = [base].into_iter().chain(ends).chain(attached).collect();
     knots.sort_by(|a, b| a.0.total_cmp(&b.0));
     knots.dedup_by(|later, first| later.0 == first.0);

@@ -1,5 +1,5 @@
-//! Derivatives of eigenvalues with respect to all numbers of a tower, by one sweep along the chain
-//! of each mode.
+//! Derivatives of eigenvalues with respect to all input values of a tower, by one pass along the
+//! chain for each mode.
 //!
 //! For [`Element::RmjeExact`](super::Element::RmjeExact). All integrals of a segment are sums over
 //! points, so each point gives its share to the numbers of its piece: diameter, wall and material
@@ -29,7 +29,7 @@ pub(crate) struct GradientMesh<'a> {
 }
 
 impl<'a> GradientMesh<'a> {
-    /// Of a tower whose bending planes are [apart](Tower::planes_are_apart).
+    /// For a tower whose bending planes are [apart](Tower::planes_are_apart).
     pub(crate) fn new(tower: &'a Tower, mesh: &'a Mesh, rotary_inertia: bool) -> Self {
         let mut values = Vec::new();
         tower.write_numbers(&mut values);

@@ -33,13 +33,13 @@ pub(super) struct Walk<'a> {
     pub(super) load: [f64; 2],
 }
 
-/// The rigid body that the walk is on.
+/// The rigid body at the current height of the walk.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Body {
-    /// The height of its joint, m, and its motion there.
+    /// Height of its joint, m, and its motion at this height.
     height_m: f64,
     motion: [f64; 6],
-    /// D at the height where the walk is.
+    /// D at the current height of the walk.
     descent: f64,
 }
 
@@ -63,11 +63,11 @@ impl Body {
     }
 }
 
-/// What the joint of a segment does in the mode.
+/// The state of a joint of a segment in the mode.
 #[derive(Default)]
 struct Passed {
     strain: [f64; 6],
-    /// The derivative with respect to its height in the segment.
+    /// The derivative with respect to the height of the joint in the segment.
     by_height: f64,
 }
 
@@ -125,7 +125,7 @@ impl Walk<'_> {
         self.load = [state.load[0], state.load[1]];
     }
 
-    /// Takes the load of a stiffness and an inertia off.
+    /// Subtracts the load of a stiffness and an inertia.
     fn pass_matrices(
         &mut self,
         stiffness: &[[f64; 6]; 6],
@@ -235,7 +235,7 @@ impl Walk<'_> {
         by_length + length_m * (self.body.lever(self.load) - compression_n * turning)
     }
 
-    /// The factors of masses and springs that move.
+    /// The factors of masses and springs for this motion.
     fn factors(&self, motion: &[f64; 6]) -> MassFactors {
         let [x, y, z, rx, ry, rz] = motion.map(|v| v * v);
         let lambda = self.lambda;
@@ -324,8 +324,8 @@ impl Walk<'_> {
     }
 }
 
-/// Whether a joint is that of a plane, where the planes have joints of their own: axial and
-/// torsional springs go with fore-aft bending.
+/// Whether a joint belongs to a plane, if the planes have separate joints: axial and torsional
+/// springs belong to fore-aft bending.
 fn is_of(plane: Plane, state: &JointState) -> bool {
     let [x, y, z, rx, ry, rz] = state.moves;
     match plane {
@@ -334,7 +334,7 @@ fn is_of(plane: Plane, state: &JointState) -> bool {
     }
 }
 
-/// y²/c = F²; zero where nothing moves.
+/// y²/c = F²; zero if the joint is rigid.
 fn per(strain: f64, flexibility: f64) -> f64 {
     match flexibility == 0.0 {
         true => 0.0,
@@ -342,7 +342,7 @@ fn per(strain: f64, flexibility: f64) -> f64 {
     }
 }
 
-/// Factors times what they are of.
+/// The sum of the factors times their values.
 fn sum_of(
     factors: &MassFactors,
     masses: &SectionMasses,

@@ -1,21 +1,21 @@
-//! Derivatives with respect to the numbers of a tower, being summed.
+//! The sums of derivatives with respect to the input values of a tower.
 
 use super::segments::{At, FlexiblePoint, MassPoint, Segment};
 use crate::tower::{NumberPlace, Places, Profile, SoilStiffness, Tower};
 
-/// The sums, and the slopes of what is linear over a piece.
+/// The sums, and the slopes of the quantities that are linear over a piece.
 pub(super) struct Numbers<'a> {
     pub(super) places: Places,
     pub(super) sums: &'a mut [f64],
     /// The derivatives with respect to the borders of the segments.
     pub(super) borders: &'a mut [f64],
     tower: &'a Tower,
-    /// The numbers of the tower.
+    /// The input values of the tower.
     values: &'a [f64],
 }
 
-/// Factors of a mass, of transverse water, of rotary inertia in both planes and about the axis, and
-/// of soil springs.
+/// Derivatives with respect to the mass, the transverse added mass, the rotary inertia in both
+/// planes and about the axis, and the soil springs at a point.
 pub(super) struct MassFactors {
     pub(super) mass: f64,
     pub(super) water: f64,
@@ -168,7 +168,7 @@ impl<'a> Numbers<'a> {
         self.add_rise(segment, index, at, by_rise);
     }
 
-    /// A point that moves in its piece has other sections.
+    /// Adds the effect of a point that moves within its piece, because its section changes.
     fn add_rise(&mut self, segment: &Segment, index: usize, at: &At, by_rise: f64) {
         if segment.is_in_proportion {
             return;
@@ -181,7 +181,8 @@ impl<'a> Numbers<'a> {
         self.sums[top] -= at.of_piece * by_height;
     }
 
-    /// Carries the derivatives with respect to the length of a segment to its borders.
+    /// Adds the derivatives with respect to the length of a segment to those with respect to its
+    /// borders.
     pub(super) fn add_length(&mut self, index: usize, by_length: f64) {
         self.borders[index] -= by_length;
         self.borders[index + 1] += by_length;

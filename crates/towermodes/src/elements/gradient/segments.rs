@@ -1,5 +1,5 @@
-//! The segments of a mesh with all that their modes share: points of the quadratures, slopes of the
-//! sections there, joints.
+//! The segments of a mesh with all data that do not depend on the mode: points of the quadratures,
+//! slopes of the sections there, joints.
 
 use std::ops::Range;
 
@@ -21,7 +21,7 @@ pub(super) struct FlexiblePoint {
 pub(super) struct MassPoint {
     pub(super) at: At,
     pub(super) masses: SectionMasses,
-    /// The soil springs there.
+    /// The soil springs at this point.
     pub(super) soil: [f64; SoilStiffness::SPRINGS],
     pub(super) slopes: MassSlopes,
 }
@@ -31,18 +31,18 @@ pub(super) struct MassPoint {
 pub(super) struct At {
     pub(super) height_m: f64,
     pub(super) weight_m: f64,
-    /// How far up the piece it is, and how far up the segment.
+    /// Its position as a fraction of the piece, and as a fraction of the segment.
     pub(super) of_piece: f64,
     pub(super) of_segment: f64,
 }
 
-/// A joint of a segment, or what is left of it in one plane.
+/// A joint of a segment, or of one of its bending planes.
 pub(super) struct Joint {
     pub(super) height_m: f64,
-    /// The plane whose centre of flexibility it is at.
+    /// The plane whose centre of flexibility is the position of the joint.
     pub(super) plane: Plane,
     pub(super) compression_n: f64,
-    /// The section at it.
+    /// The section at the joint.
     pub(super) section: Section,
 }
 
@@ -51,17 +51,17 @@ pub(super) struct Segment {
     pub(super) piece: usize,
     pub(super) base_m: f64,
     pub(super) top_m: f64,
-    /// Whether it is always the same part of its piece.
+    /// Whether it is always the same fraction of its piece.
     pub(super) is_in_proportion: bool,
     pub(super) compliance: Compliance,
     pub(super) joints: Range<usize>,
     pub(super) flexible: Range<usize>,
-    /// The mass points of its first body; those of the others follow.
+    /// Index of the first mass point of its first body; those of the other bodies follow.
     pub(super) first_mass: usize,
     pub(super) top_compression_n: f64,
 }
 
-/// The mass points of a body.
+/// Number of mass points of a body.
 pub(super) const MASS_POINTS: usize = 3;
 
 /// All segments of a mesh.

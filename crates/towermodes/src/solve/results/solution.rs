@@ -227,7 +227,7 @@ impl Mode {
     }
 }
 
-/// The proof that no mode is missing: an inertia count (Sylvester's law) of the stiffness less a
+/// The proof that no mode is missing: an eigenvalue count (Sylvester's law) of the stiffness less a
 /// shift times the mass, just above the last mode, equals the number of modes found.
 ///
 /// # Example
@@ -249,11 +249,11 @@ impl Mode {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Certificate {
-    /// Whether the inertia count and the list agree, and no mode is missing anywhere. A solution
+    /// Whether the eigenvalue count and the list agree, and no mode is missing anywhere. A solution
     /// that is not complete is returned only if the added mass depends on frequency and leaves an
     /// interval [uncertain](Self::uncertain_hz).
     pub complete: bool,
-    /// Number of modes below `below_hz` by the inertia count: the number of listed modes, or more
+    /// Number of modes below `below_hz` by the eigenvalue count: the number of listed modes, or more
     /// if the number asked for cuts a repeated pair.
     pub count: usize,
     /// A frequency in the gap above the last mode, Hz.
