@@ -40,8 +40,8 @@ impl fmt::Display for Plain {
     }
 }
 
-/// Shows the first of two numbers with as many digits as tell it from the second, and no fewer than
-/// [`Plain`] would.
+/// Writes the first of two numbers with as many digits as distinguish it from the second, and at
+/// least as many as [`Plain`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Apart(pub(crate) f64, pub(crate) f64);
 
@@ -50,7 +50,7 @@ impl fmt::Display for Apart {
         let Self(shown, other) = *self;
         let tells = |digits: &usize| rounded(shown, *digits) != rounded(other, *digits);
         let digits = (DIGITS..ALL_DIGITS).find(tells);
-        // Equal numbers need no more digits than one of them does.
+        // Equal numbers need no additional digits.
         let digits = if shown == other { Some(DIGITS) } else { digits };
         write_short(f, shown, digits.unwrap_or(ALL_DIGITS))
     }

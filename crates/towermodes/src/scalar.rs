@@ -1,4 +1,4 @@
-//! Real and complex numbers as entries of matrices: what one elimination needs of both.
+//! Real and complex numbers as entries of matrices: the operations needed by the elimination.
 
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};

@@ -11,7 +11,7 @@ use crate::beam::eliminate;
 use crate::space::SpatialMatrix;
 use crate::tower::Component;
 
-/// The largest number of entries of the ends.
+/// Largest number of entries of the ends.
 pub(super) const MOST_ENDS: usize = 12;
 /// The entries of the ends of a link or a chord.
 pub(super) type Ends = [f64; MOST_ENDS];
@@ -25,10 +25,10 @@ pub(super) struct Side<'a> {
 /// The blocks of a link or a chord.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Parts {
-    /// The axes of the member as rows; none: global axes.
+    /// The axes of the member as rows; none for global axes.
     pub(super) axes: Option<[Vector; 3]>,
-    /// How many entries of the ends are motions: 6 of a link, 12 of a chord. The others are
-    /// coordinates.
+    /// Number of entries of the ends that are motions: 6 for a link, 12 for a chord. The other
+    /// entries are coordinates.
     pub(super) motions: usize,
     /// Number of entries of the ends.
     pub(super) ends: usize,
@@ -40,16 +40,16 @@ pub(super) struct Parts {
 pub(super) struct Block {
     pub(super) planes: Vec<Plane>,
     pub(super) bubbles: usize,
-    /// For its entries of the ends and its bubbles, row by row; empty where there is none.
+    /// Matrices for its entries of the ends and its bubbles, row by row; empty where there is none.
     pub(super) matrices: [Vec<f64>; KINDS],
 }
 
-/// Where a block is: both bending planes have the same one.
+/// The position of a block in one plane: both bending planes can have the same block.
 #[derive(Debug, Clone)]
 pub(super) struct Plane {
-    /// Its entries of the ends, by place, each with its sign.
+    /// Indices of its entries of the ends, each with its sign.
     pub(super) ends: Vec<Component>,
-    /// The place of its first bubble among the bubbles of the link or the chord.
+    /// Index of its first bubble among the bubbles of the link or the chord.
     pub(super) first: usize,
 }
 
@@ -72,7 +72,7 @@ impl Block {
 }
 
 impl Parts {
-    /// Those of a link of some coordinates without matrices.
+    /// The parts of a link with coordinates but without matrices.
     pub(super) fn none(coordinates: usize) -> Self {
         Self {
             axes: None,
@@ -82,7 +82,7 @@ impl Parts {
         }
     }
 
-    /// Those of an element that carries its far end.
+    /// The parts of an element that carries its far end.
     pub(super) fn of_link(element: &Element, axes: Option<[Vector; 3]>) -> Self {
         let (mut moving, mut bubbles, mut blocks) = (0, 0, Vec::new());
         for part in &element.parts {
@@ -109,7 +109,7 @@ impl Parts {
         }
     }
 
-    /// Those of an element between two nodes that others carry.
+    /// The parts of an element between two nodes that are carried by other links.
     pub(super) fn of_chord(element: &Element, axes: [Vector; 3]) -> Self {
         let (mut first, mut blocks) = (0, Vec::new());
         for part in &element.parts {
@@ -125,7 +125,7 @@ impl Parts {
         }
     }
 
-    /// Those of a matrix for the motions of two nodes: its blocks near-near, near-far, far-far.
+    /// The parts of a matrix for the motions of two nodes: its blocks near-near, near-far, far-far.
     pub(super) fn of_nodal(kind: usize, [near, across, far]: &[SpatialMatrix; 3]) -> Self {
         let mut matrices = [const { Vec::new() }; KINDS];
         let entry = |i: usize, j: usize| match (i < 6, j < 6) {
@@ -157,8 +157,8 @@ impl Parts {
     }
 
     /// Factors the bubbles of each block of A, whose coordinates have `own` as stiffness of their
-    /// own, and writes what is left for the ends, in global axes, to `rest`: all rows of both
-    /// triangles. Returns the number of negative pivots.
+    /// own, and writes the condensed matrix of the ends, in global axes, to `rest`: all rows of
+    /// both triangles. Returns the number of negative pivots.
     pub(super) fn condense<'f>(
         &self,
         (a, own): Combination<'_>,
@@ -196,7 +196,7 @@ impl Parts {
         negative
     }
 
-    /// Brings a matrix for the ends into global axes.
+    /// Transforms a matrix for the ends to global axes.
     fn turn(&self, matrix: &mut [f64]) {
         let (Some(axes), n) = (&self.axes, self.ends) else {
             return;
@@ -236,8 +236,8 @@ impl Parts {
         }
     }
 
-    /// Forces on the bubbles become their forward substitution, and what they pass on to the ends
-    /// is added to these.
+    /// Replaces the forces on the bubbles by their forward substitution, and adds the resulting
+    /// forces to the ends.
     pub(super) fn forward<'f>(
         &self,
         factors: &mut impl Iterator<Item = &'f Vec<f64>>,
@@ -258,7 +258,7 @@ impl Parts {
         }
     }
 
-    /// The bubbles from their forward substitution and the ends.
+    /// Computes the bubbles from their forward substitution and the ends.
     pub(super) fn backward<'f>(
         &self,
         factors: &mut impl Iterator<Item = &'f Vec<f64>>,
@@ -418,7 +418,7 @@ pub(super) fn inverse_of_columns(columns: &[Vec<f64>], n: usize) -> Vec<Vec<f64>
     a.into_iter().map(|row| row[n..].to_vec()).collect()
 }
 
-/// Cᵀ M C for a matrix M of `old` rows and C of `old` rows and `rows` columns; empty if M is.
+/// Cᵀ M C for a matrix M of `old` rows and C of `old` rows and `rows` columns; empty if M is empty.
 fn congruence(matrix: &[f64], change: &[f64], old: usize, rows: usize) -> Vec<f64> {
     if matrix.is_empty() {
         return Vec::new();
@@ -428,7 +428,7 @@ fn congruence(matrix: &[f64], change: &[f64], old: usize, rows: usize) -> Vec<f6
             out.iter_mut().zip(row).for_each(|(o, x)| *o += factor * x);
         }
     };
-    // Most of a row of C is zero.
+    // Most entries of a row of C are zero.
     let mut half = vec![0.0; old * rows];
     for (out, row) in half.chunks_exact_mut(rows).zip(matrix.chunks_exact(old)) {
         for (factor, change) in row.iter().zip(change.chunks_exact(rows)) {
@@ -446,8 +446,8 @@ fn congruence(matrix: &[f64], change: &[f64], old: usize, rows: usize) -> Vec<f6
     sum
 }
 
-/// y += factor M x for a symmetric matrix, or none: four columns at a time, and two entries of
-/// each, which the processor multiplies as one.
+/// y += factor M x for a symmetric matrix, which may be empty: four columns at a time, and two
+/// entries of each column, so that the processor multiplies them in one operation.
 fn add_product(factor: f64, matrix: &[f64], x: &[f64], y: &mut [f64]) {
     let n = x.len();
     let (fours, rest) = x.as_chunks::<4>();
@@ -491,7 +491,7 @@ fn add(factor: f64, x: &[f64], y: &mut [f64]) {
     }
 }
 
-/// Two sums at a time, which the processor adds as one.
+/// Two sums at a time, which the processor adds in one operation.
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     let (mut sums, pairs) = ([0.0; 2], (a.chunks_exact(2), b.chunks_exact(2)));
     let (a_rest, b_rest) = (pairs.0.remainder(), pairs.1.remainder());
@@ -503,7 +503,8 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     sums[0] + sums[1] + rest
 }
 
-/// Forward substitution of the rows from `first` on, the last one first; these are not divided yet.
+/// Forward substitution of the rows with index `first` and higher, the last row first; without
+/// division by the pivots.
 fn forward(matrix: &[f64], rows: usize, first: usize, x: &mut [f64]) {
     for last in (first..rows).rev() {
         let row = &matrix[last * rows..last * rows + last + 1];
@@ -512,7 +513,7 @@ fn forward(matrix: &[f64], rows: usize, first: usize, x: &mut [f64]) {
     }
 }
 
-/// Backward substitution of the rows from `first` on.
+/// Backward substitution of the rows with index `first` and higher.
 fn backward(matrix: &[f64], rows: usize, first: usize, x: &mut [f64]) {
     for last in first..rows {
         let row = &matrix[last * rows..last * rows + last + 1];

@@ -1,4 +1,4 @@
-//! A frame as the eigensolver sees it.
+//! A frame as an eigenvalue problem.
 
 use super::elimination::Factors;
 use super::equations::{ELASTIC, Equations, GEOMETRIC, GROUND, INERTIA, KINDS};
@@ -17,7 +17,7 @@ pub(super) struct FramePencil {
     product: Vec<f64>,
 }
 
-/// The coefficients of the matrices and of the coordinates' own stiffness.
+/// The coefficients of the matrices, and the coefficient of the stiffness of the coordinates.
 type Coefficients = ([f64; KINDS], f64);
 
 fn stiffness_minus(shift: f64) -> Coefficients {
@@ -53,7 +53,7 @@ impl FramePencil {
 
     /// The number of eigenvalues below λ, rad²/s², counted from zero and not from the origin.
     pub(super) fn count_below_lambda(&mut self, lambda: f64) -> usize {
-        // The factors of a count are others: the next solve needs its own.
+        // A count overwrites the factors, so the next solve must factor again.
         let mut factors = std::mem::take(&mut self.factors);
         let (coefficients, own) = stiffness_minus(lambda);
         let a = (&coefficients, own);

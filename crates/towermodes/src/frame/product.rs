@@ -4,7 +4,7 @@ use super::equations::{ELASTIC, Equations, INERTIA, KINDS, add_force, motion_of}
 use super::parts::Side;
 use super::rigid::{Motion, add_transposed, moved};
 
-/// Memory of a product.
+/// Working memory of a product.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Sweep {
     pub(super) motions: Vec<Motion>,
@@ -100,7 +100,8 @@ impl Equations {
         }
     }
 
-    /// xᵀ A x of each kind of matrix; to the elastic stiffness that of the coordinates is added.
+    /// xᵀ A x of each kind of matrix; the energy of the coordinates is included in the elastic
+    /// stiffness.
     pub(super) fn energies(&self, sweep: &mut Sweep, x: &[f64]) -> [f64; KINDS] {
         self.set_motions(x, &mut sweep.motions);
         let Sweep { motions, at, .. } = sweep;
@@ -126,7 +127,7 @@ impl Equations {
         energies
     }
 
-    /// Brings forces on the nodes back to the coordinates, which get their part added.
+    /// Adds the forces on the nodes to the forces on the coordinates.
     pub(super) fn gather(&self, forces: &mut [Motion], out: &mut [f64]) {
         for link in self.links.iter().rev() {
             let force = forces[link.child];

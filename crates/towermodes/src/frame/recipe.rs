@@ -1,4 +1,5 @@
-//! How members become elements: spectral elements of any degree, or the element of SubDyn.
+//! The division of members into elements: spectral elements of any degree, or the element of
+//! SubDyn.
 
 use super::element::Element;
 use super::error::FrameSolveError;
@@ -8,11 +9,11 @@ use crate::space::SpatialMatrix;
 use crate::tower::frame::{FrameMember, FrameSoil, MemberKind};
 use crate::tower::{Section, SectionMasses, SoilStiffness};
 
-/// Fractions of a member that are closer than this are one.
+/// Fractions of a member that differ by less than this are treated as equal.
 const CLOSE: f64 = 1e-9;
-/// The degree whose polynomials are those that move the far end of a uniform element.
+/// The lowest degree: its polynomials move the far end of a uniform element.
 const LEAST_DEGREE: usize = 2;
-/// By how much a fraction is inside an element at least.
+/// A fraction at an end of an element is moved into the element by this amount.
 const TINY: f64 = 1e-12;
 
 /// How members are made into elements.
@@ -36,7 +37,7 @@ pub enum FrameRecipe {
 }
 
 impl FrameRecipe {
-    /// Refuses what no element can be made of.
+    /// Refuses a degree or a number of divisions that is not possible.
     ///
     /// # Errors
     /// [`FrameSolveError::Degree`], [`FrameSolveError::Divisions`].
@@ -65,7 +66,8 @@ impl FrameRecipe {
             borders.extend(member.soil.iter().flat_map(FrameSoil::ends));
             borders.sort_by(f64::total_cmp);
             borders.dedup_by(|a, b| *a - *b <= CLOSE);
-            // Of two that are close the lower one is kept: the end is exact.
+            // Of two fractions that are close the lower one is kept, so that the end of the member
+            // is exact.
             if let Some(last) = borders.last_mut() {
                 *last = 1.0;
             }
@@ -73,7 +75,8 @@ impl FrameRecipe {
         borders
     }
 
-    /// The element between two fractions of a member, which may fall; none if it is no beam.
+    /// The element between two fractions of a member; `from` may be larger than `to`. None if the
+    /// member is not a beam.
     pub(super) fn element(
         self,
         stretch: &Stretch<'_>,
@@ -101,7 +104,7 @@ impl FrameRecipe {
                     torsion: 1,
                     axial: 1,
                 };
-                // Its own inertia is given for its ends: here only what moves with it.
+                // The inertia of the element is given for its ends: here only the attached masses.
                 let carried = |z: f64| {
                     let at = stretch.fraction(z);
                     let (own, all) = (bare(at).masses, coated(at).masses);
@@ -123,26 +126,26 @@ impl FrameRecipe {
     }
 }
 
-/// A stretch of a member, seen from its near end.
+/// A part of a member, seen from its near end.
 pub(super) struct Stretch<'a> {
     pub(super) member: &'a FrameMember,
-    /// Where it begins and ends, as fractions of the member, which may fall.
+    /// Its ends, as fractions of the member; the first may be the larger one.
     pub(super) from: f64,
     pub(super) to: f64,
     /// Length of the member, m.
     pub(super) member_m: f64,
-    /// The tension at rest, from where it is lower on the member to where it is higher.
+    /// The tension at rest, from the end with the lower fraction to the other end.
     pub(super) tension: Option<&'a Tension>,
-    /// What rides on it, with its axes as those of the stretch.
+    /// The bodies attached to it, in its axes.
     pub(super) riders: Vec<(f64, SpatialMatrix)>,
-    /// Fractions of the member at which the shapes are wanted.
+    /// Fractions of the member at which the shapes are requested.
     pub(super) sampled: Vec<f64>,
-    /// Whether only the motions of its ends at rest are wanted.
+    /// Whether only the static motions of its ends are needed.
     pub(super) is_at_rest: bool,
 }
 
 impl Stretch<'_> {
-    /// Its spectral element of a degree in parts; none if it is no beam.
+    /// Its spectral element of a degree, in parts; none if the member is not a beam.
     pub(super) fn spectral(
         &self,
         degree: usize,
@@ -191,7 +194,7 @@ impl Stretch<'_> {
         memory.make(strains, &slice)
     }
 
-    /// Whether the section is the same along its member, and no soil is around it.
+    /// Whether the section is constant along the member, and the member has no soil.
     fn is_uniform(&self) -> bool {
         match &self.member.kind {
             MemberKind::Beam { ends, .. } => ends.are_equal() && self.member.soil.is_empty(),
@@ -203,8 +206,8 @@ impl Stretch<'_> {
         self.member_m * (self.to - self.from).abs()
     }
 
-    /// The fraction of the member at a distance (m) from the near end. What ends at a border
-    /// belongs to one side of it, so that it is never the border itself.
+    /// The fraction of the member at a distance (m) from the near end, moved away from borders so
+    /// that it is clear to which side a value at a border belongs.
     fn fraction(&self, distance_m: f64) -> f64 {
         let (low, high) = (self.from.min(self.to), self.from.max(self.to));
         let at = self.from + (self.to - self.from) * distance_m / self.length_m();
@@ -220,7 +223,7 @@ impl Stretch<'_> {
         }))
     }
 
-    /// What rides on it, by its distance (m) from the near end.
+    /// The bodies attached to it, by their distance (m) from the near end.
     fn bodies(&self) -> Vec<(f64, SpatialMatrix)> {
         let riders = self.riders.iter();
         riders
@@ -233,7 +236,7 @@ impl Stretch<'_> {
         (fraction - self.from).abs() * self.member_m
     }
 
-    /// The soil around it, in parts within which the springs are linear.
+    /// The soil springs along it, in parts within which they are linear.
     fn soil(&self) -> Vec<SoilPart> {
         let ends = [self.from.min(self.to), self.from.max(self.to)];
         let parts = self.member.soil.iter().flat_map(|soil| soil.parts(ends));

@@ -1,5 +1,5 @@
-//! What the forces in a frame are together: their products with the motions of all as one rigid
-//! body, that of the ground too.
+//! The resultant of the forces in a frame: the products of the forces with rigid-body motions of
+//! the whole frame including the ground.
 
 use super::equations::{Equations, KINDS};
 use super::parts::{Parts, Side};
@@ -9,18 +9,19 @@ use super::rigid::{
 use crate::space::{SpatialMatrix, add_scaled};
 use crate::tower::frame::difference;
 
-/// The nodes of a frame, without what stands on it, from the point that resultants are about.
+/// Positions of the nodes of a frame, without the tower, relative to the reference point of the
+/// resultants.
 #[derive(Debug)]
 pub(super) struct Places {
     about_m: Vector,
-    /// Positions of the nodes from it, m.
+    /// Positions of the nodes from the reference point, m.
     pub(super) levers_m: Vec<Vector>,
     /// Number of links.
     links: usize,
 }
 
 impl Places {
-    /// Of nodes at these positions, of equations that have nothing else yet.
+    /// For the nodes of the equations at these positions; the equations contain nothing else yet.
     pub(super) fn new(equations: &Equations, positions_m: &[Vector], about_m: Vector) -> Self {
         let lever = |position_m: &Vector| difference(*position_m, about_m);
         Self {
@@ -30,8 +31,7 @@ impl Places {
         }
     }
 
-    /// The resultant of A for the unknowns x and the motions of all nodes, on the ground that does
-    /// not move.
+    /// The resultant of A for the unknowns x and the motions of all nodes, with a fixed ground.
     pub(super) fn resultant(
         &self,
         equations: &Equations,
@@ -41,7 +41,7 @@ impl Places {
         self.sum(equations, factors, (motions, x, &[0.0; 6]))
     }
 
-    /// The matrix A for motions of all as one rigid body.
+    /// The matrix A for rigid-body motions of the whole frame.
     pub(super) fn as_rigid(&self, equations: &Equations, factors: &[f64; KINDS]) -> SpatialMatrix {
         let x = vec![0.0; equations.unknowns];
         let columns = identity().map(|motion| {
@@ -52,7 +52,7 @@ impl Places {
         transposed(&columns)
     }
 
-    /// The resultant where the ground moves as a rigid body with the point that it is about.
+    /// The resultant if the ground moves as a rigid body with the reference point.
     fn sum(
         &self,
         equations: &Equations,

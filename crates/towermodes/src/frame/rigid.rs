@@ -43,7 +43,7 @@ pub(super) fn columns_out_of_axes(axes: &[Vector; 3], matrix: &SpatialMatrix) ->
     transposed(&columns)
 }
 
-/// Aᵀ M A with the rows A of axes: a matrix that is given in axes, in global ones.
+/// Aᵀ M A with the axes as rows of A: transforms a matrix from these axes to global axes.
 pub(super) fn matrix_out_of_axes(axes: &[Vector; 3], matrix: &SpatialMatrix) -> SpatialMatrix {
     let half = columns_out_of_axes(axes, matrix);
     transposed(&columns_out_of_axes(axes, &transposed(&half)))

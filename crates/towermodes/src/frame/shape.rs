@@ -39,7 +39,7 @@ impl FrameShape {
 
     /// The same motion divided by a number.
     pub(crate) fn divided_by(&self, size: f64) -> Self {
-        // A zero stays one whatever the sign of the size.
+        // A zero keeps its sign for any sign of the size.
         let part = |x: f64| if x == 0.0 { 0.0 } else { x / size };
         Self {
             joints: self.joints.iter().map(|m| m.map(part)).collect(),
@@ -59,7 +59,7 @@ impl FrameShape {
     }
 }
 
-/// The points of a member between two of its fractions: which they are, and their fractions.
+/// The points of a member between two of its fractions: their indices and fractions.
 pub(super) fn sampled(from: f64, to: f64) -> impl Iterator<Item = (usize, f64)> {
     let is_here = move |s: f64| from <= s && (s < to || to >= 1.0);
     let points = FRACTIONS.into_iter().enumerate();
@@ -69,7 +69,7 @@ pub(super) fn sampled(from: f64, to: f64) -> impl Iterator<Item = (usize, f64)> 
 /// Reads the shapes of a frame from vectors of its equations.
 #[derive(Debug, Clone, Default)]
 pub(super) struct ShapeReader {
-    /// The node of each joint; the ground is none.
+    /// The node of each joint; none for the ground.
     pub(super) joints: Vec<Node>,
     /// Points of members that are beams.
     pub(super) samples: Vec<Sample>,
@@ -79,7 +79,7 @@ impl ShapeReader {
     /// The shape of a vector with these motions of the nodes.
     pub(super) fn read(&self, frame: &Frame, motions: &[Motion], x: &[f64]) -> FrameShape {
         let joints: Vec<Motion> = self.joints.iter().map(|n| motion_of(motions, *n)).collect();
-        // What is no beam is straight between its joints.
+        // Members that are not beams are straight between their joints.
         let straight = |ends: &[usize; 2]| {
             let [from, to] = ends.map(|joint| joints[joint]);
             FRACTIONS.map(|s| std::array::from_fn(|i| from[i] + s * (to[i] - from[i])))
@@ -93,14 +93,14 @@ impl ShapeReader {
     }
 }
 
-/// A point of a member that is a beam.
+/// A point of a beam member.
 #[derive(Debug, Clone)]
 pub(super) struct Sample {
     member: usize,
     point: usize,
-    /// The nodes that its element hangs on; of a link only the first.
+    /// The nodes at the ends of its element; for a link only the first one.
     ends: [Node; 2],
-    /// Place of the first unknown of the element.
+    /// Index of the first unknown of the element.
     first: usize,
     /// The axes of the element as rows.
     axes: [Vector; 3],
@@ -134,7 +134,8 @@ impl Sample {
         Self::of((member, from, to), axes, ([parent, None], first), row)
     }
 
-    /// The same of an element between two nodes that others carry, whose unknowns are bubbles.
+    /// As above for an element between two nodes that are carried by other links; its unknowns are
+    /// bubbles.
     pub(super) fn of_chord(
         (member, from, to): (usize, f64, f64),
         (element, axes): (&Element, &[Vector; 3]),

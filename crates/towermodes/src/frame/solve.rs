@@ -14,7 +14,7 @@ use crate::beam::MAX_DEGREE;
 use crate::eigen::{EigenError, EigenWorkspace, lowest};
 use crate::tower::frame::Frame;
 
-/// Degrees of spectral elements: the first, and by how much it rises.
+/// The first degree of spectral elements, and the step of the degree.
 const FIRST_DEGREE: usize = 4;
 const STEP: usize = 2;
 const LAST_DEGREE: usize = 16;
@@ -118,8 +118,7 @@ pub fn solve_frame(
     }
 }
 
-/// The degree whose frequencies show the error of those of another degree: a higher one where that
-/// is possible.
+/// The degree with which the error of another degree is estimated: a higher degree if possible.
 fn neighbour(degree: usize) -> usize {
     match degree + STEP <= MAX_DEGREE {
         true => degree + STEP,
@@ -127,7 +126,7 @@ fn neighbour(degree: usize) -> usize {
     }
 }
 
-/// The discretization errors of modes by those of elements of another degree.
+/// The discretization errors of modes, from elements of another degree.
 fn compare(solution: &mut FrameSolution, other: &FrameSolution) {
     for (mode, other) in solution.modes.iter_mut().zip(&other.modes) {
         mode.discretization_error_hz = (mode.frequency_hz - other.frequency_hz).abs();
@@ -233,9 +232,7 @@ fn solve_once(
     })
 }
 
-/// Refuses an unstable frame; returns what moves without stiffness, if it is a mechanism. The
-/// spectrum of a mechanism begins below zero, as that of a frame that nothing holds, which has six
-/// motions without stiffness.
+/// Refuses an unstable frame. Returns the motions without stiffness if the frame is a mechanism.
 pub(super) fn check_stiffness(
     frame: &Frame,
     (joints, joint_of_node): (&[Option<usize>], &[usize]),
@@ -250,7 +247,8 @@ pub(super) fn check_stiffness(
     if still == 0 {
         return Ok(None);
     }
-    // Far enough below zero for its digits, near enough for those of the slow modes.
+    // Far enough below zero that the factorization keeps its digits, near enough for the digits of
+    // the slow modes.
     let mut softest = least;
     while pencil.count_below_lambda(softest) <= still && softest < 1e12 {
         softest *= 2.0;

@@ -27,17 +27,17 @@ const GAUSS: [(f64, f64); 4] = [
     (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
 ];
 
-/// What acts on a frame at rest.
+/// The loads of a frame at rest.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AtRest {
     /// Gravity, m/s².
     pub(super) gravity_m_per_s2: f64,
-    /// Whether the water around members carries what they displace.
+    /// Whether water carries the weight of the water displaced by members.
     pub(super) has_buoyancy: bool,
 }
 
 impl AtRest {
-    /// On a frame under a tower with gravity, m/s².
+    /// For a frame under a tower, with gravity in m/s².
     pub(super) fn under_tower(foundation: &FrameFoundation, gravity_m_per_s2: f64) -> Self {
         Self {
             gravity_m_per_s2: foundation.gravity_on_members(gravity_m_per_s2),
@@ -46,7 +46,7 @@ impl AtRest {
     }
 }
 
-/// A frame whose masses are those that have weight, less what water carries.
+/// A frame with only the masses that have weight, reduced by the displaced water.
 fn weighed(frame: &Frame, has_buoyancy: bool) -> FrameDescription {
     let mut description = frame.description().clone();
     description.added_masses.clear();
@@ -73,7 +73,7 @@ fn weighed(frame: &Frame, has_buoyancy: bool) -> FrameDescription {
     description
 }
 
-/// The forces in a frame at rest; none where the stiffness does not hold the frame.
+/// The forces in a frame at rest; none if the stiffness is not positive.
 fn forces_at_rest(frame: &Frame, at_rest: &Assembled, gravity_m_per_s2: f64) -> ForcesAtRest {
     let (equations, elements) = (&at_rest.equations, &at_rest.elements);
     let order = Order::new(equations);
@@ -120,7 +120,7 @@ fn axis(frame: &Frame, element: &PlacedElement) -> Vector {
     z
 }
 
-/// By how much an element is longer than without forces, m.
+/// The elongation of an element, m.
 fn elongation_m(
     equations: &Equations,
     motions: &[Motion],
@@ -153,7 +153,8 @@ fn elongation_m(
     }
 }
 
-/// By how much the lower fraction of an element has moved along the axis of its member, m.
+/// The axial displacement of the lower end of an element, in the direction of the axis of its
+/// member, m.
 fn from_m(
     equations: &Equations,
     motions: &[Motion],
@@ -178,11 +179,11 @@ fn from_m(
         .sum()
 }
 
-/// How an element has moved along its axis.
+/// The axial displacements of an element.
 struct Moved {
-    /// By how much it is longer than without forces, m.
+    /// Elongation, m.
     elongation_m: f64,
-    /// By how much it has moved where it begins on its member, m.
+    /// Displacement of its beginning on the member, m.
     from_m: f64,
 }
 
@@ -237,8 +238,8 @@ fn tension_of(
     tension_n
 }
 
-/// The friction of soil follows from the motion, which follows from the forces: so often are the
-/// forces corrected. Each correction is smaller by (length/√(EA/k))²/10 at least.
+/// Number of iterations: the friction of the soil depends on the displacement, which depends on the
+/// forces. The corrections decrease by a factor of (length/√(EA/k))²/10 or faster.
 const SOIL_STEPS: usize = 8;
 
 fn at_points(value: impl Fn(f64) -> f64) -> Tension {
@@ -253,7 +254,7 @@ fn integral([from, to]: [f64; 2], value: impl Fn(f64) -> f64) -> f64 {
     (to - from) * sum
 }
 
-/// The equations of a frame and of what it carries, with the geometric stiffness of the forces at
+/// The equations of a frame and the parts on it, with the geometric stiffness of the forces at
 /// rest.
 pub(super) fn with_tensions<E>(
     frame: &Frame,

@@ -6,13 +6,14 @@ use crate::space::SpatialMatrix;
 /// The forces in a frame at rest that change its stiffness.
 #[derive(Debug, Clone, Default)]
 pub(super) struct ForcesAtRest {
-    /// The tension in each element of the members, by edge.
+    /// The tension in each element of the members, by index of the edge.
     pub(super) tensions: Vec<(usize, Tension)>,
-    /// The stiffness of the force in each rigid link, by edge.
+    /// The stiffness due to the force in each rigid link, by index of the edge.
     pub(super) turning: Vec<(usize, SpatialMatrix)>,
 }
 
-/// The tension at five equally spaced points of an element, N, from where it begins on its member.
+/// The tension at five equally spaced points of an element, N, beginning at the end with the lower
+/// fraction of its member.
 pub(super) type Tension = [f64; 5];
 
 /// The tension at a fraction of an element: the polynomial through its five points.

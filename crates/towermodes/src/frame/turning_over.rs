@@ -1,4 +1,4 @@
-//! The stiffness of forces of constant direction that turn over with a rigid body.
+//! The rotational stiffness of forces of constant direction on a rigid body (P-Delta effect).
 //!
 //! A point at r from the point whose motion is known moves by θ × r + ½ θ × (θ × r). A force F
 //! on it does work on the second term, so the body has the stiffness (F·r) 1 − ½ (r Fᵀ + F rᵀ)
@@ -14,9 +14,9 @@ use crate::space::{SpatialMatrix, add_scaled};
 /// A rigid link of a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct RigidLink {
-    /// Its edge in the graph, the same for each frame with the same members.
+    /// Index of its edge in the graph, the same for each frame with the same members.
     pub(super) edge: usize,
-    /// Its place among the links.
+    /// Index of the link.
     pub(super) link: usize,
 }
 
@@ -33,7 +33,8 @@ pub(super) fn turning_over(force_n: Vector, arm_m: Vector) -> SpatialMatrix {
     matrix
 }
 
-/// The stiffness of the forces in rigid links under weight, by edge, for the unknowns x at rest.
+/// The stiffness of the forces in rigid links under weight, by index of the edge, for the static
+/// unknowns x.
 pub(super) fn of_rigid_links(
     equations: &Equations,
     rigid_links: &[RigidLink],
@@ -57,7 +58,7 @@ pub(super) fn of_rigid_links(
 }
 
 impl Equations {
-    /// Adds the stiffness of the forces in rigid links to the nodes that these hang on.
+    /// Adds the stiffness of the forces in rigid links to the child nodes of the links.
     pub(super) fn turn_over(
         &mut self,
         rigid_links: &[RigidLink],

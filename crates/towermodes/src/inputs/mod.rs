@@ -26,7 +26,7 @@ pub use value::{Named, Value};
 /// A part whose values depend on one of them, the choice of a formula, implements it by hand: each
 /// value that it has is visited, and [`idle`](Self::idle) lists the others.
 pub trait Inputs {
-    /// With the value of each optional key that is left out, and NaN for each required number.
+    /// A value of the type with the default of each optional key, and NaN for each required number.
     fn blank() -> Self
     where
         Self: Sized;
@@ -37,11 +37,11 @@ pub trait Inputs {
     /// Replaces each value, in the same order, by one of the same type.
     fn update(&mut self, each: &mut dyn FnMut(&'static Input, Given) -> Given);
 
-    /// Visits the values that others like it have and this one has not.
+    /// Visits the values that this kind of table has but does not use.
     fn idle(&self, each: &mut dyn FnMut(&'static Input, Given));
 }
 
-/// Values that are there or not, all of them.
+/// An optional table: all its values are given, or none.
 impl<T: Inputs> Inputs for Option<T> {
     fn blank() -> Self {
         None

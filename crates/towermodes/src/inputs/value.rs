@@ -4,11 +4,11 @@ use super::{Given, Input};
 
 /// The type of a field that is a value of the tower file.
 pub trait Value {
-    /// What the field holds where the tower file does not give the value.
+    /// The content of the field if the tower file does not give the value.
     fn blank(input: &Input) -> Self
     where
         Self: Sized;
-    /// What the field holds.
+    /// The content of the field.
     fn given(&self) -> Given;
     /// Changes the field; a value of another type changes nothing.
     fn set(&mut self, given: Given);

@@ -1,8 +1,9 @@
-//! The rule by which each mode gets one name: the family that is most in arrears.
+//! The rule that names modes: each mode gets the name of the family whose energy in the modes so
+//! far exceeds the number of its names by most.
 
 /// A mode is not named after a family with less than this fraction of its largest share. On 200
 /// random paths of towers this changes no name; on a turbine, or a tower with its mass far from its
-/// axis, a name could otherwise go to a mode that has next to none of the motion.
+/// axis, a mode could otherwise get a name of whose motion it has almost no energy.
 const LEAST: f64 = 0.25;
 
 /// Gives each mode of a list, by rising frequency, the family that is most in arrears: the one
@@ -38,11 +39,11 @@ const LEAST: f64 = 0.25;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arrears<const K: usize> {
-    /// Whether a family names one mode at most.
+    /// Whether a family has at most one mode.
     once: [bool; K],
     tie: f64,
     least: f64,
-    /// Energy in the modes so far, less the number of names, as far as it has not faded.
+    /// Energy in the modes so far minus the number of names, reduced by [`fade`](Self::fade).
     arrears: [f64; K],
     named: [usize; K],
 }

@@ -56,9 +56,10 @@ pub fn richardson(frequency_hz: f64, mut meshes_hz: Vec<f64>, powers: &[i32]) ->
     extrapolate(frequency_hz, &mut meshes_hz, powers)
 }
 
-/// The value without the errors of these powers of 1/n, of values on meshes from the finest to the
-/// coarsest, each with half the segments of the one before: one mesh more than there are powers.
-/// The values are overwritten, and the change by the last power is the second result.
+/// The extrapolated value without the errors of these powers of 1/n, from the values on several
+/// meshes, the finest first, each with half the segments of the one before; the number of meshes is
+/// one more than the number of powers. The values are overwritten. The second result is the change
+/// by the last power.
 pub(crate) fn without_powers(values: &mut [f64], powers: &[i32]) -> (f64, f64) {
     let mut last_change = 0.0;
     for (removed, &power) in powers.iter().enumerate() {
@@ -101,8 +102,8 @@ pub(crate) fn extrapolate(frequency_hz: f64, meshes_hz: &mut [f64], powers: &[i3
     };
     Estimate {
         error_hz: MARGIN * error_hz.max(fraction * spread_hz),
-        // Meshes too coarse for any power extrapolate to nonsense; where it shows, the mode's own
-        // value is the better one.
+        // If the meshes are too coarse for all powers, the extrapolation is wrong; if this is
+        // detected, the value of the mode's own mesh is used.
         extrapolated_hz: if extrapolated_hz > 0.0 {
             extrapolated_hz
         } else {

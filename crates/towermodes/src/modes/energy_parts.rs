@@ -155,7 +155,7 @@ impl KineticParts {
     }
 }
 
-/// 1/Σ, or 0 where the sum is zero but for rounding.
+/// 1/Σ, or 0 if the sum is zero except for rounding.
 fn one_over_sum<'a>(values: impl Iterator<Item = &'a f64> + Clone) -> f64 {
     let sum: f64 = values.clone().sum();
     let size: f64 = values.map(|value| value.abs()).sum();

@@ -6,7 +6,8 @@ use super::mode_name::ModeName;
 use super::shares::Shares;
 use crate::number::Rounded;
 
-/// A mode with at least this part of a unit of a family's energy holds its name.
+/// A mode with at least this fraction of a unit of the family's energy counts as holder of the
+/// name.
 const LEAST_PART: f64 = 0.25;
 
 /// The modes that hold a name: the mode that has the name, and the modes that share the motion of

@@ -1,4 +1,4 @@
-//! A floating tower as one rigid body, and what a mode has of its motions.
+//! A floating tower as one rigid body, and the fractions of a mode in its rigid-body motions.
 
 use crate::space::{SpatialMatrix, times};
 use crate::symmetric::eigenpairs;
@@ -7,7 +7,7 @@ use crate::tower::{Motion, Plane};
 /// The whole tower as one rigid body.
 pub(crate) struct RigidTower {
     inertia: SpatialMatrix,
-    /// Its inverse.
+    /// The inverse of its inertia matrix.
     flexibility: SpatialMatrix,
 }
 
@@ -21,9 +21,10 @@ impl RigidTower {
     }
 
     /// The fractions of the kinetic energy of a mode in surge, sway, heave, roll, pitch and yaw,
-    /// about the height in each plane where a push does not turn the tower. The mode has kinetic
-    /// energy 1, and its inertia forces have these products f with rigid motions about the base:
-    /// the rigid motion a nearest to it solves R a = f. Each of the six sums to 1 over all modes.
+    /// about the height in each plane at which a horizontal force causes no rotation. The mode has
+    /// kinetic energy 1, and its inertia forces have these products f with rigid motions about the
+    /// base: the rigid motion a nearest to it solves R a = f. Each of the six sums to 1 over all
+    /// modes.
     pub(crate) fn shares(&self, force: &[f64; 6]) -> [f64; 6] {
         let a = times(&self.flexibility, force);
         self.coordinates(&a).map(|x| x * x)

@@ -50,7 +50,7 @@ impl<'a> ModeCurve<'a> {
             let above = borders.partition_point(|&border| border <= height_m);
             let segment = above.clamp(1, borders.len() - 1) - 1;
             let s = (height_m - borders[segment]) / (borders[segment + 1] - borders[segment]);
-            // A zero stays one whatever the sign of the largest.
+            // A zero keeps its sign for any sign of the largest component.
             let motion = self
                 .curves
                 .motion(segment, s)

@@ -6,7 +6,7 @@ use crate::tower::Motion;
 
 /// A mode with a smaller share in the motion of its family is called coupled.
 const CLEAR: f64 = 0.6;
-/// A family with a smaller share does not scale the shape of a mode that has its name.
+/// If the share of the family that gives the name is smaller, another motion scales the shape.
 const LEAST_SCALE: f64 = 0.1;
 /// A smaller share is rounding.
 const ROUNDING: f64 = 1e-6;
@@ -38,29 +38,31 @@ const ROUNDING: f64 = 1e-6;
 pub struct Shares([f64; Family::ALL.len()]);
 
 impl Shares {
-    /// Of a mode on a foundation, by the shares of its motions.
+    /// The shares of a mode on a foundation, from the shares of its motions.
     pub(crate) fn of_motions(motions: &ByMotion) -> Self {
         let mut shares = [0.0; Family::ALL.len()];
         shares[..4].copy_from_slice(&motions.values());
         Self(shares)
     }
 
-    /// The same of a mode of which members of the substructure have a share by themselves.
+    /// The shares of a mode that includes local motion of members of the substructure with this
+    /// share.
     pub(crate) fn with_local(self, share: f64) -> Self {
         let mut shares = self.0.map(|own| (1.0 - share) * own);
         shares[Family::Substructure as usize] = share;
         Self(shares)
     }
 
-    /// Of a mode with one motion.
+    /// The shares of a mode with one motion.
     pub(crate) fn only(family: Family) -> Self {
         let mut shares = [0.0; Family::ALL.len()];
         shares[family as usize] = 1.0;
         Self(shares)
     }
 
-    /// Of a mode afloat, by the shares of its motions in the kinetic energy and the parts of these
-    /// in which the tower moves as one rigid body: surge, sway, heave, roll, pitch, yaw.
+    /// The shares of a mode of a floating tower, from the shares of its motions in the kinetic
+    /// energy, and the fractions of these in rigid-body motions: surge, sway, heave, roll, pitch,
+    /// yaw.
     pub(crate) fn afloat(kinetic: &ByMotion, rigid: &[f64; 6]) -> Self {
         let [surge, sway, heave, roll, pitch, yaw] = *rigid;
         let mut shares = Self::of_motions(&ByMotion {
@@ -124,8 +126,8 @@ impl Shares {
         own.map(|own| self.of(own)).sum::<f64>() < CLEAR
     }
 
-    /// The motion that scales the shape of a mode with the name of a family: that of the family, if
-    /// it has a tenth of the energy, or else of the largest that has one.
+    /// The motion that scales the shape of a mode: the motion of the family of its name, if this
+    /// has a tenth of the energy, otherwise the motion of the largest family that has one.
     pub(crate) fn scale(&self, family: Family) -> Motion {
         let own = family.motion().filter(|_| self.of(family) >= LEAST_SCALE);
         own.unwrap_or_else(|| {
@@ -136,7 +138,7 @@ impl Shares {
         })
     }
 
-    /// The same in the side-side plane, if the motion is in the fore-aft plane.
+    /// As above in the side-side plane, if the motion is in the fore-aft plane.
     pub(crate) fn turned_to_side_side(&self) -> Self {
         let mut turned = *self;
         for family in [Family::ForeAft, Family::Surge, Family::Pitch] {
@@ -150,7 +152,7 @@ impl Shares {
 #[cfg(feature = "serde")]
 impl serde::Serialize for Shares {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        // Only a tower on a substructure has modes of it.
+        // Only a tower on a substructure has local modes.
         let all = Family::ALL.into_iter().zip(&self.0);
         serializer
             .collect_map(all.filter(|(f, share)| *f != Family::Substructure || **share != 0.0))

@@ -1,4 +1,4 @@
-//! The forces on the free parts and the platform, and the stiffness of all of them together.
+//! The forces on the free parts and the platform, and their stiffness matrix.
 
 use super::carrier::{Owner, Reached};
 use super::elimination::Elimination;
@@ -8,8 +8,7 @@ use super::pose::Placement;
 use super::system::Mooring;
 use super::vector::{Matrix3, Vector, cross, difference, dot, length, product, skew};
 
-/// The lines at one place of everything. The unknowns are the motions of the free parts, then the
-/// six of the platform: displacement (m) and rotation vector (rad) of the origin in fixed axes.
+/// The lines at given positions of platform and free parts.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Assembly {
     /// The lines.
@@ -18,16 +17,17 @@ pub(super) struct Assembly {
     pub(super) force: Vec<f64>,
     /// The stiffness matrix.
     pub(super) stiffness: Elimination,
-    /// For each unknown of the free parts the largest stiffness of its kind.
+    /// For each unknown of the free parts, the largest stiffness of its kind.
     pub(super) scales: Vec<f64>,
     ends: Vec<[Reached; 2]>,
 }
 
-/// The unknowns of an owner: the first one, and how many there are.
+/// The unknowns of an owner: index of the first, and their number.
 type Unknowns = Option<(usize, usize)>;
 
 impl Assembly {
-    /// Hangs the lines and sums their forces, the weights and the buoyancies.
+    /// Computes the lines at these positions, and sums their forces, the weights and the
+    /// buoyancies.
     pub(super) fn hang(
         &mut self,
         mooring: &Mooring,
@@ -65,7 +65,7 @@ impl Assembly {
         Ok(())
     }
 
-    /// Makes the stiffness at the place where the lines were hung last.
+    /// Computes the stiffness at the positions of the last computation of the lines.
     pub(super) fn stiffen(&mut self, mooring: &Mooring, platform: &Placement, free: &[Placement]) {
         let size = mooring.unknowns + 6;
         (self.stiffness.size, self.stiffness.eliminated) = (size, mooring.unknowns);
@@ -97,7 +97,7 @@ impl Assembly {
         self.measure(mooring);
     }
 
-    /// Adds a force at an arm of an owner, and its moment.
+    /// Adds a force at a point of an owner, and its moment.
     fn push(&mut self, owner: Unknowns, arm_m: Vector, force_n: Vector) {
         let Some((first, count)) = owner else {
             return;
@@ -109,8 +109,7 @@ impl Assembly {
         }
     }
 
-    /// Adds the stiffness of a force of constant direction on a body that turns,
-    /// (F·r) 1 − ½ (r Fᵀ + F rᵀ): the Hessian of −F·R(θ)r.
+    /// Adds the stiffness of a force of constant direction on a rotating body,
     fn turn(&mut self, owner: Unknowns, r: Vector, f: Vector) {
         if let Some((first, 6)) = owner {
             let along = dot(f, r);

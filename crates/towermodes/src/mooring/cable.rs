@@ -1,6 +1,6 @@
-//! An elastic line in its vertical plane: what it is made of, and how it lies.
+//! An elastic line in its vertical plane: its properties and its shape.
 
-/// A line that is not lighter than water.
+/// Properties of a line that is not lighter than water.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Cable {
     /// Weight in water w, N/m; zero or positive.
@@ -13,25 +13,25 @@ pub(super) struct Cable {
     pub(super) seabed_friction: f64,
 }
 
-/// A line between its lower and its upper end.
+/// The shape and the tensions of a line between its lower and its upper end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Profile {
     /// Horizontal tension at the upper end H, N.
     pub(super) horizontal_n: f64,
     /// Horizontal tension at the lower end, N; smaller by the friction on the seabed.
     pub(super) lower_horizontal_n: f64,
-    /// By how much the line pulls the lower end down, N; negative where it pulls upwards.
+    /// Downward force of the line on the lower end, N; negative if it pulls upwards.
     pub(super) lower_n: f64,
-    /// By how much the line pulls the upper end down V, N.
+    /// Downward force V of the line on the upper end, N.
     pub(super) upper_n: f64,
-    /// How far the lowest point of the line is below its lower end, m.
+    /// Height of the lower end above the lowest point of the line, m.
     pub(super) sag_m: f64,
     /// Length on the seabed L_B, m.
     pub(super) on_seabed_m: f64,
     /// Whether it has no horizontal tension, because it lies loosely on the seabed, or no tension
     /// at all.
     pub(super) is_slack: bool,
-    /// H/x, N/m: the stiffness across the plane.
+    /// H/x, N/m: the stiffness normal to the plane.
     pub(super) transverse_n_per_m: f64,
     /// The derivatives of (H, lower, upper pull) by (span, height of the lower, of the upper end)
     /// without friction, N/m; symmetric.

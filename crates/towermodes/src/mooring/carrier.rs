@@ -1,16 +1,16 @@
-//! What a point rides on, and where it is there.
+//! The owner of a point: ground, platform or a free part, and the position of the point on it.
 
 use super::pose::Placement;
 use super::vector::{Vector, sum};
 
-/// What moves a point.
+/// The object that moves a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Owner {
     /// Nothing.
     Ground,
     /// The platform.
     Platform,
-    /// A free point, body or rod, by its place in the list of all.
+    /// A free point, body or rod, by its index in the list of all.
     Free(usize),
 }
 
@@ -23,7 +23,7 @@ pub(super) struct Arm {
     pub(super) arm_m: Vector,
 }
 
-/// A point of an owner at a moment.
+/// A point of an owner at a given position of the owner.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reached {
     /// Position, m.
@@ -33,7 +33,7 @@ pub(super) struct Reached {
 }
 
 impl Arm {
-    /// Where it is.
+    /// The position of the point.
     pub(super) fn reached(&self, platform: &Placement, free: &[Placement]) -> Reached {
         let placement = match self.owner {
             Owner::Ground => {

@@ -3,13 +3,13 @@
 use super::description::{Attachment, Carrier, MooringDescription};
 use super::error::{MooringError, MooringItem};
 
-/// No quantity of a mooring system is larger, in SI units: products of a few stay far from the
-/// limits of a double.
+/// Largest magnitude of a quantity of a mooring system, in SI units: products of several quantities
+/// stay far from the limits of double precision.
 const MOST: f64 = 1e20;
 /// Heights below the seabed by more than this fraction of the depth are under it.
 const ROUNDED: f64 = 1e-9;
 
-/// Fails with the first mistake.
+/// Returns the first error.
 pub(super) fn check(mooring: &MooringDescription) -> Result<(), MooringError> {
     check_site(mooring)?;
     check_line_types(mooring)?;
@@ -175,7 +175,7 @@ fn exists(
     }
 }
 
-/// The values of a part.
+/// The part to which the values belong.
 struct Values(MooringItem);
 
 impl Values {

@@ -1,4 +1,4 @@
-//! The places of a line in its vertical plane.
+//! Points of a line in its vertical plane.
 //!
 //! At a distance s along the line from an end that it pulls down by V₀, V = V₀ − ws and
 //! T² = H² + V²; the point is (H/w)(asinh V₀/H − asinh V/H) + Hs/EA beside the end and
@@ -6,12 +6,12 @@
 
 use super::cable::{Cable, Profile};
 
-/// Distance beside and above the lower end, m.
+/// Horizontal and vertical distance from the lower end, m.
 type Place = (f64, f64);
 
 impl Cable {
-    /// At least `count` places of a line with this profile, whose upper end is `span_m` beside and
-    /// `rise_m` above the lower one; from the lower end to the upper one.
+    /// At least `count` points of a line with this profile, whose upper end is `span_m` beside and
+    /// `rise_m` above the lower one; from the lower to the upper end.
     pub(super) fn curve(
         &self,
         profile: &Profile,
@@ -38,8 +38,8 @@ impl Cable {
         places
     }
 
-    /// Places along a part from an end that is pulled down by a force (N), so many metres long: how
-    /// far beside and below that end they are. Without the end itself.
+    /// Points along a part of a line, from an end with this downward force (N) over a length (m):
+    /// their distance beside and below this end. Without the end.
     fn hanging_part(
         &self,
         profile: &Profile,

@@ -34,7 +34,7 @@ impl MooringDescription {
     pub const GRAVITY_M_PER_S2: f64 = 9.80665;
 }
 
-/// In sea water, without lines and without depth.
+/// Default: in sea water, without lines and without depth.
 impl Default for MooringDescription {
     fn default() -> Self {
         Self {

@@ -5,7 +5,7 @@ use super::state::{LineState, MooringState};
 use super::system::Mooring;
 use super::warning::MooringWarning;
 
-/// Anchors higher than this fraction of the depth are above the seabed.
+/// An anchor above the seabed by more than this fraction of the depth is not on the seabed.
 const ROUNDED: f64 = 1e-6;
 /// Lines that are stretched by more are too short or too soft: chains and steel ropes at rest are
 /// stretched by 0.1 %, ropes of polyester by 1 %.
@@ -63,7 +63,7 @@ fn largest_tension_n(mooring: &MooringDescription, line_type: usize, state: &Moo
     tensions_n.fold(0.0, f64::max)
 }
 
-/// A type of lines that is stretched more than any material allows.
+/// A type of lines with a larger strain than any material allows.
 fn soft(
     mooring: &MooringDescription,
     line_type: usize,
@@ -93,8 +93,8 @@ fn stiff(mooring: &MooringDescription, line_type: usize) -> Option<MooringWarnin
     })
 }
 
-/// Types of lines that are lighter than the water that they displace, if all are: where others are
-/// heavier they hold these up.
+/// Types of lines that are lighter than the displaced water, if all types are: otherwise heavier
+/// lines may hold them.
 fn floating(mooring: &MooringDescription) -> Vec<MooringWarning> {
     let density_kg_per_m3 = mooring.water_density_kg_per_m3;
     let types = || mooring.line_types.iter();
@@ -132,7 +132,7 @@ fn anchors(mooring: &MooringDescription) -> Vec<MooringWarning> {
     found.collect()
 }
 
-/// Points that no line ends at, and that neither weigh nor float.
+/// Points without lines, weight and buoyancy.
 fn without_line(mooring: &MooringDescription) -> impl Iterator<Item = MooringWarning> {
     let is_end = |point: usize| {
         let mut lines = mooring.lines.iter();
@@ -161,7 +161,7 @@ fn stretch(
     })
 }
 
-/// A line between others than the platform that has no horizontal tension.
+/// A line that does not end at the platform and has no horizontal tension.
 fn slack(
     mooring: &MooringDescription,
     line: usize,

@@ -1,9 +1,9 @@
 //! Elimination of the free unknowns from a small dense symmetric matrix.
 
-/// A pivot below this fraction of its scale is that of a motion without stiffness.
+/// A pivot below this fraction of its scale belongs to a motion without stiffness.
 const NO_STIFFNESS: f64 = 1e-11;
 
-/// A symmetric matrix by rows, of which the lower triangle counts, and its first unknowns that are
+/// A symmetric matrix by rows, of which the lower triangle is used; its first unknowns are
 /// eliminated.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Elimination {
@@ -12,7 +12,7 @@ pub(super) struct Elimination {
     pub(super) matrix: Vec<f64>,
     /// Rows.
     pub(super) size: usize,
-    /// How many are eliminated.
+    /// Number of eliminated unknowns.
     pub(super) eliminated: usize,
 }
 

@@ -12,14 +12,15 @@ const MAX_STEPS: usize = 300;
 const LONGEST_M: f64 = 10.0;
 /// The largest rotation of one step, rad.
 const LARGEST_RAD: f64 = 0.2;
-/// A step that turns by more follows a motion without stiffness, as a rod's about its axis, rad.
+/// A step with a larger rotation follows a motion without stiffness, such as the rotation of a rod
+/// about its axis, rad.
 const WILD_RAD: f64 = 2.0;
-/// Steps smaller than this fraction of the depth, or this angle (rad), end the search; the last
-/// one leaves its square.
+/// The search ends with a step smaller than this fraction of the depth, or than this angle (rad);
+/// the remaining error is of the order of its square.
 const CLOSE: f64 = 1e-10;
-/// A force that is left below this fraction of the largest tension is a rounding error.
+/// A remaining force below this fraction of the largest tension is a rounding error.
 const ROUNDING: f64 = 1e-8;
-/// Halvings of a step that goes too far.
+/// Maximum number of halvings of a step.
 const HALVINGS: usize = 12;
 /// Fractions of its scale that are added to each stiffness until all pivots are positive. None is
 /// 1, with which a negative stiffness would become zero.
@@ -36,7 +37,7 @@ pub(super) struct Search {
 }
 
 impl Search {
-    /// Brings the free parts into equilibrium, and eliminates them from the stiffness.
+    /// Moves the free parts to their equilibrium, and eliminates them from the stiffness.
     ///
     /// The search begins where the description begins, so that the result does not depend on
     /// results before it.
@@ -56,7 +57,7 @@ impl Search {
         Err(self.failure(mooring))
     }
 
-    /// Makes one step; whether it was the last one.
+    /// Makes one step; returns whether it was the last one.
     fn advance(&mut self, mooring: &Mooring, platform: &Placement) -> Result<bool, MooringError> {
         if mooring.free.is_empty() {
             return Ok(true);
@@ -70,7 +71,8 @@ impl Search {
         for _ in 0..HALVINGS {
             self.step_by(mooring, factor);
             self.assembly.hang(mooring, platform, &self.free)?;
-            // The work along the step falls to zero at the best place and is negative beyond it.
+            // The work along the step decreases to zero at the best step length and is negative
+            // beyond it.
             if self.work() >= -0.5 * work {
                 break;
             }
@@ -85,8 +87,8 @@ impl Search {
         Ok(is_close)
     }
 
-    /// Finds the step of Newton's method with the smallest shift that makes the stiffness positive
-    /// and the rotations moderate; returns the shift.
+    /// Computes the step of Newton's method with the smallest shift for which the stiffness is
+    /// positive and the rotations are moderate; returns the shift.
     fn direct(&mut self, mooring: &Mooring, platform: &Placement) -> Result<f64, MooringError> {
         let mut failed = None;
         for shift in SHIFTS {
@@ -168,7 +170,7 @@ impl Search {
         }
     }
 
-    /// Why the search has not ended: a part under the seabed, or a force that is left.
+    /// The reason if the search has not ended: a part under the seabed, or a remaining force.
     fn failure(&self, mooring: &Mooring) -> MooringError {
         let depth_m = mooring.description.depth_m;
         for (part, place) in mooring.free.iter().zip(&self.free) {
@@ -185,7 +187,7 @@ impl Search {
         }
     }
 
-    /// The free part with the largest force that is left, and the force, N.
+    /// The free part with the largest remaining force, and this force, N.
     fn residual(&self, mooring: &Mooring) -> (MooringItem, f64) {
         let left = mooring.free.iter().map(|part| {
             let force_n = length(part.motion(&self.assembly.force).0);
@@ -203,7 +205,7 @@ impl Search {
 }
 
 impl FreePart {
-    /// Its part of the unknowns: displacement and rotation.
+    /// The displacement and rotation of the part in a vector of all unknowns.
     fn motion(&self, all: &[f64]) -> (Vector, Vector) {
         let of = |first: usize| [all[first], all[first + 1], all[first + 2]];
         let rotation = if self.turns {

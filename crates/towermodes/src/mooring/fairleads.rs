@@ -47,7 +47,7 @@ impl MooringDescription {
         Ok(found)
     }
 
-    /// A line by itself, about its fairlead.
+    /// A single line, about its fairlead.
     fn alone(&self, line: &MooringLine) -> Option<Self> {
         let points = line.points.map(|point| self.points[point]);
         let position_m = match points.each_ref().map(|point| point.attachment) {

@@ -35,7 +35,7 @@ impl Riser {
         let tension_n = horizontal_n + rise_n;
         let vertical_n = (rise_n * (rise_n + 2.0 * horizontal_n)).sqrt();
         let soft = 1.0 + tension_n / stiffness_n;
-        // An end on the seabed rests on it.
+        // An end on the seabed is supported by the seabed.
         let (by_horizontal, by_height_n_per_m) = if vertical_n > 0.0 {
             (
                 rise_n / (vertical_n * soft),
@@ -62,7 +62,8 @@ impl Riser {
     }
 }
 
-/// The line between ends at these heights above the seabed; none where no number is its tension.
+/// The line between ends at these heights above the seabed; none if there is no tension in double
+/// precision.
 pub(super) fn grounded(cable: &Cable, span_m: f64, heights_m: [f64; 2]) -> Option<Profile> {
     let (w, length_m) = (cable.weight_n_per_m, cable.length_m);
     let risers = |horizontal_n| heights_m.map(|a| Riser::new(cable, a, horizontal_n));
@@ -88,7 +89,7 @@ pub(super) fn grounded(cable: &Cable, span_m: f64, heights_m: [f64; 2]) -> Optio
     let start_n = w * length_m;
     let horizontal_n = increasing_root(start_n, |horizontal_n| {
         let (reach_m, _, slope) = reach(horizontal_n);
-        // Rounding hides the shortest reach.
+        // Because of rounding the shortest span cannot be computed exactly.
         if reach_m <= 0.0 {
             return (f64::NEG_INFINITY, slope);
         }
@@ -121,7 +122,7 @@ fn friction(
     if friction_n_per_m == 0.0 || lower_m > 0.0 {
         return (0.0, 0.0);
     }
-    // The part next to the anchor that has no tension.
+    // The part of the line next to the anchor without tension.
     let idle_m = (on_seabed_m - horizontal_n / friction_n_per_m).max(0.0);
     let stiffness_n = cable.axial_stiffness_n;
     let squares_m2 = on_seabed_m * on_seabed_m - idle_m * idle_m;

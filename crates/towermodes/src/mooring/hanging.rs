@@ -1,4 +1,4 @@
-//! An elastic line between two points that touches nothing.
+//! An elastic line between two points without contact with the seabed.
 //!
 //! With tensions T and T_A at the upper and lower end, s = T + T_A, weight W = wL, axial stiffness
 //! EA and relative rise ζ = z/L, the elastic catenary (Irvine 1981, ch. 2) is one equation for s:
@@ -13,10 +13,11 @@
 use super::cable::{Cable, Profile};
 use super::root::increasing_root;
 
-/// Spans below this fraction of the length are none: their tensions are below the smallest number.
+/// Spans below this fraction of the length are treated as zero: their tensions are below the
+/// smallest number.
 const NO_SPAN: f64 = 1e-100;
 
-/// The line at one s.
+/// The line for one value of s.
 struct Shape {
     /// s, N.
     tensions_n: f64,
@@ -40,7 +41,7 @@ struct Equation {
     length_m: f64,
     rise: f64,
     twice_stiffness_n: f64,
-    /// The smallest s, N: that of a span of zero.
+    /// The smallest s, N: the value for a span of zero.
     least_n: f64,
 }
 
@@ -57,7 +58,7 @@ impl Equation {
         }
     }
 
-    /// The line whose s is larger than the least by this.
+    /// The line with this difference between s and its smallest value.
     fn shape(&self, above_n: f64) -> Shape {
         let (weight_n, stiffness_n) = (self.weight_n, self.twice_stiffness_n);
         let tensions_n = self.least_n + above_n;
@@ -91,8 +92,8 @@ impl Equation {
         }
     }
 
-    /// A first s above the least: that of the inextensible catenary, where sinh λ/λ is known and
-    /// s = W coth λ, or of the straight line.
+    /// A starting value of s minus its smallest value: from the inextensible catenary, where sinh
+    /// λ/λ is known and s = W coth λ, or from the straight line.
     fn start_n(&self, span_m: f64) -> f64 {
         let (span, rise) = (span_m / self.length_m, self.rise);
         let ratio = (1.0 - rise * rise).sqrt() / span;
@@ -108,7 +109,7 @@ impl Equation {
     }
 }
 
-/// The line of this span and rise; none where no number is its tension.
+/// The line of this span and rise; none if there is no tension in double precision.
 pub(super) fn hanging(cable: &Cable, span_m: f64, rise_m: f64) -> Option<Profile> {
     let equation = Equation::new(cable, rise_m);
     let is_loose = span_m.hypot(rise_m) <= cable.length_m;
@@ -162,7 +163,7 @@ fn profile(cable: &Cable, equation: &Equation, shape: &Shape) -> Profile {
     }
 }
 
-/// How far a line with these tensions at its lower end goes down from there, m.
+/// Depth of the lowest point of a line with these tensions at its lower end below this end, m.
 fn sag_m(cable: &Cable, horizontal_n: f64, lower_n: f64) -> f64 {
     if lower_n <= 0.0 {
         return 0.0;

@@ -6,7 +6,7 @@ use super::cable::{Cable, Profile};
 use super::description::{LineType, MooringDescription, MooringLine};
 use super::vector::{Matrix3, Vector, difference};
 
-/// Heights above the seabed below this fraction of the depth are on the seabed.
+/// Heights above the seabed below this fraction of the depth are treated as on the seabed.
 const ON_SEABED: f64 = 1e-9;
 
 /// A line with its weight in water.
@@ -18,7 +18,7 @@ pub(super) struct Rope {
     depth_m: f64,
 }
 
-/// A line between two points.
+/// The forces and the stiffness of a line between two points.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Hung {
     /// The force of the line on each end, N.
@@ -45,7 +45,7 @@ impl Rope {
         }
     }
 
-    /// The line between two positions; none where no number is its tension.
+    /// The line between two positions; none if there is no tension in double precision.
     pub(super) fn between(&self, ends_m: [Vector; 2]) -> Option<Hung> {
         let [z_0, z_1] = ends_m.map(|end| self.up * end[2]);
         let (lower, upper) = if z_0 <= z_1 { (0, 1) } else { (1, 0) };
@@ -66,7 +66,8 @@ impl Rope {
             stiffness: [[[[0.0; 3]; 3]; 2]; 2],
             profile,
         };
-        // The ends in the order of the profile: which end of the line, and how the span grows.
+        // The ends in the order of the profile: the index of the end of the line, and the sign of
+        // the span.
         let ends = [(lower, -1.0), (upper, 1.0)];
         let pulls = [
             (profile.lower_horizontal_n, profile.lower_n),
@@ -142,13 +143,14 @@ impl Rope {
         })
     }
 
-    /// The lowest height of the line, m, or the greatest one of a line lighter than water.
+    /// The lowest height of the line, m; for a line lighter than water the highest.
     pub(super) fn extreme_z_m(&self, ends_m: [Vector; 2], sag_m: f64) -> f64 {
         let lower = ends_m.map(|end| self.up * end[2]);
         self.up * (lower[0].min(lower[1]) - sag_m)
     }
 
-    /// Height of an end above the seabed, m, which a line lighter than water does not reach.
+    /// Height of an end above the seabed, m; infinite for a line lighter than water, which does not
+    /// reach the seabed.
     fn clearance_m(&self, z_m: f64) -> f64 {
         let height_m = z_m + self.depth_m;
         match self.up < 0.0 {

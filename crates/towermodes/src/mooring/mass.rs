@@ -74,7 +74,7 @@ fn about_center(r: Vector) -> Matrix3 {
     })
 }
 
-/// Adds the mass matrix of a body with its centre at an arm, if that is on the platform.
+/// Adds the mass matrix of a body at a point, if the point is on the platform.
 fn add_body(sum: &mut SpatialMatrix, arm: Arm, mass_kg: f64, inertia: Matrix3) {
     if arm.owner != Owner::Platform {
         return;

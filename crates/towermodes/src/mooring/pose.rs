@@ -46,7 +46,7 @@ impl Pose {
     }
 }
 
-/// The origin and the axes of what points ride on.
+/// The origin and the axes of an object to which points belong.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Placement {
     /// Position of the origin, m.
@@ -56,7 +56,7 @@ pub(super) struct Placement {
 }
 
 impl Placement {
-    /// At this origin, with the axes of the reference pose.
+    /// The placement at this origin, with the axes of the reference pose.
     pub(super) fn at(origin_m: Vector) -> Self {
         Self {
             origin_m,
@@ -64,7 +64,7 @@ impl Placement {
         }
     }
 
-    /// After a displacement and a rotation about its origin, in fixed axes.
+    /// The placement after a displacement and a rotation about its origin, in fixed axes.
     pub(super) fn moved(&self, displacement_m: Vector, rotation_rad: Vector) -> Self {
         Self {
             origin_m: sum(self.origin_m, displacement_m),
@@ -72,7 +72,7 @@ impl Placement {
         }
     }
 
-    /// An arm in its axes, in fixed axes.
+    /// A vector in its axes, transformed to fixed axes.
     pub(super) fn turned(&self, arm_m: Vector) -> Vector {
         times(&self.rotation, arm_m)
     }

@@ -34,7 +34,7 @@ pub(super) fn increasing_root(start: f64, function: impl Fn(f64) -> (f64, f64)) 
         let next = at + change.clamp(-LONGEST_STEP, LONGEST_STEP);
         let is_inside = next > low && next < high && step < NEWTON_STEPS;
         u = match is_inside {
-            // For the last digits: the logarithm has fewer.
+            // For the last digits u itself is used: its logarithm has fewer digits.
             true if change.abs() < 1e-3 => u * (1.0 + change + 0.5 * change * change),
             true => next.exp(),
             false => (0.5 * (low + high)).exp(),

@@ -2,7 +2,7 @@
 
 use super::description::{Attachment, MooringDescription};
 
-/// Heights that differ by less than this fraction of the depth are one.
+/// Heights that differ by less than this fraction of the depth are treated as equal.
 const ROUNDED: f64 = 1e-6;
 
 impl MooringDescription {

@@ -11,7 +11,7 @@ use super::system::{Mooring, Seat};
 use super::vector::{difference, length, product, rotation_vector, sum, transposed};
 use crate::space::SpatialMatrix;
 
-/// The stretch at which no rope is whole: nylon breaks at about 0.4.
+/// Largest strain of a rope: nylon breaks at about 0.4.
 const MOST_STRETCH: f64 = 0.5;
 
 /// What a mooring system does to the platform at a pose.
@@ -174,7 +174,7 @@ impl Mooring {
         Ok(())
     }
 
-    /// Points that move are above the seabed.
+    /// Checks that points that move are above the seabed.
     fn check_depths(&self, platform: &Placement, free: &[Placement]) -> Result<(), MooringError> {
         let depth_m = self.description.depth_m;
         for (index, arm) in self.points.iter().enumerate() {

@@ -39,7 +39,7 @@ use super::vector::{Vector, difference, length, rotation_of_angles, sum};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mooring {
-    /// With the depth of the seabed under the lines.
+    /// The description with the depth of the seabed under the lines.
     pub(super) description: MooringDescription,
     /// The depth as it was given, m.
     pub(super) given_depth_m: f64,
@@ -50,23 +50,23 @@ pub struct Mooring {
     pub(super) rods: Vec<Seat>,
     pub(super) loads: Vec<Load>,
     pub(super) free: Vec<FreePart>,
-    /// How many unknowns the free parts have.
+    /// Number of unknowns of the free parts.
     pub(super) unknowns: usize,
 }
 
-/// What lines alone hold.
+/// A part that is held only by lines.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct FreePart {
     pub(super) item: MooringItem,
-    /// Where the search for its equilibrium begins.
+    /// Starting position of the search for its equilibrium.
     pub(super) start: Placement,
-    /// Its first unknown.
+    /// Index of its first unknown.
     pub(super) first: usize,
-    /// Whether it can turn: it then has six unknowns, else three.
+    /// Whether it can rotate: it then has six unknowns, otherwise three.
     pub(super) turns: bool,
 }
 
-/// Weight and buoyancy that act at a point.
+/// Weight and buoyancy at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Load {
     pub(super) arm: Arm,
@@ -74,18 +74,18 @@ pub(super) struct Load {
     pub(super) up_n: f64,
 }
 
-/// The axes of a point, body or rod, on its owner.
+/// The position of a point, body or rod on its owner.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Seat {
     pub(super) owner: Owner,
-    /// Its place at the reference pose.
+    /// Its position at the reference pose.
     pub(super) start: Placement,
     /// The origin of the platform, m.
     reference_m: Vector,
 }
 
 impl Seat {
-    /// A point of it, given in its axes.
+    /// A point of it, given in its axes, on its owner.
     pub(super) fn arm(&self, local_m: Vector) -> Arm {
         let reached_m = || sum(self.start.origin_m, self.start.turned(local_m));
         let arm_m = match self.owner {

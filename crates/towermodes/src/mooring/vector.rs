@@ -7,7 +7,7 @@ pub(super) type Vector = [f64; 3];
 /// A 3×3 matrix by rows.
 pub(super) type Matrix3 = [[f64; 3]; 3];
 
-/// The matrix that turns nothing.
+/// The identity matrix: no rotation.
 pub(super) const IDENTITY: Matrix3 = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 pub(super) fn sum(a: Vector, b: Vector) -> Vector {
@@ -66,7 +66,7 @@ pub(super) fn rotation(vector_rad: Vector) -> Matrix3 {
     from_fn(|i| from_fn(|j| IDENTITY[i][j] + a * skew[i][j] + b * square[i][j]))
 }
 
-/// The rotation vector of a rotation matrix, of at most half a turn.
+/// The rotation vector of a rotation matrix, of at most 180 degrees.
 pub(super) fn rotation_vector(matrix: &Matrix3) -> Vector {
     let axis: Vector = [
         matrix[2][1] - matrix[1][2],
@@ -84,7 +84,8 @@ pub(super) fn rotation_vector(matrix: &Matrix3) -> Vector {
         };
         return axis.map(|a| factor * a);
     }
-    // Half a turn about n: R = 2 n nᵀ − 1. The column of the largest entry is the most accurate.
+    // A rotation of 180 degrees about n: R = 2 n nᵀ − 1. The column of the largest entry is the
+    // most accurate.
     let largest = (0..3).fold(0, |k, i| if matrix[i][i] > matrix[k][k] { i } else { k });
     let column: Vector = from_fn(|i| matrix[i][largest] + IDENTITY[i][largest]);
     let norm = length(column);

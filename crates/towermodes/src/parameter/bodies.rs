@@ -1,4 +1,4 @@
-//! The numbers of the bodies on the tower, and of the rotor.
+//! The input values of the bodies on the tower, and of the rotor.
 
 use super::part::{Part, fields};
 use super::table::Table;

@@ -131,7 +131,7 @@ fn operation(written: &str) -> Result<(Operation, &str), ParameterError> {
         name: written.to_owned(),
     };
     let Some((word, rest)) = written.split_once('(') else {
-        // A list is not set by accident: it needs the word.
+        // A list is set only with an explicit operation, to avoid accidents.
         return match written.contains([',', ')']) {
             true => Err(wrong()),
             false => Ok((Operation::Set, written)),
@@ -150,8 +150,8 @@ fn operation(written: &str) -> Result<(Operation, &str), ParameterError> {
     }
 }
 
-/// Refuses a change that sets a number which an earlier one has changed, and one that names a
-/// number twice.
+/// Refuses a change that sets an input value which an earlier change has changed, and a change that
+/// names an input value twice.
 fn check(changes: &[Change]) -> Result<(), ParameterError> {
     let mut changed: HashMap<Parameter, usize> = HashMap::new();
     for (place, change) in changes.iter().enumerate() {

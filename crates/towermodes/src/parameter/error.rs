@@ -114,7 +114,7 @@ pub enum ParameterError {
     },
 }
 
-/// The tables of the tower file whose numbers have no names, and what else can be done.
+/// The tables of the tower file whose input values have no names, and alternatives.
 const FIXED: [(&str, &str); 3] = [
     (
         "turbine",
@@ -134,8 +134,8 @@ fn range(count: usize) -> String {
 }
 
 impl ParameterError {
-    /// A number of a part that this tower does not have; `plain` is the name without its optional
-    /// parts.
+    /// An input value of a part that this tower does not have; `plain` is the name without its
+    /// optional parts.
     pub(super) fn absent(
         written: &str,
         plain: &str,
@@ -160,7 +160,7 @@ impl ParameterError {
         }
     }
 
-    /// A name that no number has; `plain` is the name without its optional parts.
+    /// A name that no input value has; `plain` is the name without its optional parts.
     pub(super) fn unknown(written: &str, plain: &str, description: &TowerDescription) -> Self {
         let name = written.trim().to_owned();
         let mut fixed = FIXED.into_iter();
@@ -178,7 +178,7 @@ impl ParameterError {
     }
 }
 
-/// The name that was probably meant; else the numbers of the part, or the parts.
+/// The name that was probably meant; otherwise the input values of the part, or the parts.
 fn hint(name: &str, description: &TowerDescription) -> String {
     let (pattern, indices) = without_indices(name);
     let is_there = |part: &Holder| part.count(description) > 0;
@@ -200,15 +200,15 @@ fn hint(name: &str, description: &TowerDescription) -> String {
     format!("names begin with {}", names.join(", "))
 }
 
-/// Whether a name is that of a part or of something in it.
+/// Whether a name denotes a part or one of its values.
 fn starts_with(name: &str, part: &str) -> bool {
     name.strip_prefix(part)
         .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }
 
-/// The pattern that is spelled most like a name, if it is near.
+/// The pattern with the most similar spelling, if it is similar enough.
 fn nearest(name: &str, parts: &[Holder]) -> Option<String> {
-    /// No pattern is half as long.
+    /// Longest text that is compared: no pattern is half as long.
     const LONGEST: usize = 100;
     if name.len() > LONGEST {
         return None;

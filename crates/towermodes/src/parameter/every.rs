@@ -51,7 +51,7 @@ impl Change {
         changes
     }
 
-    /// Sets a number, or adds to several.
+    /// Sets one input value, or adds to several.
     fn of(parameters: Vec<Parameter>) -> Self {
         let names: Vec<String> = parameters.iter().map(ToString::to_string).collect();
         let (name, operation) = match &names[..] {

@@ -1,4 +1,4 @@
-//! The numbers of the foundation.
+//! The input values of the foundation.
 
 use super::part::{Indices, Key, Part, fields};
 use super::table::Table;
@@ -160,13 +160,13 @@ macro_rules! matrix {
 matrix! {
     /// `matrix` of `[foundation]` of type `stiffness`.
     STIFFNESS_MATRIX = "matrix" "N/m, N, N m" "stiffness: x, y, z, rotation about x, y, z" of "foundation of type \"stiffness\"", stiffness stiffness_mut, stiffness;
-    /// Its `mass`.
+    /// `mass` of `[foundation]` of type `stiffness`.
     STIFFNESS_MASS = "mass" "kg, kg m, kg m2" "mass at the base" of "foundation of type \"stiffness\"", stiffness stiffness_mut, inertia;
     /// `added_mass` of a floating platform.
     FLOATING_ADDED_MASS = "added_mass" "kg, kg m, kg m2" "added mass" of "floating platform", floating floating_mut, added_mass.matrix;
-    /// Its `hydrostatic`.
+    /// `hydrostatic` of a floating platform.
     FLOATING_HYDROSTATIC = "hydrostatic" "N/m, N, N m" "hydrostatic stiffness" of "floating platform", floating floating_mut, hydrostatic.matrix;
-    /// Its `mooring`.
+    /// `mooring` of a floating platform.
     FLOATING_MOORING = "mooring" "N/m, N, N m" "stiffness of the moorings" of "floating platform", floating floating_mut, mooring.matrix;
 }
 
@@ -180,7 +180,7 @@ fn set_entries(matrix: &mut SpatialMatrix, [row, column]: Indices, value: f64) -
     Some(())
 }
 
-/// Whether an entry is listed: of the upper triangle, and not a zero beside the diagonal.
+/// Whether an entry is listed: entries of the upper triangle, without zeros outside the diagonal.
 fn is_entry(matrix: &SpatialMatrix, indices: Indices) -> bool {
     let [row, column] = indices;
     row == column || (row < column && entry(matrix, indices) != Some(0.0))

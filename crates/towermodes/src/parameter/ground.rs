@@ -1,4 +1,4 @@
-//! The numbers of soil in layers.
+//! The input values of soil in layers.
 
 use super::part::{Part, fields};
 use super::table::Table;

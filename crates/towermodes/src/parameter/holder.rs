@@ -1,21 +1,21 @@
-//! What has numbers: a part that lists them, or a table that describes them.
+//! A group of input values: a part that lists them, or a table that describes them.
 
 use super::number::Number;
 use super::part::{Indices, Part};
 use super::table::{Table, TableNumber};
 use crate::tower::TowerDescription;
 
-/// What has numbers.
+/// A group of input values.
 #[derive(Clone, Copy)]
 pub(super) enum Holder {
-    /// A part that lists its numbers.
+    /// A part that lists its input values.
     Part(&'static Part),
-    /// A table of the tower file whose fields describe them, and the numbers.
+    /// A table of the tower file whose fields describe its input values, and these values.
     Table(&'static Table, &'static [TableNumber]),
 }
 
 impl Holder {
-    /// A table with its numbers, which are listed once, for as long as the program runs.
+    /// A table with its input values, which are listed once, for as long as the program runs.
     pub(super) fn table(table: &'static Table) -> Self {
         Self::Table(table, table.numbers().leak())
     }
@@ -33,7 +33,7 @@ impl Holder {
         matches!(self, Self::Part(part) if std::ptr::eq(part, other))
     }
 
-    /// What it is in messages.
+    /// Its name in messages.
     pub(super) fn noun(self) -> &'static str {
         match self {
             Self::Part(part) => part.noun,
@@ -41,7 +41,7 @@ impl Holder {
         }
     }
 
-    /// How many there are.
+    /// Number of such groups in the description.
     pub(super) fn count(self, description: &TowerDescription) -> usize {
         match self {
             Self::Part(part) => (part.count)(description),
@@ -49,7 +49,7 @@ impl Holder {
         }
     }
 
-    /// How many rows one of them has; 1 without rows.
+    /// Number of rows of one group; 1 without rows.
     pub(super) fn rows(self, description: &TowerDescription, index: usize) -> usize {
         match self {
             Self::Part(part) => (part.rows)(description, index),
@@ -70,7 +70,7 @@ impl Holder {
         }
     }
 
-    /// The numbers that it can have.
+    /// The input values that it can have.
     pub(super) fn numbers(self) -> Vec<Number> {
         match self {
             Self::Part(part) => part.keys.iter().map(Number::Listed).collect(),
@@ -90,7 +90,7 @@ impl Holder {
         (0..self.count(description)).flat_map(rows)
     }
 
-    /// The name of a number with `[]` for each index.
+    /// The name of an input value with `[]` for each index.
     pub(super) fn pattern(self, number: Number) -> String {
         match number.name() {
             "" => self.name().to_owned(),

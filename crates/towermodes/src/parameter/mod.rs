@@ -55,7 +55,7 @@ static PARTS: LazyLock<Vec<Holder>> = LazyLock::new(|| {
         Holder::Part(&foundation::STIFFNESS_MASS),
         Holder::table(&foundation::SPRINGS),
     ];
-    // Made once, for as long as the program runs.
+    // Created once, for as long as the program runs.
     let forms: &'static [Table] = foundation::closed_forms().leak();
     let last = [
         Holder::Part(&foundation::FLOATING),
@@ -246,7 +246,7 @@ impl Parameter {
         matches!(self.place(), Place::Rotor { .. })
     }
 
-    /// Whether it is a number of the ground, on which springs depend in many ways.
+    /// Whether it is an input value of the ground, on which springs depend in many ways.
     pub(crate) fn is_of_ground(self) -> bool {
         use Place::{Ground, GroundLayer, GroundRow};
         matches!(
@@ -260,7 +260,7 @@ impl Parameter {
         self.part().is(&structure::STATIONS)
     }
 
-    /// Whether it is a number of a row of the property table.
+    /// Whether it is an input value of a row of the property table.
     pub(crate) fn is_of_rows(self) -> bool {
         self.part().is(&structure::PROPERTIES)
     }
@@ -279,8 +279,8 @@ impl Parameter {
         is_of_one_list && self.is_height() && other.is_height()
     }
 
-    /// The number that changes together with this one: Poisson's ratio is another form of the shear
-    /// modulus, at the same place.
+    /// The input value that changes together with this one: Poisson's ratio is another form of the
+    /// shear modulus, at the same place.
     fn changed_with(self) -> Self {
         let mut numbers = match self.place() {
             Place::Material { .. } => self.part().numbers().into_iter(),

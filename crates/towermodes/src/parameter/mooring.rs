@@ -1,4 +1,4 @@
-//! The numbers of mooring lines.
+//! The input values of mooring lines.
 
 use super::part::{Part, fields};
 use crate::mooring::{MooringDescription, MooringItem};

@@ -1,4 +1,4 @@
-//! Reads the name of a number.
+//! Reads the name of an input value.
 
 use super::error::ParameterError;
 use super::holder::Holder;
@@ -6,14 +6,14 @@ use super::part::{Indices, Part};
 use super::{PARTS, Parameter};
 use crate::tower::TowerDescription;
 
-/// The name of a number as a user writes it.
+/// The name of an input value as a user writes it.
 pub(super) struct Name<'n> {
     written: &'n str,
     /// Without blanks at its ends and without `tower.` before stations and properties.
     plain: &'n str,
 }
 
-/// What stands in brackets.
+/// The text in brackets.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Index {
     /// `*`
@@ -42,7 +42,7 @@ impl<'n> Name<'n> {
         }
     }
 
-    /// The numbers of a tower with this name, at least one.
+    /// The input values of a tower with this name, at least one.
     pub(super) fn find(
         &self,
         description: &TowerDescription,
@@ -82,8 +82,8 @@ impl<'n> Name<'n> {
         })
     }
 
-    /// The error of a name whose number some entries of a list have and others do not; none if no
-    /// entry has it.
+    /// The error for a name whose input value exists in some entries of a list but not in others;
+    /// none if no entry has it.
     fn partial(&self, lacking: Parameter, having: &[Parameter]) -> Option<ParameterError> {
         let lacking_name = lacking.to_string();
         let entry = lacking_name.rfind(']')?;
@@ -110,7 +110,7 @@ impl<'n> Name<'n> {
         for i in selected(first, part.count(description), part.noun())? {
             for j in selected(second, part.rows(description, i), "rows")? {
                 match part.is_symmetric() && i > j {
-                    // With both indices free the lower triangle is the upper one again.
+                    // With both indices free the lower triangle would repeat the upper one.
                     true if first == second => {}
                     true => all.push([j, i]),
                     false => all.push([i, j]),
@@ -155,7 +155,7 @@ impl<'n> Name<'n> {
     }
 }
 
-/// Whether a name begins with that of a list and a bracket.
+/// Whether a name begins with the name of a list and a bracket.
 fn starts_as(name: &str, list: &Part) -> bool {
     let head = list.name.strip_suffix(']').unwrap_or(list.name);
     name.starts_with(head)

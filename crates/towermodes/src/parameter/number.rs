@@ -1,4 +1,4 @@
-//! A number of a part of a tower.
+//! An input value of a part of a tower.
 
 use std::hash::{Hash, Hasher};
 
@@ -7,12 +7,12 @@ use super::table::{Table, TableNumber};
 use crate::inputs::Nature;
 use crate::tower::{Place, TowerDescription};
 
-/// A number of a part of a tower.
+/// An input value of a part of a tower.
 #[derive(Clone, Copy)]
 pub(super) enum Number {
-    /// Of a part that lists its numbers.
+    /// An input value of a part that lists its values.
     Listed(&'static Key),
-    /// Of a part that is a table, which describes them.
+    /// An input value of a table, which describes its values.
     Described(&'static Table, &'static TableNumber),
 }
 
@@ -33,7 +33,7 @@ impl Number {
         }
     }
 
-    /// What it is.
+    /// Its meaning in words.
     pub(super) fn meaning(self) -> &'static str {
         match self {
             Self::Listed(key) => key.meaning,
@@ -70,7 +70,7 @@ impl Number {
         }
     }
 
-    /// Whether it is in the list of all numbers; others have a name only.
+    /// Whether it is in the list of all input values; other values can only be named.
     pub(super) fn is_listed(self, description: &TowerDescription, indices: Indices) -> bool {
         match self {
             Self::Listed(key) => (key.is_listed)(description, indices),
@@ -78,7 +78,7 @@ impl Number {
         }
     }
 
-    /// What kind of number it is.
+    /// The kind of the value.
     pub(super) fn nature(self) -> Nature {
         match self {
             Self::Listed(key) => key.nature,

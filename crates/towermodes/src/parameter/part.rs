@@ -1,4 +1,4 @@
-//! A part of a tower and its numbers.
+//! A part of a tower and its input values.
 
 use crate::inputs::Nature;
 use crate::tower::{Place, TowerDescription};
@@ -10,27 +10,27 @@ pub(super) type Indices = [usize; 2];
 pub(super) struct Part {
     /// Its name in the tower file with `[]` for each index: `soil[].rows[]`.
     pub(super) name: &'static str,
-    /// What it is in messages.
+    /// Its name in messages.
     pub(super) noun: &'static str,
-    /// How many there are.
+    /// Number of such parts in the description.
     pub(super) count: fn(&TowerDescription) -> usize,
-    /// How many rows one of them has; 1 for a part without rows.
+    /// Number of rows of one part; 1 for a part without rows.
     pub(super) rows: fn(&TowerDescription, usize) -> usize,
     /// Whether its two indices may be exchanged: the entries of a symmetric matrix.
     pub(super) is_symmetric: bool,
-    /// Its numbers.
+    /// Its input values.
     pub(super) keys: &'static [Key],
 }
 
-/// A number of a part.
+/// An input value of a part.
 pub(super) struct Key {
     /// Its name in the part; empty if the part is the number.
     pub(super) name: &'static str,
     /// Its unit.
     pub(super) unit: &'static str,
-    /// What it is.
+    /// Its meaning in words.
     pub(super) meaning: &'static str,
-    /// What kind of number it is.
+    /// The kind of the value.
     pub(super) nature: Nature,
     /// Its place for errors.
     pub(super) place: fn(Indices) -> Place,
@@ -38,11 +38,11 @@ pub(super) struct Key {
     pub(super) get: fn(&TowerDescription, Indices) -> Option<f64>,
     /// Sets its value, if the description has it.
     pub(super) set: fn(&mut TowerDescription, Indices, f64) -> Option<()>,
-    /// Whether it is in the list of all numbers; others have a name only.
+    /// Whether it is in the list of all input values; other values can only be named.
     pub(super) is_listed: fn(&TowerDescription, Indices) -> bool,
 }
 
-/// A number that the description has where its part has it: listed if it is there.
+/// For an input value that is listed if its part is in the description.
 pub(super) fn is_there(_: &TowerDescription, _: Indices) -> bool {
     true
 }

@@ -1,4 +1,4 @@
-//! The numbers of the tower itself: materials, stations, properties.
+//! The input values of the tower: materials, stations, properties.
 
 use super::part::{Indices, Key, Part, fields, is_there};
 use crate::inputs::Nature;
@@ -90,7 +90,7 @@ static MATERIAL_KEYS: [Key; 4] = [
     },
 ];
 
-/// The members of a frame are made of these materials.
+/// Updates the materials of the members of a frame, which are those of the tower.
 fn renew_members(description: &mut TowerDescription) -> Option<()> {
     if let Foundation::Frame(foundation) = &mut description.foundation {
         foundation.take_materials(&description.materials);
@@ -198,7 +198,7 @@ macro_rules! column {
     };
 }
 
-/// A column of shear stiffness, which not every table has.
+/// A column of shear stiffness, which is optional.
 macro_rules! shear_column {
     ($name:literal $meaning:literal, $plane:ident) => {
         Key {

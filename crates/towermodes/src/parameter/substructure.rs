@@ -1,4 +1,4 @@
-//! The numbers of a frame below the tower.
+//! The input values of a frame below the tower.
 
 use super::part::{Indices, Key, Part, is_there};
 use crate::inputs::Nature;
@@ -26,7 +26,7 @@ fn frame_mut(description: &mut TowerDescription) -> Option<&mut FrameDescription
     Some(foundation_mut(description)?.numbers_mut())
 }
 
-/// How many of a list of a frame there are.
+/// Number of entries of a list of a frame.
 macro_rules! count {
     ($list:ident) => {
         |d| frame(d).map_or(0, |frame| frame.$list.len())
@@ -95,7 +95,7 @@ macro_rules! one_end {
     };
 }
 
-/// A number of members of one or two kinds.
+/// An input value of members of one or two kinds.
 macro_rules! of_kind {
     ($name:literal, $unit:literal, $meaning:literal, $($kind:ident)|+, $field:ident) => {
         Key {
@@ -123,7 +123,7 @@ macro_rules! of_kind {
     };
 }
 
-/// A number of a body in a list of the frame.
+/// An input value of a body in a list of the frame.
 macro_rules! body {
     ($name:literal, $unit:literal, $meaning:literal, $nature:ident, $list:ident, $($field:tt)+) => {
         Key {
@@ -142,7 +142,7 @@ macro_rules! body {
     };
 }
 
-/// A number of the platform.
+/// An input value of the platform.
 macro_rules! platform {
     ($name:literal, $unit:literal, $meaning:literal, $nature:ident, $($field:tt)+) => {
         Key {
@@ -161,7 +161,7 @@ macro_rules! platform {
     };
 }
 
-/// A number of marine growth.
+/// An input value of marine growth.
 macro_rules! growth {
     ($name:literal, $unit:literal, $meaning:literal, $nature:ident, $field:ident) => {
         Key {

@@ -1,4 +1,4 @@
-//! The numbers of soil, added mass, water, guy wires and gravity.
+//! The input values of soil, added mass, water, guy wires and gravity.
 
 use super::part::{Indices, Key, Part, fields, is_there};
 use super::table::Table;
@@ -42,7 +42,7 @@ pub(super) static ADDED_MASS: Part = Part {
     },
 };
 
-/// `[water]`. Without a bed the ground is at the lowest station.
+/// `[water]`. Without `bed` the seabed is at the lowest station.
 pub(super) static WATER: Table = Table {
     name: "water",
     noun: "water",
@@ -87,7 +87,8 @@ pub(super) static GRAVITY: Part = Part {
         get: |d, _| Some(d.gravity_m_per_s2),
         set: |d, _, value| {
             let before = std::mem::replace(&mut d.gravity_m_per_s2, value);
-            // Lines of a platform hang in the same gravity, unless they have their own.
+            // The mooring lines of a platform have the same gravity, unless they have a value of
+            // their own.
             if let Some(platform) = d.foundation.floating_mut()
                 && let Some(lines) = &mut platform.mooring_lines
                 && lines.description.gravity_m_per_s2 == before
@@ -100,7 +101,7 @@ pub(super) static GRAVITY: Part = Part {
     }],
 };
 
-/// Whether the layer of a row has springs against rotation, which few files give.
+/// Whether the layer of a row has rotational springs, which are rarely given.
 fn resists_rotation(description: &TowerDescription, indices: Indices) -> bool {
     let rows = description.soil.get(indices[0]).into_iter().flatten();
     let mut rotations = rows.map(|row| row.stiffness.rotation());

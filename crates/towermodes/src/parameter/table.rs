@@ -1,4 +1,4 @@
-//! Parts whose numbers are described beside their fields.
+//! Parts whose input values are described beside their fields.
 
 use super::part::Indices;
 use crate::inputs::{Given, Input, Inputs, Limit, Nature};
@@ -6,7 +6,7 @@ use crate::tower::{Place, TowerDescription};
 
 /// Finds the table of a kind in a description.
 type Get = for<'d> fn(&'d TowerDescription, Indices, &'static str) -> Option<&'d dyn Inputs>;
-/// The same to change it.
+/// Finds this table for a change.
 type GetMut =
     for<'d> fn(&'d mut TowerDescription, Indices, &'static str) -> Option<&'d mut dyn Inputs>;
 
@@ -14,13 +14,13 @@ type GetMut =
 pub(super) struct Table {
     /// Its name in the tower file with `[]` for an index.
     pub(super) name: &'static str,
-    /// What it is in messages.
+    /// Its name in messages.
     pub(super) noun: &'static str,
-    /// Which of several kinds the table is; empty if there is one kind.
+    /// The kind of the table, if there are several kinds; otherwise empty.
     pub(super) kind: &'static str,
     /// The table of a kind, if the description has it.
     pub(super) get: Get,
-    /// The same to change it.
+    /// Finds this table for a change.
     pub(super) get_mut: GetMut,
     /// The keys of a kind.
     pub(super) every: fn(&'static str) -> Vec<(&'static Input, Given)>,
@@ -30,7 +30,7 @@ pub(super) struct Table {
     pub(super) absent: fn(&TowerDescription) -> Option<f64>,
 }
 
-/// A number of a table: a value, one end of a pair, or one of three coordinates.
+/// An input value of a table: a value, one end of a pair, or one of three coordinates.
 pub(super) struct TableNumber {
     pub(super) input: &'static Input,
     /// 0 for the top of a layer and 1 for its bottom, 0 to 2 for x to z; none for a value that is
@@ -38,7 +38,7 @@ pub(super) struct TableNumber {
     pub(super) end: Option<usize>,
     /// Its name in the table.
     pub(super) name: String,
-    /// What it is.
+    /// Its meaning in words.
     pub(super) meaning: String,
 }
 
@@ -55,7 +55,7 @@ impl TableNumber {
         }
     }
 
-    /// The key of its place: errors of an inertia are those of the whole tensor.
+    /// The key of its place: errors in an inertia are reported for the whole tensor.
     pub(super) fn place_key(&self) -> &'static str {
         match self.input.limit {
             Limit::Inertia | Limit::Elsewhere => self.input.outer_key(),
@@ -63,7 +63,7 @@ impl TableNumber {
         }
     }
 
-    /// What kind of number it is.
+    /// The kind of the value.
     pub(super) fn nature(&self) -> Nature {
         match (self.input.limit.nature(), self.end) {
             // A strength or stiffness can begin with zero at one end of a layer.
@@ -72,7 +72,7 @@ impl TableNumber {
         }
     }
 
-    /// The numbers of a value.
+    /// The input values of a field.
     fn of((input, given): (&'static Input, Given)) -> Vec<Self> {
         let several: &[&str] = match given {
             Given::Number(_) | Given::Optional(_) => return vec![Self::new(input, None, "")],
@@ -87,7 +87,7 @@ impl TableNumber {
 }
 
 impl Table {
-    /// How many such tables a description has.
+    /// Number of such tables in the description.
     pub(super) fn count(&self, description: &TowerDescription) -> usize {
         let has = |index: &usize| self.of(description, [*index, 0]).is_some();
         (0..).take_while(has).count()
@@ -101,13 +101,13 @@ impl Table {
         (self.get)(description, indices, self.kind)
     }
 
-    /// The numbers that it can have.
+    /// The input values that it can have.
     pub(super) fn numbers(&self) -> Vec<TableNumber> {
         let every = (self.every)(self.kind).into_iter();
         every.flat_map(TableNumber::of).collect()
     }
 
-    /// A number that the table gives.
+    /// An input value that is given in the table.
     pub(super) fn given(
         &self,
         number: &TableNumber,
@@ -117,7 +117,7 @@ impl Table {
         self.number(number, description, indices)?
     }
 
-    /// A number that the table has, given or not.
+    /// An input value of the table, given or default.
     pub(super) fn value(
         &self,
         number: &TableNumber,
@@ -143,7 +143,7 @@ impl Table {
         found
     }
 
-    /// Sets a number that the table has.
+    /// Sets an input value of the table.
     pub(super) fn set(
         &self,
         number: &TableNumber,

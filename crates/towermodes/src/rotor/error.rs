@@ -1,4 +1,4 @@
-//! Why blades make no rotor whose equations have constant coefficients.
+//! Reasons why a rotor has no equations with constant coefficients.
 
 use thiserror::Error;
 
@@ -8,7 +8,7 @@ use crate::tower::MOST_BLADES;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum RotorError {
-    /// Fewer than three.
+    /// A rotor with fewer than three blades.
     #[error(
         "a rotor of {blades} blades is not supported: seen from the tower, its inertia and stiffness vary periodically, which would need Floquet theory; \
          the number of blades must be 3 or more"
@@ -17,7 +17,7 @@ pub enum RotorError {
         /// The number given.
         blades: usize,
     },
-    /// More than any rotor has.
+    /// A rotor with more blades than any real rotor.
     #[error(
         "a rotor of {blades} blades is not supported; the number of blades must be at most {MOST_BLADES}"
     )]

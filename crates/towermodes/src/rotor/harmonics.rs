@@ -13,7 +13,7 @@ pub struct RotorFactors {
     harmonics: [BladeFactors; 3],
 }
 
-/// A motion or a force of the apex in phasors, in axes (shaft, left, up) that do not turn.
+/// A motion or a force of the apex in phasors, in the fixed axes (shaft, left, up).
 type Phasors = [Complex; 6];
 
 impl Multiblade<TurningBlade> {

@@ -1,4 +1,4 @@
-//! N equal blades as the hub feels them: the sum over the harmonics of multiblade coordinates.
+//! N equal blades condensed to the hub: the sum over the harmonics of multiblade coordinates.
 //!
 //! The hub moves by phasors of e^(i w t) in axes that do not turn: h₀ along and about the shaft,
 //! h₊ = (u₂ + i u₃, θ₂ + i θ₃)/√2 and h₋, the same with −i. A blade at the azimuth ψ feels
@@ -24,8 +24,8 @@ use crate::tower::MOST_BLADES;
 /// A body that turns with a rotor, in the frame of the rotor.
 pub trait TurningBody {
     /// The body for the motion (translation, rotation) of the apex of the rotor, in (axis of the
-    /// rotor, against the rotation, radial), at a frequency in the turning frame and a speed of the
-    /// rotor, rad/s: K + Ω² (K_g − S) + 2 i s Ω C − s² M with the body's own coordinates
+    /// rotor, against the rotation, radial), at a frequency in the rotating frame and a speed of
+    /// the rotor, rad/s: K + Ω² (K_g − S) + 2 i s Ω C − s² M with the body's own coordinates
     /// eliminated.
     fn seen_from_apex(&mut self, frequency: f64, speed: f64) -> Condensed;
 }
@@ -61,7 +61,7 @@ impl<B: TurningBody> Multiblade<B> {
         &self.body
     }
 
-    /// The same, with its working memory.
+    /// The same body, for a change of its working memory.
     pub(super) fn body_mut(&mut self) -> &mut B {
         &mut self.body
     }
@@ -96,11 +96,11 @@ impl<B: TurningBody> Multiblade<B> {
 /// A harmonic of the blades that does not move the hub, by its periods around the rotor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reactionless {
-    /// A wave with the rotation.
+    /// A wave in the direction of the rotation.
     Forward(usize),
-    /// A wave against it.
+    /// A wave against the direction of the rotation.
     Backward(usize),
-    /// Neighbours against each other.
+    /// Adjacent blades move in opposite directions.
     Alternating(usize),
 }
 
@@ -111,7 +111,7 @@ impl Reactionless {
         match self {
             Self::Forward(waves) => -(waves as f64),
             Self::Backward(waves) => waves as f64,
-            // It stands still among the blades, so that its frequency is that of the turning frame.
+            // The wave is fixed to the blades, so its frequency is that of the rotating frame.
             Self::Alternating(_) => 0.0,
         }
     }
@@ -125,8 +125,8 @@ pub fn reactionless(blades: usize) -> impl Iterator<Item = Reactionless> {
     })
 }
 
-/// What the speed shifts the frequency by in the harmonics that move the hub: collective, forward,
-/// backward.
+/// The shift of the frequency, in rotor speeds, of the harmonics that move the hub: collective,
+/// forward, backward.
 pub(super) const SHIFTS: [f64; 3] = [0.0, -1.0, 1.0];
 
 /// N Σ Vₙᴴ D Vₙ for the blade's D of each harmonic and shift.
@@ -146,7 +146,7 @@ pub(super) fn sum_of_harmonics(
     sum
 }
 
-/// What the motions along and about the shaft do.
+/// The block of the motions along and about the shaft.
 fn collective(matrix: &[[Complex; 6]; 6]) -> [[Complex; 6]; 6] {
     let mut own = [[Complex::default(); 6]; 6];
     for i in [0, 3] {

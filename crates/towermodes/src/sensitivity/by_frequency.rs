@@ -1,4 +1,4 @@
-//! Derivatives where the added mass depends on frequency.
+//! Derivatives if the added mass depends on frequency.
 //!
 //! With the added mass held at the frequency of a mode its eigenvalue μ has a derivative like that
 //! of any tower. The mode is that of μ(λ) = λ, so dλ/dp = (∂μ/∂p)/(1 − dμ/dλ).
@@ -35,7 +35,7 @@ pub(super) fn sensitivities(
             continue;
         };
         let found = match last.take() {
-            // Above its table the added mass is constant.
+            // Above the last frequency of its table the added mass is constant.
             Some((same, found)) if same.foundation == held.foundation => found,
             _ => solver.of_constant(&held, changes)?,
         };

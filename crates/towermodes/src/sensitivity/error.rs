@@ -1,4 +1,4 @@
-//! Why there are no derivatives.
+//! Errors of the derivatives.
 
 use thiserror::Error;
 

@@ -6,16 +6,16 @@ use super::{Derivative, Sensitivities};
 use crate::solve::{ModeFrequency, Options};
 use crate::tower::Neighbours;
 
-/// The relative error of a derivative that is wanted.
+/// Required relative error of a derivative.
 const WANTED: f64 = 1e-3;
-/// An error that changes no frequency by more than this, relatively, when the number changes by its
-/// own size does not matter.
+/// A relative error of the frequency below this, for a change of the input value by its own size,
+/// is negligible.
 const NEGLIGIBLE: f64 = 1e-5;
-/// Meshes with as many segments are fine enough: their derivatives have errors below the one
-/// wanted, although the estimates may be larger.
+/// From this number of segments on a mesh is fine enough: the errors of its derivatives are below
+/// the required one, although the estimates may be larger.
 const FINE: usize = 60;
 
-/// The options of a finer mesh, if the derivatives found on a mesh of so many segments need one.
+/// The options of a finer mesh, if the derivatives on a mesh with this number of segments need one.
 pub(super) fn options(
     found: &Sensitivities,
     neighbours: &Neighbours,
@@ -40,7 +40,7 @@ pub(super) fn options(
 }
 
 impl Derivative {
-    /// Whether its error is larger than wanted, for a number of a size.
+    /// Whether its error is larger than required, for an input value of this size.
     fn is_coarse(&self, mode: &ModeFrequency, size: f64) -> bool {
         let error = self.error_hz_per_unit;
         error > WANTED * self.hz_per_unit.abs() && error * size > NEGLIGIBLE * mode.extrapolated_hz
@@ -48,8 +48,8 @@ impl Derivative {
 }
 
 impl Sensitivities {
-    /// Takes the derivatives of a finer mesh, by the names of the modes. A coarse mesh claims small
-    /// errors by chance.
+    /// Takes the derivatives of a finer mesh, by the names of the modes: on a coarse mesh an
+    /// estimated error can be small by chance.
     pub(super) fn take_finer(&mut self, finer: &Self) {
         let place = |mode: &ModeFrequency| {
             let mut modes = finer.modes.iter();

@@ -9,13 +9,13 @@ use crate::tower::{Motions, Neighbour, Neighbours, TowerDescription};
 
 /// The factor by which a step is enlarged.
 const ENLARGE: f64 = 30.0;
-/// How often it is enlarged at most.
+/// Largest number of enlargements.
 const MOST_ENLARGEMENTS: usize = 8;
 
-/// The rounding of a quotient over that of a sum of gradients.
+/// The ratio of the rounding error of a quotient to that of a sum of gradients.
 const ROUGH: f64 = 10.0;
 
-/// The held modes of a tower with the memory to differentiate them.
+/// The fixed modes of a tower, with the memory to differentiate them.
 pub(super) struct Held<'a> {
     neighbours: &'a Neighbours,
     frozen: &'a mut FrozenModes,
@@ -27,12 +27,13 @@ pub(super) struct Held<'a> {
 /// The differences of quotients over one step.
 struct Difference {
     slopes: Slopes,
-    /// For each mode by how much the changes of its first eigenvalue in both directions differ.
+    /// For each mode, the difference between the changes of its first eigenvalue in both
+    /// directions.
     bends: Vec<f64>,
     mass_kg_per_unit: f64,
-    /// The sets of motions that are coupled on the neighbours.
+    /// The sets of motions that are coupled in the slightly changed towers.
     coupled: Vec<Motions>,
-    /// The largest change of an eigenvalue of the modes' own mesh, relatively.
+    /// The largest relative change of an eigenvalue on the modes' own mesh.
     largest: f64,
 }
 
@@ -79,7 +80,7 @@ impl<'a> Held<'a> {
                 .clone()
                 .any(|mode| self.is_kink(mode, &whole, &half, h))
         {
-            // The kink may be beside the value.
+            // The kink may be near the value.
             h *= SHORTER;
             whole = self.difference(change, value, h)?;
             half = self.difference(change, value, 0.5 * h)?;
@@ -101,7 +102,8 @@ impl<'a> Held<'a> {
         Some((derivatives.collect(), half.mass_kg_per_unit))
     }
 
-    /// Whether the eigenvalue of a mode has a kink, by its changes over a step and over its half.
+    /// Whether the eigenvalue of a mode has a kink, from its changes over a step and over half the
+    /// step.
     fn is_kink(&self, mode: usize, whole: &Difference, half: &Difference, h: f64) -> bool {
         let bends = Bends {
             whole: whole.bends[mode],

@@ -1,4 +1,4 @@
-//! From the derivatives of eigenvalues on each mesh to that of a frequency.
+//! From the derivatives of eigenvalues on each mesh to the derivative of a frequency.
 
 use std::f64::consts::PI;
 
@@ -7,14 +7,15 @@ use crate::modes::without_powers;
 use crate::solve::{FrozenModes, ModeFrequency};
 use crate::tower::Motions;
 
-/// Modes whose eigenvalues differ by less, relatively, count as repeated.
+/// Modes whose eigenvalues have a smaller relative difference are treated as repeated.
 const REPEATED: f64 = 1e-6;
-/// The fraction of the difference between one step and its half that remains in the value
-/// extrapolated from both, at least.
+/// Lower bound of the remaining error of the value extrapolated from one step and its half, as a
+/// fraction of their difference.
 const REMAINDER: f64 = 0.01;
-/// The fraction of the change by the last extrapolation from meshes that remains, at least.
+/// Lower bound of the remaining error after the last extrapolation from meshes, as a fraction of
+/// its change.
 const LEFT_OF_MESH: f64 = 0.1;
-/// How many times as far as a frequency its derivative may be from that of the beam, relatively.
+/// Largest ratio of the relative error of a derivative to that of its frequency.
 const DISTANCES: f64 = 10.0;
 /// What meshes leave of a derivative, by the square of the fraction δ by which the next coarser one
 /// changes the frequency, and at least: relative to the frequency over the size of the value. A
@@ -25,12 +26,12 @@ const OF_CHANCE: f64 = 1e-7;
 /// How fast these fractions grow with the relative difference.
 const GROWTH: f64 = 100.0;
 
-/// The slopes on both sides differ by less, relatively, if there is no kink.
+/// If the slopes on both sides have a smaller relative difference, there is no kink.
 const SMOOTH: f64 = 1e-6;
-/// They differ by more than this fraction of what the curvature changes over a step, if there is
-/// one.
+/// At a kink their difference exceeds this fraction of the change of the slope over a step by
+/// curvature.
 const CURVED: f64 = 0.03;
-/// The part of an eigenvalue that is rounding.
+/// Relative rounding error of an eigenvalue.
 const ROUNDING: f64 = 1e-11;
 
 /// The derivatives of each mode, and that of the mass, kg per unit.
@@ -39,19 +40,21 @@ pub(super) type Derivatives = (Vec<Result<Derivative, NoDerivative>>, f64);
 /// dλ/d(value) for each mesh and mode.
 pub(super) type Slopes = Vec<Vec<f64>>;
 
-/// By how much the changes of an eigenvalue in both directions differ.
+/// The differences between the changes of an eigenvalue in both directions.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bends {
-    /// Over a step.
+    /// For a step.
     pub(super) whole: f64,
-    /// Over half of it.
+    /// For half of the step.
     pub(super) half: f64,
 }
 
 impl Bends {
-    /// Whether these are bends of a kink, where a step changes the eigenvalue λ by so much.
+    /// Whether these differences indicate a kink, for a step that changes the eigenvalue λ by this
+    /// amount.
     pub(super) fn are_of_kink(self, change: f64, lambda: f64) -> bool {
-        // A curvature bends four times as much over the whole step, a kink twice as much.
+        // A curvature causes four times the difference for the whole step, a kink twice the
+        // difference.
         let kink = (4.0 * self.half - self.whole).abs();
         let is_large = kink > SMOOTH * change.abs() && kink > ROUNDING * lambda;
         is_large && kink > CURVED * self.whole.abs()
@@ -66,8 +69,8 @@ pub(super) struct Slope {
 }
 
 impl Slope {
-    /// Of central differences over a step and over its half: their errors are quadratic in the
-    /// step, that of the result is of fourth order.
+    /// The slope from central differences over a step and over its half: their errors are quadratic
+    /// in the step, the error of the result is of fourth order.
     pub(super) fn extrapolated(whole: f64, half: f64) -> Self {
         let change = (half - whole) / 3.0;
         let value = half + change;
@@ -78,8 +81,9 @@ impl Slope {
     }
 }
 
-/// What is left of a change that removed the lowest power of an error from a value: if the change
-/// is small relative to the value, the next power is smaller by as much.
+/// Estimate of the remaining error after a change that removed the lowest power of an error from a
+/// value: if the change is small relative to the value, the next power is smaller by the same
+/// factor.
 fn left_of(change: f64, value: f64, least: f64) -> f64 {
     match change == 0.0 {
         true => 0.0,
@@ -111,7 +115,7 @@ impl FrozenModes {
         let mut of_meshes = [0.0; MOST_MESHES];
         let (mut error, mut count) = (0.0_f64, 0);
         let powers = self.powers[mode];
-        // One mesh more than the powers of the error need shows how well they are removed.
+        // One mesh more than the number of powers shows how well they are removed.
         let meshes = self.meshes.iter().take((powers.len() + 2).min(MOST_MESHES));
         for (index, mesh) in meshes.enumerate() {
             // df/dλ = 1/(8π² f) with f = √λ/2π.
@@ -123,7 +127,7 @@ impl FrozenModes {
         }
         let mesh_hz_per_unit = of_meshes[self.own.min(count - 1)];
         if count == 1 && !powers.is_empty() {
-            // Without another mesh, as far as the frequency itself is from that of the beam.
+            // Without another mesh, the error relative to the beam is that of the frequency.
             let ModeFrequency {
                 frequency_hz,
                 extrapolated_hz,
@@ -141,8 +145,8 @@ impl FrozenModes {
         }
     }
 
-    /// What meshes leave of a derivative even if it hardly changes from one to the next, Hz per
-    /// unit of a value of a size.
+    /// Remaining mesh error of a derivative even if it hardly changes from one mesh to the next, Hz
+    /// per unit of a value of this size.
     fn left_by_chance(&self, mode: usize, size: f64) -> f64 {
         let [own, coarser, ..] = &self.meshes[..] else {
             return 0.0;
@@ -156,7 +160,8 @@ impl FrozenModes {
         relative * self.modes[mode].frequency_hz / size
     }
 
-    /// Whether a change that couples these sets of motions splits a mode from one of its frequency.
+    /// Whether a change that couples these sets of motions separates a mode from another mode of
+    /// the same frequency.
     fn is_split(&self, mode: usize, coupled: &[Motions]) -> bool {
         let lambdas = &self.meshes[0].lambdas;
         let motions = &self.motions;
@@ -175,11 +180,11 @@ impl FrozenModes {
     }
 }
 
-/// More meshes than any mode has.
+/// Limit of the number of meshes of a mode.
 const MOST_MESHES: usize = 4;
 
-/// The value without the powers of the error, and the error that is left: from meshes that halve
-/// each other's segments.
+/// The value without the powers of the error, and the remaining error, from meshes with halved
+/// segments.
 fn extrapolated(of_meshes: &[f64], powers: &[i32], is_regular: bool) -> (f64, f64) {
     let own = of_meshes[0];
     let Some(&lowest) = powers.first() else {
@@ -204,7 +209,7 @@ fn extrapolated(of_meshes: &[f64], powers: &[i32], is_regular: bool) -> (f64, f6
         };
         return (value, error);
     }
-    // What is left decreases at least as fast as the first power that was removed.
+    // The remaining error decreases at least as fast as the first power that was removed.
     let spread = (value - from(1).0).abs();
     (value, spread * 2.0_f64.powi(-lowest))
 }

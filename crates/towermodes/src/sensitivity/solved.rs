@@ -1,5 +1,5 @@
-//! Derivatives by solving again, for changes after which the tower has another structure: a row of
-//! the soil that leaves the height of a station cuts a linear piece in two.
+//! Derivatives from new solves, for changes that change the structure of the tower: if a row of the
+//! soil leaves the height of a station, it divides a linear piece in two.
 
 use super::slope::Derivatives;
 use super::step::step;
@@ -9,7 +9,7 @@ use crate::parameter::Change;
 use crate::solve::{ModeFrequency, Options, Solver};
 use crate::tower::{Neighbours, Tower};
 
-/// Differences of solved frequencies need larger steps than those of quotients.
+/// Differences of solved frequencies need larger steps than those of quotients, by this factor.
 const LARGER: f64 = 2.0;
 
 /// The frequencies of the modes and the mass (kg) of a tower near another one.
@@ -35,7 +35,7 @@ pub(super) fn derivatives(
         solver.with(spectral.clone(), |solver| {
             let solved = solver.frequencies(&tower).ok()?;
             let frequency = |(place, mode): (usize, &ModeFrequency)| {
-                // Modes that share a motion may exchange names, but never their order.
+                // Modes that share a motion may exchange names, but not their order.
                 let same = match mode.shares.is_coupled(mode.family) {
                     true => solved.modes.get(place)?,
                     false => solved.mode(mode.family, mode.order)?,

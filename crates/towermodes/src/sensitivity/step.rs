@@ -1,4 +1,4 @@
-//! The value of a change on the tower as it is, and how far it is varied for a derivative.
+//! The value of a change for the unchanged tower, and the step of its variation for a derivative.
 
 use super::error::SensitivityError;
 use crate::inputs::Dimension;
@@ -8,13 +8,13 @@ use crate::tower::{Neighbours, Tower, TowerDescription};
 /// The step relative to a value, to the distance to the next height, or to the numbers to which it
 /// is added.
 pub(super) const RELATIVE: f64 = 2e-3;
-/// The numbers of a tower are differenced over this fraction of the step of quotients, because they
-/// are no small differences of large sums; quotients too where they may have a kink.
+/// Fraction of the step of quotients over which the input values of a tower are differenced: these
+/// differences have small rounding errors. It is also used for quotients that may have a kink.
 pub(super) const SHORTER: f64 = 0.1;
-/// A step that changes no eigenvalue by more than this, relatively, is enlarged if the tower
-/// depends on the number linearly.
+/// A step that changes every eigenvalue by less than this, relatively, is enlarged if the tower
+/// depends linearly on the input value.
 pub(super) const SMALL: f64 = 1e-6;
-/// The change of an eigenvalue that an enlarged step may make, relatively.
+/// Largest relative change of an eigenvalue by an enlarged step.
 pub(super) const LARGE: f64 = 1e-3;
 
 /// The value of a change on the tower as it is.
@@ -48,8 +48,8 @@ pub(super) fn step(change: &Change, value: f64, neighbours: &Neighbours) -> f64 
     RELATIVE * size_of(change, value, neighbours)
 }
 
-/// The size of a change: that of its value, of the shortest piece between heights, or of the
-/// numbers to which it adds.
+/// The size of a change: its value, the shortest piece between heights, or the input values to
+/// which it adds.
 pub(super) fn size_of(change: &Change, value: f64, neighbours: &Neighbours) -> f64 {
     let heights = change.parameters().iter().filter(|p| p.is_height());
     let of_heights = change.operation() != Operation::Scale;
@@ -63,7 +63,7 @@ pub(super) fn size_of(change: &Change, value: f64, neighbours: &Neighbours) -> f
     }
 }
 
-/// The largest of the numbers to which a change adds; of numbers that are zero, their unit.
+/// The largest of the input values to which a change adds; if they are zero, their unit.
 fn size(change: &Change, description: &TowerDescription) -> f64 {
     let numbers = change.parameters().iter();
     let sizes = numbers.map(|number| number.value(description).abs());
@@ -79,8 +79,8 @@ fn shortest_piece_m(tower: &Tower) -> f64 {
     lengths.fold(f64::INFINITY, f64::min)
 }
 
-/// Whether stiffness and inertia depend linearly on the numbers of a change, so that a step may be
-/// as large as it must.
+/// Whether stiffness and inertia depend linearly on the input values of a change, so that the step
+/// may be as large as necessary.
 pub(super) fn is_linear(change: &Change) -> bool {
     let is_linear = |parameter: &Parameter| {
         // Between the rows of a table inertias follow from masses.
@@ -89,7 +89,7 @@ pub(super) fn is_linear(change: &Change) -> bool {
     change.operation() != Operation::Scale && change.parameters().iter().all(is_linear)
 }
 
-/// Whether stiffness and inertia are sums of such numbers.
+/// Whether stiffness and inertia are sums of input values with this dimension.
 fn is_mass_or_spring(dimension: Dimension) -> bool {
     use Dimension as D;
     match dimension {
@@ -101,8 +101,8 @@ fn is_mass_or_spring(dimension: Dimension) -> bool {
     }
 }
 
-/// Whether the numbers of a tower depend on the numbers of a change linearly or quadratically, so
-/// that a central difference is exact.
+/// Whether the numbers of a tower depend on the input values of a change linearly or quadratically,
+/// so that a central difference is exact.
 pub(super) fn is_quadratic(change: &Change) -> bool {
     change.parameters().iter().all(|parameter| {
         let is_of_profile = parameter.is_of_stations() && !parameter.is_height();
@@ -113,7 +113,8 @@ pub(super) fn is_quadratic(change: &Change) -> bool {
     })
 }
 
-/// Whether a tower is a polynomial of third degree at least in such numbers, or none at all.
+/// Whether a tower is a polynomial of at least third degree in input values with this dimension, or
+/// not a polynomial.
 fn is_curved(dimension: Dimension) -> bool {
     matches!(
         dimension,

@@ -1,5 +1,5 @@
-//! Derivatives from the gradient with respect to all numbers of a tower: what is left is how these
-//! numbers follow from those of the description, and that needs no assembly.
+//! Derivatives from the gradient with respect to all numbers of a tower: only the derivatives of
+//! these numbers with respect to the input values are needed, without an assembly.
 
 use super::slope::{Bends, Derivatives, Slope};
 use super::step::{RELATIVE, SHORTER, is_quadratic, size_of};
@@ -8,7 +8,7 @@ use crate::parameter::Change;
 use crate::solve::FrozenModes;
 use crate::tower::{Motions, Neighbours, TowerDescription};
 
-/// The relative error of the gradient itself: of the vectors, and of the sums.
+/// Relative error of the gradient, from the vectors and from the sums.
 const OF_GRADIENT: f64 = 1e-12;
 
 /// The gradients of held modes with the memory to use them.
@@ -16,7 +16,7 @@ pub(super) struct Swept<'a> {
     neighbours: &'a Neighbours,
     /// The description that is changed.
     description: TowerDescription,
-    /// The numbers of the tower, and of the towers above and below.
+    /// The numbers of the tower, and of the towers with increased and decreased value.
     numbers: [Vec<f64>; 3],
     /// For each mesh and mode the differences over the last step and over its half.
     differences: [Vec<Difference>; 2],
@@ -26,17 +26,17 @@ pub(super) struct Swept<'a> {
 #[derive(Debug, Clone, Copy, Default)]
 struct Difference {
     slope: f64,
-    /// By how much the changes in both directions differ.
+    /// The difference between the changes in both directions.
     bend: f64,
-    /// The sum of all terms of the slope, without their signs, and their rounding.
+    /// The sum of the absolute values of all terms of the slope, and their rounding error.
     gross: f64,
     rounding: f64,
 }
 
-/// What a step changes besides the numbers.
+/// Other effects of a step, besides the numbers.
 struct Around {
     mass_kg_per_unit: f64,
-    /// The sets of motions that are coupled on the neighbours.
+    /// The sets of motions that are coupled in the slightly changed towers.
     coupled: Vec<Motions>,
 }
 
@@ -149,7 +149,8 @@ impl<'a> Swept<'a> {
     }
 }
 
-/// Adds what is attached beyond the ends that carry it, on the towers above and below.
+/// Adds the effect of attachments that move away from the ends that carry them, in the two changed
+/// towers.
 fn add_arms(frozen: &FrozenModes, arms_m: [&[f64]; 2], h: f64, differences: &mut [Difference]) {
     if arms_m.iter().all(|arms_m| arms_m.is_empty()) {
         return;

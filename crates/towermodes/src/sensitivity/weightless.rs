@@ -1,5 +1,6 @@
-//! The derivatives with respect to gravity of a tower without gravity that shears. Under gravity a
-//! joint that bends and shears has an unknown more, so its gradient lacks a part.
+//! The derivatives with respect to gravity of a tower without gravity and with shear deformation.
+//! With gravity a joint with bending and shear has one more unknown, so the gradient of the tower
+//! without gravity lacks a term.
 
 use super::slope::Derivatives;
 use super::{Derivative, NoDerivative};
@@ -7,10 +8,10 @@ use crate::parameter::{Change, Operation};
 use crate::solve::{FrozenModes, ModeFrequency, Solver};
 use crate::tower::Neighbours;
 
-/// The gravity with which the tower has these unknowns, m/s²: of no other effect.
+/// A gravity so small that it has no effect but adds these unknowns, m/s².
 const SLIGHT: f64 = 1e-9;
 
-/// Whether a change is one of gravity of such a tower, whose derivatives are swept.
+/// Whether a change is one of gravity for such a tower and the derivatives come from gradients.
 pub(super) fn is_needed(neighbours: &Neighbours, frozen: &FrozenModes, change: &Change) -> bool {
     frozen.gradients.is_some()
         && neighbours.description().gravity_m_per_s2 == 0.0
@@ -19,7 +20,7 @@ pub(super) fn is_needed(neighbours: &Neighbours, frozen: &FrozenModes, change: &
         && change.parameters().iter().any(|one| one.is_gravity())
 }
 
-/// The derivatives of the same tower under slight gravity; none if it is not solved.
+/// The derivatives of the tower with a very small gravity; none if it cannot be solved.
 pub(super) fn derivatives(
     neighbours: &Neighbours,
     change: &Change,

@@ -16,23 +16,23 @@ use crate::space::{times, transform_force};
 use crate::subsystem::SegmentCurves;
 use crate::tower::{Attachment, Piece, SectionMasses, SoilStiffness, Tower, for_each_mass_point};
 
-/// Into how many parts a tower is cut at least for the sums of its forces.
+/// Lowest number of parts into which a tower is divided for the sums of its forces.
 const LEAST_PARTS: usize = 64;
 
-/// What is attached at one height.
+/// The attachments at one height.
 #[derive(Debug, Clone)]
 struct Group {
     height_m: f64,
-    /// The places of the attachments.
+    /// Indices of the attachments.
     attached: Range<usize>,
-    /// Its segment, and the fraction of the segment.
+    /// Index of its segment, and the position as a fraction of the segment.
     at: (usize, f64),
     /// 1/κGA in x and y, 1/EA, 1/EI about x and y, 1/GJ of the pieces that end below and above;
     /// none where nothing can leave the end of a piece.
     flexibilities: Option<[[f64; 6]; 2]>,
 }
 
-/// A point of the tower with its share of what moves.
+/// A point of the tower with its fraction of the moving mass.
 struct Point {
     at: (usize, f64),
     height_m: f64,
@@ -49,7 +49,8 @@ pub(super) struct AttachedForces<'a> {
     points: Vec<Point>,
 }
 
-/// The force of a mode above the end of a piece, and what each attachment there adds to it below.
+/// The force of a mode above the end of a piece, and the change of the force below by each
+/// attachment there.
 #[derive(Debug, Clone)]
 struct EndForces {
     above: [f64; 6],
@@ -116,7 +117,7 @@ impl<'a> AttachedForces<'a> {
     }
 }
 
-/// What is attached to a tower by height, and what is needed where it stands on the end of a piece.
+/// The attachments of a tower by height, with the data needed at ends of pieces.
 fn groups(tower: &Tower, mesh: &Mesh, shears: bool) -> Vec<Group> {
     let (attached, borders_m) = (tower.attachments(), mesh.borders_m());
     let mut groups = Vec::new();
@@ -167,7 +168,7 @@ fn flexibilities(tower: &Tower, border: usize, shears: bool) -> [[f64; 6]; 2] {
     ]
 }
 
-/// The points of the segments from one on.
+/// The points of all segments from this index on.
 fn points_above(tower: &Tower, mesh: &Mesh, lowest: usize) -> Vec<Point> {
     let parts = LEAST_PARTS.div_ceil(mesh.segments().max(1));
     let mut points = Vec::new();
@@ -199,7 +200,7 @@ fn points_above(tower: &Tower, mesh: &Mesh, lowest: usize) -> Vec<Point> {
     points
 }
 
-/// The forces of everything that is above, as the walk comes down.
+/// The forces of all parts above the current height of the walk.
 #[derive(Default)]
 struct Above {
     lambda: f64,
@@ -267,14 +268,14 @@ impl Above {
         force
     }
 
-    /// By how much the internal force below an attachment is larger than above.
+    /// The difference of the internal force below and above an attachment.
     fn jump_at(&self, attached: &Attachment, motion: &[f64; 6]) -> [f64; 6] {
         let mut force = self.force_of(attached, motion);
         lean(&mut force, self.gravity * attached.mass_kg, motion);
         force
     }
 
-    /// The internal force at a height (m) that moves so.
+    /// The internal force at a height (m) with this motion.
     fn at(&self, height_m: f64, motion: &[f64; 6]) -> [f64; 6] {
         let mut force = self.force;
         transform_force(&mut force, -height_m);
@@ -286,7 +287,7 @@ impl Above {
     }
 }
 
-/// Adds the part of a weight (N) that lies in the plane of a section that turns.
+/// Adds the component of a weight (N) in the plane of a rotated section.
 fn lean(force: &mut [f64; 6], weight_n: f64, motion: &[f64; 6]) {
     force[0] += weight_n * motion[4];
     force[1] -= weight_n * motion[3];
@@ -330,8 +331,8 @@ impl EndForces {
             .zip(&self.attached)
             .filter(|(arm_m, _)| *arm_m > 0.0)
             .collect();
-        // From the farthest to the nearest: each part of the tower is passed by all that are
-        // farther.
+        // From the farthest to the nearest: the force in each part of the tower includes all
+        // attachments that are farther away.
         left.sort_by(|a, b| b.0.total_cmp(&a.0));
         let mut force = *carried;
         let mut change = 0.0;

@@ -27,13 +27,13 @@ pub const MAX_BLADE_ELEMENTS: usize = 10_000;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum BladeFamily {
-    /// Out of the rotor's plane.
+    /// Bending out of the rotor's plane.
     Flap,
-    /// Edgewise, in the rotor's plane.
+    /// Bending in the rotor's plane (edgewise).
     Lag,
-    /// About the span.
+    /// Torsion about the span.
     Torsion,
-    /// Along the span.
+    /// Axial motion along the span.
     Axial,
 }
 

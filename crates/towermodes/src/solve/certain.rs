@@ -1,4 +1,4 @@
-//! As many of the modes requested as double precision resolves.
+//! Reduces the number of requested modes to those that double precision resolves.
 
 use super::error::SolveError;
 use super::results::solution::Solution;
@@ -23,7 +23,7 @@ impl Solver {
         found
     }
 
-    /// The same by bisection, which leaves another number of modes in the options.
+    /// As above by bisection; changes the number of modes in the options.
     fn most_certain(&mut self, tower: &Tower) -> Result<Solution, SolveError> {
         let wanted = self.options.modes;
         let (mut hidden, mut listed) = (wanted, 0);

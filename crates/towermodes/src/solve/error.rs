@@ -1,4 +1,4 @@
-//! Why a tower or a blade was not solved.
+//! Errors of the solution of a tower or a blade.
 
 use thiserror::Error;
 
@@ -9,7 +9,7 @@ use crate::frame::FrameSolveError;
 use crate::modes::Family;
 use crate::number::Plain;
 
-/// Buckling load factors above this and below 1 are so near to 1 that small changes matter.
+/// Buckling load factors between this and 1 are so close to 1 that small changes matter.
 const ON_THE_VERGE: f64 = 0.99;
 
 /// The consequence of such a factor.

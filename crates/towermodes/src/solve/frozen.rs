@@ -1,4 +1,4 @@
-//! Modes of a tower that are held while the tower changes a little.
+//! Modes with fixed shapes for small changes of the tower.
 //!
 //! The Rayleigh quotient ρ = xᵀKx/xᵀMx is stationary at an eigenvector x, so its derivative with
 //! the vector held is that of the eigenvalue (Hellmann 1937, Feynman 1939; Fox & Kapoor 1968). The
@@ -30,13 +30,13 @@ pub(crate) struct FrozenModes {
     keys: Vec<ModeKey>,
     /// The powers of 1/n in the error of each mode; none for the spectral method.
     pub(crate) powers: Vec<&'static [i32]>,
-    /// The motions of each mode's subsystem.
+    /// The coupled motions of each mode's subsystem.
     pub(crate) motions: Vec<Motions>,
-    /// The places of the modes whose frequencies do not converge with these powers.
+    /// Indices of the modes whose frequencies do not converge with these powers.
     pub(crate) irregular: Vec<usize>,
     /// The mesh of the modes and others, each with half the segments of the one before.
     pub(crate) meshes: Vec<FrozenMesh>,
-    /// Which of them is that of the modes.
+    /// Index of the mesh of the modes.
     pub(crate) own: usize,
     /// For each number of the tower the derivatives of the eigenvalues with respect to it, mesh by
     /// mesh; none if the method has no sweep that gives them.
@@ -50,7 +50,8 @@ pub(crate) struct FrozenMesh {
     vectors: Vec<Vec<f64>>,
     /// The eigenvalue λ of each mode, rad²/s².
     pub(crate) lambdas: Vec<f64>,
-    /// What each mode does where attachments can leave the end of a piece; empty if none can.
+    /// Data of each mode at attachments that can move away from the end of a piece; empty if none
+    /// can.
     attached: Vec<AttachedEnds>,
 }
 
@@ -110,7 +111,7 @@ impl FrozenModes {
                     });
                     frozen.meshes.push(mesh);
                 }
-                // The other meshes only tell how the derivative converges.
+                // The other meshes are used only for the convergence of the derivative.
                 Err(_) if index < finer => {
                     frozen.meshes.clear();
                     gradients = frozen.begin_gradients();
@@ -141,7 +142,7 @@ impl FrozenModes {
         self.powers = self.keys.iter().map(of_mode).collect();
     }
 
-    /// Where the gradients are to be written, if there are some.
+    /// Memory for the gradients, if there are any.
     fn begin_gradients(&self) -> Option<Vec<Vec<f64>>> {
         let is_swept = self.options.method == Method::RmjeExact && self.options.borders_m.is_none();
         is_swept.then(Vec::new)
@@ -211,8 +212,8 @@ impl FrozenModes {
         Ok(mesh)
     }
 
-    /// Adds what the modes do where attachments can leave the end of a piece, for the model on
-    /// this mesh.
+    /// Adds the data of the modes at attachments that can move away from the end of a piece, for
+    /// the model on this mesh.
     fn add_attached(&self, tower: &Tower, model: &mut Model, mesh: &mut FrozenMesh) {
         let options = &self.options;
         let included = (options.method.has_shear(), options.rotary_inertia);
@@ -230,7 +231,7 @@ impl FrozenModes {
         mesh.attached = attached.collect();
     }
 
-    /// The vectors of the modes on the present mesh, from their guesses or from nothing.
+    /// The vectors of the modes on the present mesh, from guesses or from the Lanczos process.
     fn vectors(
         &self,
         model: &mut Model,

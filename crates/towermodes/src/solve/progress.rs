@@ -51,7 +51,7 @@ pub struct Progress {
     pub fraction: f64,
 }
 
-/// The function that is called.
+/// The observer function.
 type Observer = Box<dyn FnMut(Progress) + Send + Sync>;
 
 /// A progress observer, or none. The results are the same.
@@ -59,13 +59,13 @@ type Observer = Box<dyn FnMut(Progress) + Send + Sync>;
 pub(super) struct Monitor {
     observer: Option<Observer>,
     progress: Option<Progress>,
-    /// Estimated: segments of all meshes of this solve together, and products for each.
+    /// Expected work: segments of all meshes of this solve together, and products for each mesh.
     expected: [f64; 2],
-    /// Segments of the meshes that are done, and of the present one.
+    /// Completed segments of the meshes, and of the present one.
     done: [f64; 2],
 }
 
-/// The fraction is 1 only when the solve has ended.
+/// The fraction reaches 1 only when the solve has ended.
 const NEARLY_ALL: f64 = 0.99;
 
 impl Monitor {
@@ -116,7 +116,7 @@ impl Monitor {
         let least = self.progress.map_or(0.0, |progress| progress.fraction);
         let of_this_cut = (products as f64 / of_a_cut).min(1.0);
         let fraction = (before + now * of_this_cut) / all;
-        // Nothing expected is nothing known.
+        // Without expected work the fraction is not known.
         if fraction.is_finite() {
             fraction.clamp(least, NEARLY_ALL)
         } else {

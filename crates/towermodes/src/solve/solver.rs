@@ -1,4 +1,4 @@
-//! The solver: how to solve, and the memory that is reused from solve to solve.
+//! The solver: its options, and memory that is reused from solve to solve.
 
 use super::progress::{Monitor, Progress};
 use super::request::options::Options;

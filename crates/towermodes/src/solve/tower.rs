@@ -70,8 +70,8 @@ impl Solver {
     }
 }
 
-/// With elements of a fixed kind: solved once, the errors estimated from meshes of half or twice as
-/// many segments.
+/// The solution with elements of a fixed degree: solved once, the errors estimated from meshes of
+/// half or twice as many segments.
 fn solve_segments(
     tower: &Tower,
     options: &Options,

@@ -5,7 +5,7 @@ use super::solver::Solver;
 
 /// An error that can mean that more modes were requested than exist.
 pub trait TooManyModes {
-    /// How many modes there are, if more were asked for.
+    /// Number of available modes, if more were requested.
     fn available_modes(&self) -> Option<usize>;
 }
 
@@ -54,7 +54,7 @@ impl Solver {
             match solve(self) {
                 Ok(found) if modes >= most || has_all(&found) => return Ok(found),
                 Ok(_) => self.options.modes = modes.saturating_mul(2).min(most),
-                // Another mesh or degree of the same solve may have fewer still.
+                // Another mesh or degree of the same solve may have fewer modes still.
                 Err(error) => match error.available_modes() {
                     Some(available) if (1..modes).contains(&available) => {
                         (self.options.modes, most) = (available, available);

@@ -16,8 +16,8 @@ use super::solver::Solver;
 use super::workspace::Workspace;
 use crate::tower::Tower;
 
-/// How many more modes of a base are known than are listed of a tower that is similar to it: their
-/// order may be another.
+/// Number of modes of a base that are known in addition to those listed of a similar tower: the
+/// order of the modes may differ.
 const MORE_OF_BASE: usize = 4;
 
 impl Solver {
@@ -191,8 +191,8 @@ fn solve_listed(
     Ok((found, below))
 }
 
-/// With elements of a fixed kind: solved once, the errors estimated from meshes of half or twice as
-/// many segments.
+/// The frequencies with elements of a fixed degree: solved once, the errors estimated from meshes
+/// of half or twice as many segments.
 fn solve_segments(
     tower: &Tower,
     options: &Options,

@@ -1,4 +1,4 @@
-//! A tower as a branch of links: what a structure that carries it needs of its equations.
+//! A tower as a branch of links: the equations that a supporting structure needs.
 
 use crate::space::SpatialMatrix;
 

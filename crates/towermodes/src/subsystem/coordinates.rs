@@ -21,7 +21,7 @@ pub fn dimension(motions: Motions) -> usize {
 pub struct Coordinates<const D: usize> {
     motions: Motions,
     components: [Component; D],
-    /// The bending plane, and the motion along or about the axis, if there are one at most of each.
+    /// The bending plane, and the motion along or about the axis, if there is at most one of each.
     plane: Option<Plane>,
     straight: Option<Motion>,
 }
@@ -78,7 +78,7 @@ impl<const D: usize> Coordinates<D> {
             let [[ww, wt], [_, tt]] = matrix.plane(plane);
             (own[0][0], own[0][1], own[1][0], own[1][1]) = (ww, wt, wt, tt);
         }
-        // Behind the bending plane.
+        // The index after those of the bending plane.
         match self.straight {
             Some(Motion::Torsion) => own[D - 1][D - 1] = matrix.torsion,
             Some(Motion::Axial) => own[D - 1][D - 1] = matrix.axial,
@@ -100,7 +100,7 @@ impl<const D: usize> Coordinates<D> {
     /// The same, with zero for components that do not move.
     #[inline]
     pub fn restrict_moving(&self, diagonal: &[f64; 6]) -> [f64; D] {
-        // Fewer than six components all move.
+        // With fewer than six components all of them move.
         if D == 6 {
             self.restrict_diagonal(&self.motions.masked(*diagonal))
         } else {

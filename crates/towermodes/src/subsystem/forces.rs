@@ -1,4 +1,4 @@
-//! The internal forces of a vector, by which it is carried from one mesh to another.
+//! The internal forces of a vector, by which it is transferred from one mesh to another.
 
 /// The forces in the joints of a chain whose joint coordinates are a vector: moments, shear and
 /// normal forces along the tower. They hardly depend on the mesh.

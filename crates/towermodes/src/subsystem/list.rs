@@ -61,7 +61,7 @@ impl<S: Subsystem + ?Sized> Subsystems<S> {
         self.count = self.members.len();
     }
 
-    /// Takes the subsystem out, if it is the only one in use.
+    /// Returns the subsystem, if it is the only one in use, and removes it from the list.
     pub(crate) fn take_only(&mut self) -> Option<Box<S>> {
         let only = if self.count == 1 {
             self.members.pop()
@@ -74,7 +74,7 @@ impl<S: Subsystem + ?Sized> Subsystems<S> {
         only
     }
 
-    /// Takes all subsystems out of use but keeps their memory.
+    /// Marks all subsystems as unused and keeps their memory.
     pub(crate) fn release(&mut self) {
         self.count = 0;
         self.planes_are_equal = false;
@@ -120,8 +120,8 @@ impl<S: Subsystem + ?Sized> Subsystems<S> {
         }
     }
 
-    /// Adds those of the attachments, sorted by height, that are not above a height (m); returns
-    /// those above.
+    /// Adds the matrices of the attachments, sorted by height, up to a height (m); returns the
+    /// attachments above.
     pub(crate) fn attach_up_to<'a>(
         &mut self,
         height_m: f64,

@@ -44,7 +44,8 @@ pub trait Subsystem: Send + Sync {
     fn clear(&mut self);
 
     /// Begins with a base at a height (m). It moves freely in the components (x, y, z, rotation
-    /// about x, y, z) with a unit: the motion (m or rad) for a coordinate of 1. Zero holds one.
+    /// about x, y, z) with a unit: the motion (m or rad) for a coordinate of 1. A zero fixes the
+    /// component.
     fn add_base(&mut self, height_m: f64, unit: &[f64; 6]);
 
     /// Adds a matrix, given for the motion of the point at `reference_m` (m), to what was added
@@ -104,8 +105,8 @@ pub trait Subsystem: Send + Sync {
         None
     }
 
-    /// What each joint does in a mode of an eigenvalue λ, rad²/s²; false if this is no chain of
-    /// joints.
+    /// Data of each joint in a mode of an eigenvalue λ, rad²/s²; false if the subsystem is not a
+    /// chain of joints.
     fn joint_states(&self, _lambda: f64, _x: &[f64], _states: &mut Vec<JointState>) -> bool {
         false
     }

@@ -33,7 +33,7 @@ impl Eigenproblem {
 
 /// An observer of the products with the mass matrix.
 pub trait ProductObserver {
-    /// A product was made.
+    /// Called after each product.
     fn count_product(&mut self);
 }
 
@@ -128,10 +128,10 @@ impl Pencil for SubsystemPencil<'_> {
             -stiffness.geometric * energies.gravity,
             stiffness.mass * energies.mass,
         ];
-        // All terms add up to 1, so the joints or elements have the rest.
+        // All terms add up to 1, so the rest is in the joints or elements.
         let own = 1.0 - others.iter().sum::<f64>();
         let gross = own.abs() + others.iter().map(|term| term.abs()).sum::<f64>();
-        // The motion of a tied point is a sum over all below it: take it as if nothing cancelled.
+        // The motion of a tied point is a sum over all points below it: cancellation is neglected.
         let ties = match stiffness.foundation {
             0.0 => 0.0,
             factor => {

@@ -1,4 +1,4 @@
-//! What each joint of a chain does in a mode.
+//! Data of each joint of a chain in a mode.
 
 /// A joint in a mode, in (x, y, z, rotation about x, y, z).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

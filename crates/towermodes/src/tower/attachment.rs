@@ -61,7 +61,7 @@ impl Attachment {
         }
     }
 
-    /// All its matrices.
+    /// Its mass and stiffness matrices.
     pub(super) fn matrices(&self) -> [&SpatialMatrix; 2] {
         [&self.inertia, &self.stiffness]
     }

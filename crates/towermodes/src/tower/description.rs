@@ -252,11 +252,11 @@ impl Default for TowerDescription {
 }
 
 impl TowerDescription {
-    /// The same with a frame whose members have their materials and the water on them.
+    /// As it is, with a frame whose members have their materials and added mass.
     pub(super) fn with_complete_frame(mut self) -> Self {
         let mut water = self.water;
         if let (Some(water), Some(ground)) = (&mut water, &self.ground) {
-            // The bed goes down with the soil.
+            // Scour lowers the seabed.
             let before_m = water.bed_m.unwrap_or(ground.surface_m);
             water.bed_m = Some(before_m - ground.scour.total_m());
         }

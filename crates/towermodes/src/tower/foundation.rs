@@ -206,7 +206,7 @@ impl From<SpatialMatrix> for StiffnessFoundation {
 }
 
 impl StiffnessFoundation {
-    /// Which motions are possible, and the stiffness against these alone.
+    /// The possible motions, and the stiffness of these motions without the fixed ones.
     pub(super) fn moving(&self) -> ([bool; 6], SpatialMatrix) {
         let moves: [bool; 6] = std::array::from_fn(|i| self.stiffness[i][i] != f64::INFINITY);
         let entry = |i: usize, j: usize| {

@@ -1,5 +1,5 @@
-//! Towers on a platform whose added mass depends on frequency: each mode with that of its own
-//! frequency.
+//! Towers on a platform whose added mass depends on frequency: each mode has the added mass of its
+//! own frequency.
 //!
 //! With the added mass held at ω the tower is an ordinary one, with the eigenvalues μ₁(ω) ≤ μ₂(ω) ≤
 //! …; mode k is that of μₖ(ω) = ω². It is taken, with its error and its shape, from the solution
@@ -19,20 +19,19 @@ use crate::tower::{Tower, Warning};
 use proof::prove;
 use roots::{Root, roots};
 
-/// What a solve gives of the modes of an ordinary tower.
+/// The data of modes that a solve of an ordinary tower returns.
 trait Listed {
-    /// What a list has of a mode.
+    /// The data of one mode.
     type OfMode: Clone;
 
     fn modes(&self) -> &[Self::OfMode];
     fn certificate(&self) -> Certificate;
     fn shares(mode: &Self::OfMode) -> Shares;
-    /// Moves what is known of a mode with the added mass held to that with the added mass of its
-    /// own frequency.
+    /// Changes the data of a mode from fixed added mass to the added mass of its own frequency.
     fn release(mode: &mut Self::OfMode, root: &Root);
 }
 
-/// A list of modes with all their errors in Hz, each changed where the added mass is released.
+/// Implements this for a list of modes; the named errors in Hz change with the frequency.
 macro_rules! listed {
     ($list:ty, $mode:ty) => {
         impl Listed for $list {
@@ -92,7 +91,7 @@ pub(super) fn solve(
     Ok(solution)
 }
 
-/// The same for frequencies alone.
+/// As [`solve`], for frequencies without shapes.
 pub(super) fn frequencies(
     tower: &Tower,
     options: &Options,
@@ -125,7 +124,7 @@ pub(crate) fn slopes(
         .collect())
 }
 
-/// The last list, the modes of all, and the proof that none is missing.
+/// The last list, the data of all modes, and the proof that no mode is missing.
 type Each<L> = (L, Vec<<L as Listed>::OfMode>, Certificate);
 
 fn each<L: Listed>(
@@ -148,7 +147,7 @@ fn each<L: Listed>(
             ..options.clone()
         };
         let held = tower.with_added_mass_at(root.frequency);
-        // The names of the modes below are those of their own added mass.
+        // The modes below keep the names that they have with the added mass of their own frequency.
         workspace.naming.known = modes.iter().map(L::shares).collect();
         let list = solve(&held, &up_to, workspace);
         workspace.naming.known.clear();

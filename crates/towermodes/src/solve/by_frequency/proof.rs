@@ -1,4 +1,4 @@
-//! The proof that no mode is missing where the added mass depends on frequency.
+//! The proof that no mode is missing if the added mass depends on frequency.
 //!
 //! N(ω), the number of negative eigenvalues of K − ω²(M + A(ω)), is the number of modes below ω if
 //! the matrix decreases with ω. On intervals where that is not certain, N is enclosed by the counts
@@ -15,12 +15,12 @@ use crate::eigen::{CountCheck, EigenError, verify};
 use crate::tower::Tower;
 use std::f64::consts::TAU;
 
-/// How often an interval is halved in search of parts without a mode.
+/// Number of halvings of an interval in the search for parts without a mode.
 const HALVINGS: usize = 12;
 /// Ends of intervals are compared with this relative tolerance.
 const SAME: f64 = 1e-12;
 
-/// Proves that the modes at `roots` are all below a frequency above the last, where the last has
+/// Proves that the modes at `roots` are all modes below a frequency above the last one, which has
 /// this certificate with the added mass of its frequency.
 pub(super) fn prove(
     tower: &Tower,
@@ -63,7 +63,7 @@ impl Counts<'_> {
             self.below(&self.tower.with_added_mass_at(lambda.sqrt()), lambda)
         });
         let below = match check {
-            // Motions that nothing resists are counted with the tower held.
+            // Motions without stiffness are counted with the tower fixed.
             _ if own == 0.0 => return Ok(*last),
             CountCheck::Complete { margin } => (own * (1.0 + margin)).sqrt(),
             CountCheck::Disagrees { count, shift } => {
@@ -94,8 +94,8 @@ impl Counts<'_> {
         count_below(model, lambda)
     }
 
-    /// The least interval (rad/s) that has all below an angular frequency in which there may be
-    /// other modes.
+    /// The smallest interval (rad/s) below an angular frequency that contains all parts in which
+    /// there may be other modes.
     fn uncertain_below(&mut self, limit: f64) -> Option<[f64; 2]> {
         let by_frequency = self.tower.inertia_by_frequency()?;
         let mut uncertain: Option<[f64; 2]> = None;

@@ -1,4 +1,4 @@
-//! The frequencies of modes with added mass by frequency: μₖ(ω) = ω².
+//! The frequencies of modes if the added mass depends on frequency: μₖ(ω) = ω².
 
 use super::super::error::SolveError;
 use super::super::errors::p_refinement;
@@ -13,9 +13,9 @@ use std::f64::consts::TAU;
 
 /// The permitted relative difference of μ(ω) and ω².
 const TOLERANCE: f64 = 1e-12;
-/// Newton's step from a smaller difference is the last.
+/// If the difference was smaller than this before, a step of Newton's method is the last one.
 const NEARLY: f64 = 1e-7;
-/// More steps than bisection needs from any start.
+/// Limit of the steps; bisection needs fewer from any start.
 const MAX_STEPS: usize = 200;
 /// A slope below this is not used for a step.
 const LEAST_SLOPE: f64 = 0.1;
@@ -27,7 +27,7 @@ pub(super) struct Root {
     pub(super) frequency: f64,
     /// 1 − dμ/dλ at λ = ω²: uᵀ(M + A + ½ω dA/dω)u/uᵀ(M + A)u.
     pub(super) slope: f64,
-    /// The relative difference of μ(ω) and ω² that is left.
+    /// The remaining relative difference of μ(ω) and ω².
     pub(super) residual: f64,
     /// Whether the added mass is constant from this frequency on.
     pub(super) is_constant: bool,
@@ -57,16 +57,16 @@ pub(super) fn roots(
 
 /// The tower with the added mass at one frequency.
 struct Sample {
-    /// Its eigenvalues μ, rad²/s², rising, with the bounds of their errors; 0 for a motion that
-    /// nothing resists.
+    /// Its eigenvalues μ, rad²/s², in increasing order, with the bounds of their errors; 0 for a
+    /// motion without stiffness.
     eigenvalues: Vec<(f64, f64)>,
-    /// 1 − dμ/dλ of one of them.
+    /// 1 − dμ/dλ of one mode.
     slope: f64,
 }
 
 struct Search<'a> {
     tower: &'a Tower,
-    /// The options with as many modes as a sample needs.
+    /// The options with the number of modes that a sample needs.
     options: Options,
     most: usize,
     workspace: &'a mut Workspace,
@@ -81,7 +81,7 @@ impl Search<'_> {
         for _ in 0..MAX_STEPS {
             *last = self.sample(frequency, place)?;
             let (eigenvalue, error) = last.eigenvalues[place];
-            // Halving its interval would never arrive at the 0 of a motion that nothing resists.
+            // Bisection would never reach the frequency 0 of a motion without stiffness.
             if eigenvalue == 0.0 {
                 return Ok(Root {
                     frequency: least,
@@ -108,7 +108,7 @@ impl Search<'_> {
             }
             let step = lambda + (eigenvalue - lambda) / last.slope.max(LEAST_SLOPE);
             let next = within(step.max(0.0).sqrt(), low, high);
-            // Newton's method squares what is left, where the added mass does not bend.
+            // Newton's method squares the remaining difference where the added mass is linear.
             if residual < NEARLY && self.end(next) == self.end(frequency) {
                 return Ok(Root {
                     frequency: next,

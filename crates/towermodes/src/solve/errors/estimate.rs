@@ -17,8 +17,8 @@ use super::tracking::{Ladder, MORE, frequencies};
 use crate::elements::Mesh;
 use crate::tower::{Motion, Tower};
 
-/// What the errors of a list of modes are from; the errors and the modes that do not converge with
-/// the powers of the method are in the workspace.
+/// The origin of the errors of a list of modes; the errors, and the modes that do not converge with
+/// the powers of the method, are in the workspace.
 pub(crate) struct Estimates {
     /// How many modes another mesh, or the reference, has below the end of the list: if that is
     /// another number than the certificate's, the list ends within the discretization error.
@@ -27,8 +27,8 @@ pub(crate) struct Estimates {
     pub(crate) compared: Vec<usize>,
 }
 
-/// Where meshes disagree by less than this fraction of a frequency the larger estimate is enough,
-/// and no reference is computed.
+/// If meshes differ by less than this fraction of a frequency, the larger estimate is used and no
+/// reference is computed.
 const NEGLIGIBLE: f64 = 1e-5;
 
 /// A segment over which a dimension or a stiffness changes by more than this factor is steep.
@@ -66,8 +66,7 @@ pub(crate) fn estimate_errors(
         });
     }
     let elsewhere = solve_meshes(tower, cut, options, below, workspace)?;
-    // Where a section changes much over one segment meshes can converge regularly to something
-    // else.
+    // If a section changes much over one segment, meshes can converge regularly to another value.
     let all_are_doubtful = is_steep(tower, &cut.mesh);
     let Workspace { model, errors, .. } = workspace;
     let mut doubtful = Vec::new();
@@ -96,8 +95,8 @@ pub(crate) fn estimate_errors(
     })
 }
 
-/// No mesh of the tower shows what the elements of a frame under it miss: what finer ones change,
-/// Hz a mode; none without a frame.
+/// Errors of the elements of a frame under the tower, which no mesh of the tower shows: the change
+/// by finer elements, Hz for each mode; none without a frame.
 fn frame_errors_hz(tower: &Tower, workspace: &mut Workspace) -> Vec<f64> {
     if tower.frame().is_none() {
         return Vec::new();
@@ -111,22 +110,22 @@ fn frame_errors_hz(tower: &Tower, workspace: &mut Workspace) -> Vec<f64> {
     let error_hz = |mode: &Estimated| {
         let lambda = spectrum.eigenvalue(model, mode.key).lambda;
         let change = model.change_on_finer_frame(lambda, spectrum.vector(mode.key));
-        // df = dλ/(8π² f), or the whole frequency where it is as small.
+        // df = dλ/(8π² f); the whole frequency if it is not larger.
         let slope = 8.0 * PI * PI * mode.frequency_hz;
         (change.abs() / slope).min(change.abs().sqrt() / TAU)
     };
     errors.modes.iter().map(error_hz).collect()
 }
 
-/// No mesh shows what straight lines in place of curved springs change.
+/// Adds the error due to linear springs in place of the curved spring profile, which no mesh shows.
 fn add_soil_error(tower: &Tower, modes: &mut [Estimated]) {
     for mode in modes {
         mode.error_hz += tower.soil_error() * mode.frequency_hz;
     }
 }
 
-/// Whether a segment is steep: the first or the last of a span, because what is linear changes most
-/// where it is least.
+/// Whether a segment is steep: only the first and the last segment of a span are checked, because
+/// the relative change of a linear quantity is largest there.
 fn is_steep(tower: &Tower, mesh: &Mesh) -> bool {
     mesh.spans_with_borders().any(|(span, borders_m)| {
         let piece = &tower.pieces()[span.piece];
@@ -172,7 +171,7 @@ fn compare(
                 mode.extrapolated_hz = beam_hz;
                 compared.push(index + 1);
             }
-            // The reference buckles, or nothing is known at all.
+            // The reference buckles, or there is no estimate.
             Some(None) => mode.error_hz = mode.frequency_hz,
             None if mode.error_hz == 0.0 => mode.error_hz = mode.frequency_hz,
             None => {}
@@ -206,7 +205,7 @@ fn solve_meshes(
     if !errors.levels.lacks_coarse() {
         return Ok(elsewhere);
     }
-    // A coarser chain buckles where this one does not: only finer ones give an estimate.
+    // A coarser chain may buckle although this one does not: only finer ones give an estimate.
     let fewest = cut.mesh.segments();
     set_ladder(
         &mut errors.ladder,

@@ -46,7 +46,7 @@ pub(crate) fn solve(
     Ok(solution)
 }
 
-/// The same without shapes: the frequencies are in the workspace.
+/// As above without shapes; the frequencies are in the workspace.
 pub(crate) fn solve_frequencies(
     tower: &Tower,
     options: &Options,
@@ -95,7 +95,7 @@ fn refine(
     Ok((solved, statistics))
 }
 
-/// Solves with one degree, after the next one, which gives its error.
+/// Solves with one degree, after the next higher degree, from which the error is estimated.
 fn fix(
     cut: Cut,
     options: &Options,
@@ -152,7 +152,7 @@ fn changes(modes: &[Found], others: &[Found]) -> Vec<f64> {
     modes.iter().map(change).collect()
 }
 
-/// Whether no change is above the tolerance, or above what the eigenvalues are known to.
+/// Whether no change exceeds the tolerance, or the error of the eigenvalues.
 fn have_converged(changes_hz: &[f64], found: &[Found]) -> bool {
     changes_hz.iter().zip(found).all(|(change_hz, found)| {
         let known = 2.0 * found.eigenvalue.frequency_error_hz();

@@ -1,4 +1,4 @@
-//! Which mode of the reference solution each mode is compared with: the one of its name.
+//! The modes of the reference solution with which modes are compared: those of the same name.
 
 use super::super::on_mesh::model::Model;
 use super::super::on_mesh::naming::{Identity, Naming, Wanted, identify};

@@ -16,7 +16,8 @@ use crate::Method;
 use crate::beam::BeamRecipe;
 use crate::tower::Tower;
 
-/// The degree increases until its change is below this fraction of the error that it shows.
+/// The degree increases until the change of the reference is below this fraction of the error that
+/// it determines.
 const BESIDE_THE_ERROR: f64 = 0.1;
 
 /// The largest number of increases of the degree; a remaining change is added to the error.
@@ -28,9 +29,9 @@ const MOST_SECONDS: f64 = 10.0;
 
 /// The frequencies of modes by the reference beam solution.
 pub(crate) struct Reference {
-    /// Hz; none for modes that self-weight makes unstable.
+    /// Frequencies, Hz; none for modes that are unstable because of self-weight.
     pub(super) frequencies_hz: Level,
-    /// How far each may be off, Hz: its change from one degree to the next.
+    /// Possible error of each frequency, Hz: its change from one degree to the next.
     pub(super) changes_hz: Vec<f64>,
 }
 

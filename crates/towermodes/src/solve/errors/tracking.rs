@@ -13,17 +13,17 @@ use crate::modes::{Estimate, extrapolate};
 /// unstable there.
 pub(super) type Level = Vec<Option<f64>>;
 
-/// A mesh more than the powers of the error need reveals meshes that agree by chance.
+/// One mesh more than the number of powers of the error reveals an agreement by chance.
 pub(crate) const MORE: usize = 1;
 
-/// More meshes than any ladder has.
+/// Limit of the number of meshes of a ladder.
 const MOST_MESHES: usize = 8;
 
-/// Meshes that halve each other's segments, finest first.
+/// Meshes with halved numbers of segments, finest first.
 #[derive(Debug, Default)]
 pub(crate) struct Ladder<M> {
     pub(crate) meshes: Vec<M>,
-    /// Which of them the modes were found on, if it is among them.
+    /// Index of the mesh on which the modes were found, if it is in the ladder.
     pub(crate) own: Option<usize>,
 }
 
@@ -35,7 +35,8 @@ pub(crate) struct Levels {
 }
 
 impl<M> Ladder<M> {
-    /// Solves for the modes on each mesh but their own, where they have the frequencies `own_hz`.
+    /// Solves for the modes on each other mesh; on their own mesh they have the frequencies
+    /// `own_hz`.
     pub(crate) fn solve(
         &self,
         mut own_hz: impl Iterator<Item = f64>,
@@ -73,7 +74,7 @@ impl Levels {
         });
         match all_are_known {
             true => extrapolate(frequency_hz, meshes_hz, powers),
-            // A finer chain that buckles leaves nothing certain about the mode.
+            // If a finer chain buckles, the error of the mode is unknown.
             false => Estimate {
                 error_hz: frequency_hz,
                 extrapolated_hz: frequency_hz,

@@ -1,4 +1,4 @@
-//! Modes of one frequency, turned to the axes.
+//! Modes of equal frequency, combined so that each moves along or about one axis.
 //!
 //! Any linear combination of modes with the same frequency is a mode, and an eigensolver gives an
 //! arbitrary one. An engineer expects the one that bends in one plane, or surges without yawing.
@@ -7,7 +7,7 @@ use super::model::Model;
 use crate::eigen::EigenWorkspace;
 use crate::symmetric::eigenpairs;
 
-/// More modes of one frequency than this are left as they are.
+/// If more modes have the same frequency, they are not changed.
 const MOST: usize = 6;
 
 /// Mixes the eigenvectors of a subsystem that have one eigenvalue, within a relative distance, so
@@ -43,7 +43,7 @@ fn axes(
     first: usize,
     count: usize,
 ) -> [[f64; MOST]; MOST] {
-    // The motion that should come first has the lowest value.
+    // The motion that should be first has the lowest value.
     let mut value = |vector: &[f64]| {
         let kinetic = model.modal_forces(subsystem, vector).kinetic;
         -(3.0 * kinetic.fore_aft + 2.0 * kinetic.side_side + kinetic.torsion)
@@ -51,7 +51,7 @@ fn axes(
     let mut form = |i: usize, j: usize| {
         let (a, b) = (workspace.vector(first + i), workspace.vector(first + j));
         let of = |sign: f64| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a + sign * b).collect() };
-        // A bilinear form from its squares.
+        // A bilinear form is computed from squares.
         0.25 * (value(&of(1.0)) - value(&of(-1.0)))
     };
     let mut matrix = [[0.0; MOST]; MOST];
@@ -60,7 +60,7 @@ fn axes(
         matrix[i][j] = form(i, j);
         matrix[j][i] = matrix[i][j];
     }
-    // What is not there comes last.
+    // Missing motions are last.
     let beyond = 1.0 + matrix.iter().flatten().map(|x| x.abs()).sum::<f64>();
     (count..MOST).for_each(|i| matrix[i][i] = beyond);
     eigenpairs(matrix).1

@@ -1,4 +1,4 @@
-//! The mesh of a tower, and how finely each segment is represented.
+//! The mesh of a tower, and the degree of its elements.
 
 use super::super::error::SolveError;
 use super::super::request::checks::check_segments;
@@ -50,11 +50,11 @@ fn mesh_of(tower: &Tower, options: &Options) -> Result<Mesh, SolveError> {
     Ok(equal.unwrap_or_else(|| Mesh::new(tower, borders, segments)))
 }
 
-/// The cut of the last tower, for the next one with the same heights.
+/// The last mesh, for the next tower with the same heights.
 #[derive(Debug, Default)]
 pub(crate) struct LastCut {
     cut: Cut,
-    /// The options that it was made with; none if it is not known.
+    /// The options with which it was made; none if they are not known.
     made_with: Option<(Method, Option<usize>)>,
 }
 
@@ -71,16 +71,16 @@ impl LastCut {
         }
     }
 
-    /// Keeps a cut that was made with these options.
+    /// Stores a cut that was made with these options.
     pub(crate) fn put_back(&mut self, cut: Cut, options: &Options) {
         (self.cut, self.made_with) = (cut, key(options));
     }
 }
 
-/// What a mesh depends on besides the spans of the tower; none if on more.
+/// The options on which a mesh depends besides the spans of the tower; none if it depends on more.
 fn key(options: &Options) -> Option<(Method, Option<usize>)> {
     let depends_on_spans = options.borders() == Borders::Pieces && options.borders_m.is_none();
-    // BModes' elements are equal in the height of the tower.
+    // The elements of BModes have equal lengths over the height of the tower.
     let is_alike = depends_on_spans && options.method != Method::Bmodes;
     is_alike.then_some((options.method, options.segments))
 }

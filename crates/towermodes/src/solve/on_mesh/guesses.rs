@@ -8,7 +8,7 @@ use crate::eigen::{
 use crate::subsystem::InternalForces;
 use crate::tower::{Motions, Tower};
 
-/// A mode is guessed if its eigenvalue is so many times its error.
+/// A guess of a mode is used if its eigenvalue is this many times its error.
 const CERTAIN: f64 = 1e6;
 
 /// The internal forces of modes, which hardly depend on the mesh and little on the dimensions of
@@ -24,7 +24,7 @@ pub(crate) struct Guesses {
 /// The guesses for one subsystem.
 #[derive(Debug, Default)]
 struct OfSubsystem {
-    /// How many modes can be guessed: all that are followed, or none.
+    /// Number of modes with guesses: all that are followed, or none.
     count: usize,
     motions: Motions,
     forces: Vec<InternalForces>,
@@ -54,7 +54,7 @@ impl Guesses {
             guesses.count = 0;
             guesses.motions = model.motions(index);
             let count = followed(keys, index);
-            // Near zero the digits of a mode are few, and those of its guess are none.
+            // Near zero an eigenvalue has few correct digits, and its guess has none.
             let is_certain = |e: &Eigenvalue| e.lambda > CERTAIN * e.error;
             if model.origin != 0.0 || !eigenvalues[..count].iter().all(is_certain) {
                 continue;
@@ -141,7 +141,7 @@ impl SimilarModes for Guesses {
     }
 }
 
-/// How many modes of a subsystem are followed: up to the highest of the keys.
+/// Number of modes of a subsystem that are followed: up to the highest of the keys.
 pub(crate) fn followed(keys: &[ModeKey], subsystem: usize) -> usize {
     let own = keys.iter().filter(|key| key.subsystem == subsystem);
     own.map(|key| key.order).max().unwrap_or(0)

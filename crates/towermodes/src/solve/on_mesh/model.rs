@@ -1,4 +1,4 @@
-//! A tower or a blade as uncoupled subsystems, whatever the method.
+//! A tower or a blade as uncoupled subsystems, for all methods.
 
 use super::super::progress::Monitor;
 use super::super::request::options::Options;
@@ -14,7 +14,7 @@ use crate::subsystem::{
 };
 use crate::tower::{Motions, Tower};
 
-/// Degree of the members of a frame where the tower's elements have none: exact to ten digits for
+/// Degree of the members of a frame if the elements of the tower have none: exact to ten digits for
 /// any member of a jacket in the lowest modes.
 const FRAME_DEGREE: usize = 8;
 
@@ -30,12 +30,12 @@ pub(crate) struct Model {
     on_frame: Option<OnFrame>,
     /// The frame of the tower that was assembled last.
     bare_frame: Option<BareFrame>,
-    /// Why the frame has no equations.
+    /// The error of the frame, if it has no equations.
     frame_error: Option<FrameSolveError>,
     /// Height of the base, or radius of the blade's root, m.
     base_m: f64,
-    /// Where the spectrum begins, rad²/s²: 0, or below where nothing holds a floating tower in some
-    /// direction.
+    /// The origin of the spectrum, rad²/s²: 0, or negative if a floating tower has a motion without
+    /// stiffness.
     pub(crate) origin: f64,
     /// The progress observer.
     pub(crate) monitor: Monitor,
@@ -57,8 +57,8 @@ pub(super) struct ModalForces {
     pub(crate) kinetic: ByMotion,
     /// Strain energy, times 2; none for a subsystem of one motion, which has all of it.
     pub(crate) strain: Option<ByMotion>,
-    /// The shares of kinetic and strain energy that members of a frame have by themselves; none
-    /// without a frame whose members could.
+    /// The shares of kinetic and strain energy in local motions of the members of a frame; none
+    /// without a frame that has local modes.
     pub(super) local: Option<[f64; 2]>,
 }
 
@@ -80,7 +80,7 @@ impl Model {
         self.put_on_frame(tower, FRAME_DEGREE);
     }
 
-    /// Puts the tower that was assembled on its frame, if it has one.
+    /// Connects the assembled tower with its frame, if it has one.
     fn put_on_frame(&mut self, tower: &Tower, degree: usize) {
         let Some(frame) = tower.frame() else {
             return;
@@ -103,14 +103,13 @@ impl Model {
         }
     }
 
-    /// Forgets the frame of the tower that was assembled last, so that a result does not depend on
-    /// the one before.
+    /// Removes the frame of the last tower, so that a result does not depend on the tower before.
     pub(crate) fn forget_frame(&mut self) {
         (self.on_frame, self.bare_frame) = (None, None);
     }
 
-    /// By how much finer elements of the frame under the tower change the eigenvalue λ (rad²/s²)
-    /// of a vector; 0 without a frame.
+    /// The change of the eigenvalue λ (rad²/s²) of a vector by finer elements of the frame under
+    /// the tower; 0 without a frame.
     pub(crate) fn change_on_finer_frame(&mut self, lambda: f64, vector: &[f64]) -> f64 {
         match &mut self.on_frame {
             Some(on_frame) => on_frame.change_on_finer(lambda, vector),
@@ -128,7 +127,7 @@ impl Model {
         sum
     }
 
-    /// Why the frame under the tower is a mechanism, if it is one.
+    /// The motions for which the frame under the tower is a mechanism, if it is one.
     pub(crate) fn frame_mechanism(&self) -> Option<FrameSolveError> {
         self.on_frame.as_ref().and_then(OnFrame::mechanism)
     }
@@ -138,7 +137,7 @@ impl Model {
         self.on_frame.as_ref()?.shape(vector, size)
     }
 
-    /// Why the frame under the tower has no equations, if so.
+    /// The error of the frame under the tower, if it has no equations.
     pub(crate) fn take_frame_error(&mut self) -> Option<FrameSolveError> {
         self.frame_error.take()
     }
@@ -173,7 +172,7 @@ impl Model {
         self.origin = 0.0;
     }
 
-    /// Number of subsystems; of two equal bending planes only one is there.
+    /// Number of subsystems; two equal bending planes are one subsystem.
     pub(crate) fn count(&self) -> usize {
         let parts = self.chains.members().len() + self.beams.members().len();
         parts + usize::from(self.on_frame.is_some())
@@ -191,7 +190,7 @@ impl Model {
         }
     }
 
-    /// The same, to be worked on.
+    /// As above, mutable.
     fn subsystem_mut(&mut self, index: usize) -> &mut dyn Subsystem {
         subsystem_mut(&mut self.chains, &mut self.beams, &mut self.on_frame, index)
     }
@@ -208,7 +207,7 @@ impl Model {
         self.pencil(index, Eigenproblem::Vibration { origin })
     }
 
-    /// How many times the modes of a subsystem are in the spectrum.
+    /// How many times each mode of a subsystem is in the spectrum.
     pub(crate) fn multiplicity(&self, index: usize) -> usize {
         match self.chains.members().is_empty() {
             _ if self.on_frame.is_some() => 1,
@@ -227,7 +226,7 @@ impl Model {
         self.motions(index).only_one().is_some()
     }
 
-    /// Unknowns of the whole, an equal plane counted twice.
+    /// Unknowns of the whole model; an equal plane is counted twice.
     pub(crate) fn degrees_of_freedom(&self) -> usize {
         (0..self.count())
             .map(|index| self.multiplicity(index) * self.subsystem(index).degrees_of_freedom())
@@ -257,7 +256,7 @@ impl Model {
 
     /// The forces and the energy of an eigenvector of a subsystem.
     pub(super) fn modal_forces(&mut self, index: usize, vector: &[f64]) -> ModalForces {
-        // A single motion has all the energy, however large it is.
+        // A single motion has all the energy, whatever its amount.
         let (resultant, strain) = if self.has_single_motion(index) {
             (self.resultant(index, &Coefficients::MASS, vector), None)
         } else {

@@ -23,7 +23,7 @@ pub(crate) struct Identity {
     pub(crate) effective_mass: [f64; 6],
 }
 
-/// What is wanted of identities.
+/// The data that are needed of identities.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Wanted {
     /// Family, order and shares.
@@ -36,7 +36,7 @@ pub(crate) enum Wanted {
 #[derive(Debug, Default)]
 pub(crate) struct Naming {
     pub(crate) identities: Vec<Identity>,
-    /// The shares of the first modes where they are known from elsewhere.
+    /// The shares of the first modes, if they are known already.
     pub(crate) known: Vec<Shares>,
     forces: Vec<ModalForces>,
 }
@@ -108,7 +108,7 @@ fn identity(
 ) -> Identity {
     let kinetic = forces.kinetic.shares();
     let strain = match forces.strain {
-        // A motion that nothing resists has no strain energy but rounding errors.
+        // The strain energy of a motion without stiffness is only rounding error.
         _ if found.eigenvalue.is_zero() => ByMotion::default(),
         None => kinetic,
         Some(strain) => strain.shares(),

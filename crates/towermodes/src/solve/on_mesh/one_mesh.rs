@@ -20,7 +20,7 @@ use crate::space::SpatialMatrix;
 use crate::tower::Warning;
 use crate::tower::{Plane, Tower};
 
-/// A tower on a frame that is slower than any turbine may stand on a mechanism, Hz.
+/// If a tower on a frame has a lower frequency, Hz, the frame may be a mechanism.
 const SLOW_HZ: f64 = 1e-3;
 
 /// Assembles a tower on a mesh and solves it for at least the modes requested, from the modes of a
@@ -33,7 +33,7 @@ pub(crate) fn solve_cut(
     workspace: &mut Workspace,
 ) -> Result<Vec<Found>, SolveError> {
     let cost = Cost::of(tower, cut, options);
-    // More modes than there are is another mistake, which is refused below.
+    // More modes than the model has is another error, which is reported below.
     if options.limits && options.modes as f64 <= cost.unknowns {
         options.check_shapes()?;
         cost.check(options.modes)?;
@@ -102,7 +102,7 @@ fn solve_again(
     }
 }
 
-/// A tower on a foundation that does not buckle can be unstable only by rounding.
+/// A tower on a foundation that does not buckle can be unstable only because of rounding.
 fn not_solved(error: EigenError) -> SolveError {
     match error {
         EigenError::Unstable { .. } => EigenError::TooStiff.into(),
@@ -116,7 +116,7 @@ pub(crate) struct Described {
     /// Polynomial degree of spectral elements.
     pub(crate) degree: Option<usize>,
     pub(crate) certificate: Certificate,
-    /// Where the list was proved to end, λ, rad²/s².
+    /// The end of the proved list, λ, rad²/s².
     pub(crate) below: f64,
     /// The mode that repeats the last of the list and is not in it: label and frequency (Hz).
     pub(crate) cut_off: Option<(String, f64)>,
@@ -227,7 +227,7 @@ fn shapes(
     let mut modes: Vec<Mode> = Vec::with_capacity(options.modes);
     for (found, identity) in found.iter().zip(identities).take(options.modes) {
         let number = modes.len() + 1;
-        // Of a repeated pair the second is the first in the other plane.
+        // The second mode of a repeated pair is the first one in the other plane.
         let twin = modes.last().filter(|_| found.key.is_turned);
         let mode = match twin {
             Some(twin) => twin.in_side_side(number, found, identity),

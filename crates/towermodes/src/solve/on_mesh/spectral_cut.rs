@@ -43,8 +43,8 @@ pub(crate) fn first_cut(tower: &Tower, options: &Options) -> Result<Cut, SolveEr
 
 /// A degree at which `modes` modes of `elements` elements are nearly converged.
 fn first_degree(modes: usize, elements: usize) -> usize {
-    // Half of the modes are in each bending plane, and a half wave takes about a degree and a half;
-    // an element that sees a part of a half wave alone needs few.
+    // Half of the modes are in each bending plane, and a half wave needs a degree of about one and
+    // a half; an element with only part of a half wave needs less.
     if modes >= elements {
         7 + modes.div_ceil(elements)
     } else {

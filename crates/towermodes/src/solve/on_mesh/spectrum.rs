@@ -6,7 +6,7 @@ use crate::eigen::{
     CountCheck, EigenError, EigenWorkspace, Eigenvalue, Pencil, Statistics, lowest, verify,
 };
 
-/// Relative distances above the last mode at which completeness is certified, widest first.
+/// Relative distances above the last mode at which completeness is proved, widest first.
 pub(crate) const MARGINS: [f64; 7] = [0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-6, REPEATED];
 /// Eigenvalues closer than this, relatively, count as repeated: two planes of different inertia can
 /// cross as near as that.
@@ -16,7 +16,7 @@ const REPEATED: f64 = 1e-9;
 #[derive(Debug, Default)]
 pub(crate) struct Spectrum {
     of_subsystems: Vec<EigenWorkspace>,
-    /// How many modes are sought in each subsystem.
+    /// Number of modes requested in each subsystem.
     wanted: Vec<usize>,
     /// Memory for a list of modes.
     spare: Vec<Found>,
@@ -38,7 +38,7 @@ pub struct ModeKey {
 }
 
 impl ModeKey {
-    /// Whether both modes differ by the bending plane at most.
+    /// Whether both modes differ only by the bending plane.
     pub(super) fn is_twin(self, other: Self) -> bool {
         (self.subsystem, self.order) == (other.subsystem, other.order)
     }
@@ -156,8 +156,8 @@ impl Spectrum {
                 break;
             }
             if first == all_first {
-                // With the first subsystem exhausted there is no ceiling: any mode of the others
-                // may be among the lowest.
+                // If all modes of the first subsystem are found, there is no upper limit: any mode
+                // of the others may be among the lowest.
                 let all = |index| model.subsystem(index).degrees_of_freedom().min(wanted);
                 self.wanted.clear();
                 self.wanted.extend((0..model.count()).map(all));
@@ -190,7 +190,7 @@ impl Spectrum {
     fn count_below_first(&mut self, model: &mut Model, wanted: usize) {
         let found = self.of_subsystems[0].eigenvalues();
         let ceiling = found.last().map_or(0.0, |e| e.lambda);
-        // Just above the ceiling, so that a mode equal to it counts.
+        // Just above this frequency, so that a mode equal to it is counted.
         let above = ceiling * (1.0 + REPEATED);
         self.wanted.clear();
         self.wanted.push(found.len());
@@ -219,7 +219,7 @@ impl Spectrum {
                 }));
             }
         }
-        // Motions that nothing resists are ordered by subsystem.
+        // Motions without stiffness are ordered by subsystem.
         let place = |found: &Found| (found.key.subsystem, found.key.is_turned, found.key.order);
         let lambda = |found: &Found| match found.eigenvalue {
             eigenvalue if eigenvalue.is_zero() => 0.0,
@@ -242,7 +242,7 @@ impl Spectrum {
         listed: usize,
     ) -> Result<Proof, EigenError> {
         let (last, origin) = (&found[listed - 1], model.origin);
-        // Distances are relative to the beginning of the spectrum.
+        // Distances are relative to the origin of the spectrum.
         let lambda = last.eigenvalue.lambda - origin;
         let repeats = found[listed..]
             .iter()

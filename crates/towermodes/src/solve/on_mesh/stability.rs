@@ -8,11 +8,12 @@ use crate::modes::{RigidTower, Shares};
 use crate::subsystem::Eigenproblem;
 use crate::tower::{Motion, Tower};
 
-/// The range of λ, rad²/s², in which the softest rigid-body motion that something resists is
-/// sought.
+/// Lower end of the range of λ, rad²/s², in which the softest rigid-body motion with stiffness is
+/// searched.
 const SOFTEST: f64 = 1e-8;
 const STIFFEST: f64 = 1e12;
-/// A motion slower by this than the softest one that something resists is one that nothing resists.
+/// A motion whose λ is smaller than that of the softest motion with stiffness by this factor has no
+/// stiffness.
 const UNRESISTED: f64 = 1e-6;
 
 /// Sets where the spectrum of a floating tower begins: at 0, or below if nothing resists some
@@ -33,7 +34,8 @@ pub(super) fn find_origin(tower: &Tower, model: &mut Model) -> Result<(), SolveE
     if count_below(model, -UNRESISTED * softest) > 0 {
         return Err(unstable(tower, model, softest)?);
     }
-    // Near enough that the slow modes keep their digits, far enough that the tower's do.
+    // Near enough that the slow modes keep their digits, far enough that the modes of the tower
+    // keep theirs.
     model.origin = -0.1 * softest;
     Ok(())
 }
@@ -111,11 +113,11 @@ pub(super) fn check_buckling(
     }
 }
 
-/// Both planes buckle at nearly the same load: this number of modes may be near zero.
+/// If both planes buckle at nearly the same load, this number of modes may be near zero.
 const NEAR_ZERO: usize = 4;
 
-/// Sets where the spectrum of a tower on the verge of buckling begins: so far below zero that the
-/// modes near zero keep their digits beside the others.
+/// Sets where the spectrum of a tower on the verge of buckling begins: far enough below zero that
+/// the modes near zero keep their digits relative to the others.
 pub(super) fn begin_below_zero(model: &mut Model) {
     model.origin = 0.0;
     model.origin = -0.1 * softest_resisted(model, NEAR_ZERO);

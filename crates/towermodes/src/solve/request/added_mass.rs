@@ -1,4 +1,4 @@
-//! At which frequency a floating platform has its added mass.
+//! The frequency at which the added mass of a floating platform is evaluated.
 
 use std::fmt;
 
@@ -20,14 +20,14 @@ use crate::number::Plain;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum AddedMassAt {
-    /// Each mode has it at its own frequency.
+    /// The added mass of each mode at its own frequency.
     #[default]
     Own,
-    /// All modes have it at infinite frequency, as in a linearization by OpenFAST.
+    /// The added mass at infinite frequency, as in a linearization by OpenFAST.
     Infinite,
-    /// All modes have it at frequency zero.
+    /// The added mass at frequency zero.
     Zero,
-    /// All modes have it at this frequency, Hz.
+    /// The added mass at this frequency, Hz.
     Hz(f64),
 }
 
@@ -65,7 +65,7 @@ impl AddedMassAt {
         }
     }
 
-    /// Refuses a frequency that is none.
+    /// Refuses a frequency that is negative or not finite.
     pub(super) fn check(self) -> Result<(), SolveError> {
         match self {
             Self::Hz(hz) if !(hz >= 0.0 && hz.is_finite()) => Err(SolveError::AddedMassAt { hz }),

@@ -2,7 +2,7 @@
 
 use super::super::error::SolveError;
 
-/// Refuses a list of no modes.
+/// Refuses a request for no modes.
 pub(crate) fn check_modes(modes: usize) -> Result<(), SolveError> {
     match modes {
         0 => Err(SolveError::NoModes),

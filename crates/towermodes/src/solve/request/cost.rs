@@ -20,7 +20,7 @@ use crate::tower::{Motion, Motions, Plane, Tower};
 const NUMBER: f64 = size_of::<f64>() as f64;
 /// Seconds for a term of a sum of products.
 const SECONDS_A_TERM: f64 = 1e-9;
-/// Looks at the projected matrix, and terms of its diagonalization in units of p³.
+/// Work of the diagonalizations of the projected matrix, in units of p³.
 const DIAGONALIZATION: f64 = 1.5;
 /// Degrees that the spectral method usually needs until the modes converge.
 pub(crate) const DEGREES: f64 = 3.0;
@@ -47,8 +47,7 @@ impl Cost {
         let (finest, all) = match options.method {
             Method::Spectral => (own, DEGREES * own),
             method => {
-                // One cut for each power of the error, and one that finds out what agrees by
-                // chance.
+                // One cut for each power of the error, and one to detect agreement by chance.
                 let others = method.bending_powers(tower.shears()).len() + 1;
                 ladder(cut, others)
             }
@@ -68,7 +67,7 @@ impl Cost {
 
     /// The cost of one mesh of a blade; its time is not estimated.
     pub(crate) fn of_blade(unknowns: usize, segments: usize, modes: usize) -> Self {
-        // Vectors per mode as of a tower's elements of BModes, and the mode itself.
+        // The number of vectors per mode is that of a tower with elements of BModes, plus the mode.
         let vectors = (6 * modes + 20).min(2 * unknowns) as f64;
         Self {
             bytes: vectors * (unknowns * size_of::<f64>()) as f64,
@@ -123,15 +122,15 @@ struct Work {
 
 /// One subsystem.
 struct SubsystemCost {
-    /// Unknowns a segment.
+    /// Unknowns per segment.
     unknowns: f64,
-    /// Bytes a segment, without vectors.
+    /// Bytes per segment, without vectors.
     bytes: f64,
     /// Terms of a product, for each unknown.
     terms: f64,
-    /// Modes that are looked for in it.
+    /// Number of modes requested in it.
     modes: f64,
-    /// How many times it is there.
+    /// Number of equal subsystems.
     multiplicity: f64,
 }
 
@@ -147,7 +146,7 @@ impl Costs {
         let bends = |set: &Motions| set.iter().any(Motion::bends);
         let equal = tower.planes_are_equal();
         let side_side = Motions::only(Motion::Bending(Plane::SideSide));
-        // Half of the modes bend in each plane; what else there is has fewer.
+        // Half of the modes are in each bending plane; the other subsystems have fewer.
         let planes = sets.iter().filter(|set| bends(set)).count().max(1);
         let mut subsystems = [const { None }; Motion::ALL.len()];
         for (index, (set, subsystem)) in sets.iter().zip(&mut subsystems).enumerate() {
@@ -167,7 +166,7 @@ impl Costs {
         }
         Self {
             subsystems,
-            // The elements of BModes have clusters of high modes, which take more.
+            // The elements of BModes have clusters of high modes, which need more vectors.
             vectors: match options.method {
                 Method::Bmodes => [12.0, 2.5, 0.05],
                 Method::RmjeExact
@@ -191,7 +190,7 @@ impl Costs {
         a + modes * (b + modes * c)
     }
 
-    /// One for each vector, and one for each mode that is found.
+    /// One product for each vector, and one for each mode found.
     fn products(&self) -> f64 {
         let subsystems = self.subsystems.iter().flatten();
         subsystems
@@ -234,7 +233,8 @@ impl SubsystemCost {
         };
         let unknowns: usize = set.iter().map(unknowns).sum();
         let components = dimension(*set);
-        // Inertia and one more; with a foundation or gravity also their matrices and the factors.
+        // The inertia and one more matrix; with a foundation or gravity also their matrices and the
+        // factors.
         let is_untied = tower.base().is_clamped() && !has_gravity;
         let matrices = if is_untied { 2 } else { 5 };
         let rows = match element {

@@ -1,4 +1,4 @@
-//! What is asked of a solve: options, their checks and limits, and the cost before it begins.
+//! The request of a solve: options, their checks and limits, and the estimated cost.
 
 pub(super) mod added_mass;
 pub(super) mod checks;

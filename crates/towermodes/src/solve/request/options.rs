@@ -1,4 +1,4 @@
-//! How to solve a tower.
+//! Options of the solution of a tower.
 
 use super::super::error::SolveError;
 use super::added_mass::AddedMassAt;
@@ -78,7 +78,7 @@ impl Default for Options {
 }
 
 impl Options {
-    /// The same without output heights.
+    /// The same options without output heights.
     pub(crate) fn without_shapes(&self) -> Self {
         Self {
             points: 2,
@@ -151,7 +151,7 @@ impl Options {
         }
     }
 
-    /// Where segments must end.
+    /// Heights at which segments must end.
     pub(crate) fn borders(&self) -> Borders {
         match self.method.converges_by_degree() {
             true => Borders::Gradual,

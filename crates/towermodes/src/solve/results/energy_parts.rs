@@ -1,5 +1,5 @@
-//! The energy of modes by the parts of the tower: springs and masses by the difference that a part
-//! makes, with the vector held; materials by what joints or elements have.
+//! The energy of modes by parts of the tower: for springs and masses the difference that the part
+//! makes with fixed vector; for materials the energy in joints or elements.
 
 use super::super::on_mesh::cut::Cut;
 use super::super::on_mesh::model::Model;
@@ -52,7 +52,8 @@ pub(crate) fn energy_parts(
     }
     if tower.frame().is_some() {
         for (parts, whole) in all.iter_mut().zip(&whole) {
-            // What is not in the tower's materials bends the members of the frame.
+            // Strain energy that is not in the materials of the tower is bending of members of the
+            // frame.
             let of_tower: f64 = parts.strain.materials.iter().sum();
             parts.strain.substructure = whole.elastic - of_tower;
         }

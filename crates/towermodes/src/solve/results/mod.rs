@@ -1,4 +1,5 @@
-//! What a solve answers: modes with shapes or frequencies alone, their energies by parts, warnings.
+//! The results of a solve: modes with shapes or only frequencies, their energies by parts,
+//! warnings.
 
 pub(super) mod energy_parts;
 pub(super) mod frequencies;

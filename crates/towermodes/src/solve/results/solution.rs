@@ -138,7 +138,7 @@ impl Mode {
             shape: turned(&self.shape),
             station_shape: turned(&self.station_shape),
             shape_there: turned(&self.shape_there),
-            // A frame couples all motions: none is another one turned.
+            // A frame couples all motions, so no mode is another one rotated.
             frame: None,
             ..*self
         }

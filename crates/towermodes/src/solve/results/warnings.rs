@@ -195,7 +195,7 @@ pub(crate) fn irregular(modes: &[Mode], places: &[usize]) -> Option<Warning> {
 
 fn unresolved(modes: &[Mode]) -> Option<Warning> {
     let relative = |m: &Mode| m.error_hz() / m.frequency_hz;
-    // What nothing resists has frequency 0, and no error is small beside that.
+    // A motion without stiffness has frequency 0, and no error is small relative to it.
     let moving = modes.iter().filter(|m| m.frequency_hz > 0.0);
     let unresolved: Vec<&Mode> = moving.filter(|m| relative(m) > RESOLVED).collect();
     Some(Warning::Unresolved {

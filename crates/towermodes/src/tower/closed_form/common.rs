@@ -1,4 +1,4 @@
-//! Values that several foundations by closed form have, and what their checks have in common.
+//! Values of several foundations by closed form, and their common checks.
 
 use super::form::Buried;
 use crate::inputs::{Input, Limit, Quantity, names};
@@ -163,7 +163,7 @@ pub(super) fn against_diameter(diameter_m: f64, base_diameter_m: Option<f64>) ->
     unusual(Quantity::PileDiameter, "diameter", ratio, [0.3, 5.0])
 }
 
-/// A warning of a value for which a formula was not derived.
+/// A warning that a value is outside the range for which a formula was derived.
 pub(super) fn outside(
     key: &'static str,
     formula: &'static str,
@@ -183,7 +183,8 @@ pub(super) fn outside(
     })
 }
 
-/// Of an embedded footing about its underside: the lateral spring acts a third of the depth above.
+/// The coupling stiffness of an embedded footing about its underside: the lateral spring acts a
+/// third of the depth above it.
 pub(super) fn coupling_n(is_coupled: bool, embedment_m: f64, lateral_n_per_m: f64) -> f64 {
     match is_coupled {
         true => embedment_m / 3.0 * lateral_n_per_m,

@@ -1,4 +1,5 @@
-//! What every foundation by closed form is: the facts about a kind stand in its own file.
+//! The common interface of the foundations by closed form; the facts about each kind are in its own
+//! file.
 
 use std::fmt;
 
@@ -21,7 +22,8 @@ pub trait ClosedForm: Inputs + fmt::Debug {
     /// infinite on the diagonal for a motion that is rigidly held.
     fn stiffness(&self) -> SpatialMatrix;
 
-    /// What two or more of its values must satisfy together; each alone has its limit.
+    /// Checks relations between two or more values; the limits of single values are checked
+    /// elsewhere.
     ///
     /// # Errors
     /// [`TowerError`] at one of the values.

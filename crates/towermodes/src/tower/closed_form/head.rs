@@ -22,7 +22,8 @@ impl HeadStiffness {
         self.rocking_n_m - self.coupling_n * self.coupling_n / self.lateral_n_per_m
     }
 
-    /// From the displacement and rotation of the head by a force of 1 N and by a moment of 1 N m.
+    /// The stiffness from the displacement and rotation of the head by a force of 1 N and by a
+    /// moment of 1 N m.
     pub(super) fn from_compliance(
         displacement_by_force: f64,
         coupled: f64,
@@ -36,7 +37,7 @@ impl HeadStiffness {
         }
     }
 
-    /// With springs against the motions that the formula does not cover.
+    /// The same stiffness with springs for the motions that the formula does not cover.
     pub(super) fn with(&self, vertical_n_per_m: f64, torsion_n_m: f64) -> FoundationSprings {
         FoundationSprings {
             lateral_n_per_m: self.lateral_n_per_m,

@@ -1,5 +1,5 @@
 //! Foundations whose stiffness at the base follows by a closed form from their dimensions and the
-//! soil. `form` is what every kind is, and each kind has a file with all facts about it.
+//! soil. `form` is the common interface; each kind has a file with all its facts.
 
 mod carter_kulhawy;
 mod circular_footing;

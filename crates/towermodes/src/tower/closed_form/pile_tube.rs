@@ -29,7 +29,7 @@ pub struct PileTube {
 }
 
 impl PileTube {
-    /// A wall is at most half as thick as the pile.
+    /// Checks that the wall is at most half as thick as the pile.
     pub(super) fn check(&self) -> Result<(), TowerError> {
         let (value, most) = (self.wall_thickness_m, 0.5 * self.diameter_m);
         if value <= most {
@@ -44,7 +44,7 @@ impl PileTube {
         error("wall_thickness", problem)
     }
 
-    /// Warns of dimensions that piles do not have.
+    /// Warns about dimensions outside the usual range of piles.
     pub(super) fn doubt(&self, base_diameter_m: Option<f64>, warnings: &mut Vec<Warning>) {
         warnings.extend(against_diameter(self.diameter_m, base_diameter_m));
         let wall = self.diameter_m / self.wall_thickness_m;

@@ -21,8 +21,9 @@ impl Pile {
         LIMITS[usize::from(self.is_linear)]
     }
 
-    /// By its limits; in between the form with the smaller moment per rotation of a head that is
-    /// free to move sideways, because each neglects one part of the motion.
+    /// The formula for rigid or for flexible piles by the limits; between the limits the one with
+    /// the smaller moment per rotation of a head that is free to translate, because each formula
+    /// neglects a part of the motion.
     pub(super) fn head(&self) -> HeadStiffness {
         let [rigid_at_most, flexible_at_least] = self.limits();
         let reduced = self.per_m * self.length_m;

@@ -15,7 +15,7 @@ pub(super) struct Soil {
 /// Coefficient and exponent of lateral, coupling and rocking stiffness.
 type Powers = [(f64, f64); 3];
 
-/// x is the modulus of the solid pile over that of the soil.
+/// Powers for flexible piles; x is the modulus of the solid pile divided by that of the soil.
 fn of_flexible(profile: SoilProfile) -> Powers {
     match profile {
         SoilProfile::Homogeneous => [(2.9, 0.186), (1.2, 0.50), (1.5, 0.73)],
@@ -24,7 +24,7 @@ fn of_flexible(profile: SoilProfile) -> Powers {
     }
 }
 
-/// x is the length over the diameter.
+/// Powers for rigid piles; x is the length divided by the diameter.
 fn of_rigid(profile: SoilProfile) -> Powers {
     match profile {
         SoilProfile::Homogeneous => [(6.4, 0.62), (7.1, 1.56), (13.2, 2.5)],

@@ -106,7 +106,7 @@ impl SoilSpring {
         }
     }
 
-    /// The same by another formula, with blank values; as it is by its own.
+    /// With another formula: blank values; with the same formula: unchanged.
     fn with(self, formula: Option<Formula>) -> Self {
         if self.formula() == formula {
             return self;
@@ -123,7 +123,7 @@ impl SoilSpring {
         }
     }
 
-    /// Its numbers with their descriptions.
+    /// Its input values with their descriptions.
     fn numbers(&mut self) -> Vec<(&'static Input, &mut f64)> {
         match self {
             Self::Given { spring_n_per_m2 } => vec![(&SPRING, spring_n_per_m2)],

@@ -15,7 +15,7 @@ use crate::tower::warning::Warning;
 /// Over a depth of this reduced length ∫ (k/EI)^(1/4) dz the motion dies out to below the rounding
 /// of doubles: exp(−√2 × 26) is 1e-16. Longer piles have the stiffness of this one.
 const LONGEST: f64 = 26.0;
-/// Terms of the series, more than the longest pile needs.
+/// Limit of the number of terms of the series; the longest pile needs fewer.
 const MOST_TERMS: usize = 200;
 
 /// A pile below the base of the tower, which stands at the surface of the soil, on springs

@@ -153,7 +153,7 @@ impl Problem {
             }
             Self::RotorTooFast { .. } => "the unit is revolutions per minute (rpm)",
             Self::Blades { .. } => "give the number of blades, for example 3, or omit [rotor]",
-            // Its message says what would be right.
+            // The message already contains the suggestion.
             Self::Frame { .. }
             | Self::Mooring(_)
             | Self::Equilibrium(_)

@@ -1,4 +1,4 @@
-//! Why a description is not a tower, with the place and the numbers.
+//! Errors in the description of a tower, with the place and the values.
 
 mod hint;
 mod place;
@@ -706,12 +706,12 @@ impl fmt::Display for FreeMotions {
     }
 }
 
-/// That of two ends that a height is nearer to, m.
+/// The end of the tower that is nearer to a height, m.
 fn nearer(height_m: f64, base_m: f64, top_m: f64) -> f64 {
     if height_m < base_m { base_m } else { top_m }
 }
 
-/// To four digits after the point.
+/// Rounded to four decimals.
 fn rounded(value: f64) -> f64 {
     let scaled = (value * 1e4).round() / 1e4;
     if scaled.is_finite() { scaled } else { value }

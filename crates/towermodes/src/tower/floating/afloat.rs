@@ -11,21 +11,22 @@ use super::mistake::EquilibriumError;
 use crate::mooring::{MooringError, Pose};
 use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
 
-/// A platform with what it carries.
+/// A platform with the tower and masses on it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Afloat {
     pub(super) platform: FloatingPlatform,
     pub(super) gravity_m_per_s2: f64,
     pub(super) tower: Mass,
     pub(super) rna: Mass,
-    /// Where its lines have their stiffness; none at its reference position.
+    /// The position at which the stiffness of its lines is evaluated; none for its reference
+    /// position.
     pub(super) at: Option<Result<Pose, EquilibriumError>>,
     /// The platform with its lines replaced by their stiffness there; none for a neighbour that is
     /// beyond the last that they can reach.
     pub(crate) linear: Option<FloatingPlatform>,
 }
 
-/// A mass at a place: from the tower's axis, and in the datum of the stations.
+/// A mass at a position relative to the tower's axis, in the datum of the stations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Mass {
     pub(super) mass_kg: f64,
@@ -67,8 +68,7 @@ impl Afloat {
         self.at.as_ref()?.as_ref().err().copied()
     }
 
-    /// The height of the reference point on the tower's axis, m: the point that the hydrostatic
-    /// stiffness is about.
+    /// The height of the reference point of the hydrostatic stiffness on the tower's axis, m.
     pub(super) fn reference_m(&self) -> f64 {
         self.platform.hydrostatic.height_m
     }
@@ -81,7 +81,7 @@ impl Afloat {
         }
     }
 
-    /// Holds a frame that floats by its water and by the lines where they have their stiffness.
+    /// Adds the hydrostatic stiffness and the stiffness of the lines to a floating frame.
     pub(in crate::tower) fn hold(&self, frame: &mut FrameFoundation) {
         let pose = match &self.at {
             Some(Ok(pose)) => *pose,

@@ -119,7 +119,7 @@ impl Tower {
         Some(self.balance_at_reference()?.residual_share())
     }
 
-    /// The same without the search for the equilibrium.
+    /// As above, without the search for the equilibrium.
     pub(in crate::tower) fn balance_at_reference(&self) -> Option<StaticBalance> {
         self.afloat.as_deref()?.at_reference()
     }
@@ -133,8 +133,8 @@ impl Tower {
 }
 
 impl Afloat {
-    /// The tower of a description with its pieces, if it floats, with its lines where they should
-    /// be.
+    /// The tower of a description with its pieces, if it floats, with its lines at their
+    /// equilibrium position.
     pub(crate) fn at_rest(description: &TowerDescription, pieces: &[Piece]) -> Option<Self> {
         let mut afloat = Self::of(description, pieces)?;
         if afloat.platform.at_equilibrium {
@@ -151,7 +151,7 @@ impl Afloat {
         }
         let loads = self.loads()?;
         let pull = match &self.platform.mooring_lines {
-            // The lines were checked.
+            // The lines have been checked already.
             Some(lines) => {
                 let mooring = lines.mooring_about(self.reference_m()).ok()?;
                 mooring.at(&Pose::default()).ok()?.load.force

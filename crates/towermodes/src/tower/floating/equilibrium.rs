@@ -11,13 +11,14 @@ const MAX_STEPS: usize = 100;
 const LONGEST_M: f64 = 10.0;
 /// The largest rotation of one step, rad.
 const LARGEST_RAD: f64 = 0.2;
-/// A smaller step (m, rad) ends the search; it leaves its square.
+/// The search ends with a step smaller than this (m, rad); the remaining error is of the order of
+/// its square.
 const CLOSE: f64 = 1e-9;
-/// Halvings of a step that goes too far.
+/// Maximum number of halvings of a step.
 const HALVINGS: usize = 12;
-/// A force that is left below this fraction of the weight is a rounding error.
+/// A remaining force below this fraction of the weight is a rounding error.
 const ROUNDING: f64 = 1e-7;
-/// A scaled stiffness below this counts as zero.
+/// A scaled stiffness below this is treated as zero.
 const FREE: f64 = 1e-12;
 const MOTIONS: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
 
@@ -64,7 +65,7 @@ impl Search {
         Ok(pose)
     }
 
-    /// Forces of everything at a pose, and their stiffness.
+    /// All forces at a pose, and their stiffness.
     fn at(&mut self, pose: &Pose) -> Result<Loads, MooringError> {
         let mut sum = self.loads;
         let [dx, dy, dz] = pose.displacement_m;
@@ -88,7 +89,7 @@ impl Search {
         Ok(sum)
     }
 
-    /// The pose after a step, or after a part of it where the whole goes too far.
+    /// The pose after a step, or after a fraction of it if the whole step is too long.
     fn advance(&mut self, pose: &Pose, here: &Loads, step: [f64; 6]) -> Pose {
         let largest = |part: &[f64]| part.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         let limits = [
@@ -98,7 +99,8 @@ impl Search {
         let mut factor = limits.into_iter().fold(1.0, f64::min);
         let mut next = pose.moved(step.map(|part| factor * part));
         for _ in 0..HALVINGS {
-            // The work along the step falls to zero at the best place and is negative beyond it.
+            // The work along the step decreases to zero at the best step length and is negative
+            // beyond it.
             let is_good = match self.at(&next) {
                 Ok(there) => work(&step, &there.force) >= -0.5 * work(&step, &here.force),
                 Err(_) => false,
@@ -137,7 +139,7 @@ fn tilt_deg(pose: &Pose) -> f64 {
     pose.rotation[2][2].clamp(-1.0, 1.0).acos().to_degrees()
 }
 
-/// Why there is no step from a pose.
+/// The error of an unstable motion at a pose.
 fn unstable(motion: &'static str, pose: &Pose) -> EquilibriumError {
     let [x, y, z] = pose.displacement_m;
     let (shift_m, tilt_deg) = (x.hypot(y).hypot(z), tilt_deg(pose));

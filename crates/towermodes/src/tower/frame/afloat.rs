@@ -1,4 +1,4 @@
-//! A frame that floats, with its stiffness where it acts.
+//! A floating frame, with its stiffness at the points where it acts.
 
 use super::axes::{difference, norm};
 use super::description::JointKind;

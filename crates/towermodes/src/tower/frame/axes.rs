@@ -46,8 +46,8 @@ pub(crate) fn member_axes(from: Vector, to: Vector, spin_deg: f64) -> Axes {
     [turned(cos, sin), turned(-sin, cos), z]
 }
 
-/// How far axes may be from orthonormal or from the direction of a member: files give them with a
-/// few digits.
+/// Largest deviation of axes from orthonormality or from the direction of a member: files give few
+/// digits.
 pub(super) const AXES: f64 = 1e-3;
 
 /// The spin about its axis, degrees, with which a member between two points has given axes (rows x,

@@ -55,7 +55,7 @@ pub(in crate::tower) enum Substance {
 }
 
 impl CoatKind {
-    /// What its mass is: a solid without a hole is inside.
+    /// The substance of its mass: a solid without a hole is a filling.
     pub(super) fn substance(&self) -> Substance {
         match self {
             Self::Solid { inner_radius_m, .. } if *inner_radius_m == [0.0; 2] => Substance::Filling,
@@ -101,13 +101,13 @@ impl FrameCoat {
                 let slope = (radius_m[1] - radius_m[0]) / ((to - from) * length_m);
                 let along = 2.0 * displaced * blend(along) * slope.abs();
                 masses.water_kg_per_m += displaced * blend(across) - along;
-                // What moves in all directions, less across.
+                // The part that moves in all directions, subtracted across the axis.
                 masses.mass_kg_per_m += along;
             }
         }
     }
 
-    /// Makes it as light as nothing, where it is.
+    /// Sets its mass to zero and keeps its range.
     pub(super) fn remove_mass(&mut self) {
         match &mut self.kind {
             CoatKind::Solid {

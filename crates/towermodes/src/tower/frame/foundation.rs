@@ -82,7 +82,7 @@ impl FrameFoundation {
         }
     }
 
-    /// Changes the frame, with its joints where they are.
+    /// Changes the description of the frame; the joints keep their positions.
     pub(in crate::tower) fn change(&mut self, change: impl FnOnce(&mut FrameDescription)) {
         let mut description = self.frame.description().clone();
         change(&mut description);

@@ -47,7 +47,7 @@ impl MarineGrowth {
 type Range = [f64; 2];
 
 impl MembersInWater {
-    /// Puts the water on the members that have no coats of their own.
+    /// Adds water and growth to the members that have no coats yet.
     pub(super) fn put_on(&self, frame: &mut FrameDescription, water: &Water) {
         let joints = std::mem::take(&mut frame.joints);
         for (index, member) in frame.members.iter_mut().enumerate() {
@@ -82,7 +82,7 @@ impl MembersInWater {
             let growth: Vec<&MarineGrowth> = self.growth_at(middle_m(heights_m, range)).collect();
             let thickness_m: f64 = growth.iter().map(|growth| growth.thickness_m).sum();
             let radius_m = at(outer, range).map(|radius| radius + thickness_m);
-            // Water that moves with no member carries its weight all the same.
+            // Displaced water also carries weight along members without added mass.
             let kind = CoatKind::AddedMass {
                 density_kg_per_m3: water.density_kg_per_m3,
                 radius_m,
@@ -111,7 +111,7 @@ impl MembersInWater {
         self.growth.iter().filter(here)
     }
 
-    /// The parts of a member between two heights, cut where growth begins and ends.
+    /// The parts of a member between two heights, divided where growth begins and ends.
     fn parts(&self, heights_m: [f64; 2], between_m: [f64; 2]) -> Vec<Range> {
         let Some([from, to]) = within(heights_m, between_m) else {
             return Vec::new();

@@ -1,4 +1,4 @@
-//! The mass of a frame by what it is.
+//! The mass of a frame by substance.
 
 use super::coat::{CoatKind, FrameCoat, Substance};
 use super::description::FrameDescription;
@@ -31,7 +31,7 @@ impl Frame {
         let description = self.description();
         let of_joints = description.masses.iter().map(|(_, body)| body.mass_kg);
         let of_soil = description.supports.iter().map(|s| s.inertia[0][0]);
-        // The sum of nothing would be −0.
+        // The sum of an empty list would be −0.
         let mut masses = FrameMasses {
             joints_kg: 0.0 + of_joints.sum::<f64>(),
             soil_kg: 0.0 + of_soil.sum::<f64>(),

@@ -24,7 +24,7 @@ pub struct Restoring {
 }
 
 impl Restoring {
-    /// Whether neither water nor moorings hold anything.
+    /// Whether neither water nor moorings have a stiffness.
     pub(in crate::tower) fn holds_nothing(&self) -> bool {
         let FloatingPlatform {
             hydrostatic,
@@ -40,14 +40,14 @@ impl Restoring {
 /// The stiffness of water, weights and moorings on a frame that floats, where it acts.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Held {
-    /// That of water and weights on the transition piece, for the motion of a point on the axis of
-    /// the tower.
+    /// The stiffness of water and weights on the transition piece, for the motion of a point on the
+    /// axis of the tower.
     pub(crate) water: SpatialMatrix,
-    /// The same on joints.
+    /// The stiffness of water and weights on joints.
     pub(crate) water_on_joints: Vec<OnJoint>,
-    /// That of moorings on the transition piece, for the motion of the same point.
+    /// The stiffness of the moorings on the transition piece, for the motion of the same point.
     pub(crate) moorings: SpatialMatrix,
-    /// The same on joints.
+    /// The stiffness of the moorings on joints.
     pub(crate) moorings_on_joints: Vec<OnJoint>,
     /// Height of the point, m.
     pub(crate) height_m: f64,

@@ -30,7 +30,8 @@ impl FrameSoil {
         ends.into_iter().flatten().map(|row| row.fraction)
     }
 
-    /// The springs along the axis at a fraction of the member, N/m²; of two rows there the later.
+    /// The springs along the axis at a fraction of the member, N/m²; if two rows are at this
+    /// fraction, the later one.
     pub(crate) fn axial_n_per_m2(&self, fraction: f64) -> f64 {
         let after = self.rows.partition_point(|row| row.fraction <= fraction);
         let around = self
@@ -43,21 +44,21 @@ impl FrameSoil {
         })
     }
 
-    /// Multiplies all springs.
+    /// Multiplies the stiffness of all springs.
     pub(super) fn multiply(&mut self, factor: f64) {
         for row in &mut self.rows {
             row.stiffness = row.stiffness.times(factor);
         }
     }
 
-    /// Removes its springs; it stays where it is.
+    /// Removes its springs and keeps its range.
     pub(super) fn remove_springs(&mut self) {
         for row in &mut self.rows {
             row.stiffness = SoilStiffness::default();
         }
     }
 
-    /// Its parts between two fractions: where each begins and ends, and the springs there.
+    /// Its parts between two fractions: both ends of each part, and the springs at these ends.
     pub(crate) fn parts(
         &self,
         [low, high]: [f64; 2],

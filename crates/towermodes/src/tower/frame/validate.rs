@@ -1,4 +1,4 @@
-//! The checks that make a description a frame.
+//! The checks of the description of a frame.
 
 use super::super::error::Problem;
 use super::super::parts::material::Material;
@@ -13,10 +13,11 @@ use super::member::{FrameMember, MemberKind, Rectangle, SectionEnds};
 use super::soil::FrameSoil;
 use crate::space::SpatialMatrix;
 
-/// The largest size of a coordinate, m: beyond it no digit of a wall's thickness is left.
+/// The largest magnitude of a coordinate, m: beyond it coordinates have no correct digit of a wall
+/// thickness.
 const FARTHEST_M: f64 = 1e5;
-/// The largest modulus, Pa: 5e8 times the modulus of steel. Beyond it no digit of the stiffness of
-/// the tower is left.
+/// The largest modulus, Pa: 5e8 times the modulus of steel. Beyond it the stiffness of the tower
+/// has no correct digit.
 const STIFFEST_PA: f64 = 1e20;
 /// Relative difference of the entries of a matrix that is symmetric but for rounding.
 const SYMMETRIC: f64 = 1e-6;
@@ -37,7 +38,7 @@ impl Frame {
         Ok(Self { description })
     }
 
-    /// Checks it again after a change of its numbers.
+    /// Checks the frame again after a change of its input values.
     ///
     /// # Errors
     /// [`FrameError`]: the first impossible value, with its place.
@@ -45,12 +46,12 @@ impl Frame {
         check(&self.description)
     }
 
-    /// A frame near one that was checked.
+    /// A frame with slightly changed values, without checks.
     pub(crate) fn unchecked(description: FrameDescription) -> Self {
         Self { description }
     }
 
-    /// The numbers of a frame that will be checked again.
+    /// The description of the frame for a change; it must be checked again.
     pub(super) fn numbers_mut(&mut self) -> &mut FrameDescription {
         &mut self.description
     }
@@ -81,7 +82,7 @@ impl Frame {
         members.sum::<f64>() + masses.sum::<f64>() + soil.sum::<f64>()
     }
 
-    /// Whether any support has a stiffness, or any member soil around it.
+    /// Whether any support has a stiffness, or any member has soil springs.
     pub(crate) fn has_soil(&self) -> bool {
         let mut supports = self.description.supports.iter();
         let mut members = self.description.members.iter();
@@ -441,7 +442,7 @@ fn check_matrix(name: &'static str, matrix: &SpatialMatrix) -> Result<(), FrameP
     Ok(())
 }
 
-/// A symmetric matrix that gives no energy back.
+/// Checks that a matrix is symmetric and has no negative eigenvalues.
 fn check_stiffness(matrix: &SpatialMatrix) -> Result<(), FrameProblem> {
     check_matrix(STIFFNESS, matrix)?;
     match indefinite(STIFFNESS, matrix) {
@@ -471,7 +472,7 @@ fn check_axes(axes: &Axes) -> Result<(), FrameProblem> {
     }
 }
 
-/// Each joint has members, a universal joint two.
+/// Checks that each joint has members, and a universal joint has two.
 fn check_ends(description: &FrameDescription) -> Result<(), FrameError> {
     let mut ends = vec![0; description.joints.len()];
     for member in &description.members {
@@ -574,7 +575,7 @@ fn check_transition(description: &FrameDescription) -> Result<(), FrameProblem> 
     Ok(())
 }
 
-/// All joints hang together, by members or the transition piece.
+/// Checks that all joints are connected, by members or the transition piece.
 fn check_connected(description: &FrameDescription) -> Result<(), FrameError> {
     let mut group: Vec<usize> = (0..description.joints.len()).collect();
     let of_members = description.members.iter().map(|member| member.joints);

@@ -15,11 +15,12 @@ use crate::number::{Plain, Rounded};
 
 /// Diameter over wall of tubes: grouted legs have 4, the thinnest cans of a tower 250.
 const SLENDER: [f64; 2] = [3.0, 300.0];
-/// The columns of floaters have at most 20 m.
+/// Largest usual diameter: columns of floaters have at most 20 m.
 const WIDEST_M: f64 = 30.0;
 const LONGEST_M: f64 = 200.0;
 const FARTHEST_M: f64 = 1000.0;
-/// Plastics have 1e9, and members that stand for rigid ones up to 1e5 times the modulus of steel.
+/// Usual range of the modulus: plastics have 1e9, and members that represent rigid ones have up to
+/// 1e5 times the modulus of steel.
 const MODULUS_PA: [f64; 2] = [1e9, 1e17];
 
 /// A probable mistake that the user should check, with its numbers. There is one warning of each
@@ -177,7 +178,7 @@ impl Frame {
     }
 }
 
-/// The entry with the largest value of some that are wrong, and how many others there are.
+/// The entry with the largest value among those outside the range, and the number of the others.
 fn worst<T>(wrong: impl Iterator<Item = (f64, T)>) -> Option<(T, usize)> {
     let wrong: Vec<(f64, T)> = wrong.collect();
     let others = wrong.len().saturating_sub(1);
@@ -314,7 +315,7 @@ fn shear_above_youngs(frame: &FrameDescription) -> Option<FrameWarning> {
     })
 }
 
-/// Each beam between the same joints as one before it.
+/// Each beam that connects the same joints as an earlier beam.
 fn same_joints(frame: &FrameDescription) -> Vec<FrameWarning> {
     let mut before: HashMap<[usize; 2], &FrameMember> = HashMap::new();
     let mut warnings = Vec::new();

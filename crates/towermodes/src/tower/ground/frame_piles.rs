@@ -1,4 +1,4 @@
-//! Which members of a frame are piles in the ground, by their position alone.
+//! The piles of a frame: its members in the ground, selected by their position only.
 
 use super::super::frame::{FrameDescription, MemberKind, SectionEnds, difference, norm};
 use super::super::parts::material::Material;
@@ -6,16 +6,17 @@ use super::super::pieces::section::Tube;
 use super::description::Ground;
 use crate::tower::description::{Station, TowerDescription};
 
-/// A member that rises less than this fraction of its length, 60 degrees from the vertical, is no
-/// pile: models of springs are for piles.
+/// A member that rises by less than this fraction of its length (60 degrees from the vertical) is
+/// not a pile: the models of springs apply to piles.
 const LEAST_RISE: f64 = 0.5;
 
 /// A pile of a frame: members in line from its head, in the ground or above it, down to its tip.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::tower) struct FramePile {
-    /// From the head down. Of piles that meet below, each has the members down to the tip.
+    /// Its members from the head down. If piles meet below, each of them includes the members down
+    /// to the tip.
     pub(in crate::tower) members: Vec<Buried>,
-    /// How many of them, from the head, no pile before it has.
+    /// Number of members, from the head, that belong to no earlier pile.
     pub(super) own: usize,
 }
 
@@ -23,11 +24,11 @@ pub(in crate::tower) struct FramePile {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::tower) struct Buried {
     pub(in crate::tower) member: usize,
-    /// Which of its joints is the upper one: 0 or 1.
+    /// Index of its upper joint: 0 or 1.
     upper: usize,
 }
 
-/// A member in the ground that cannot be a pile.
+/// Why there is no pile.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(in crate::tower) enum NoPile {
     /// No member is in the ground.
@@ -69,8 +70,8 @@ impl FramePile {
         }
     }
 
-    /// The pile by itself as a tower in the ground, from its tip up; only what the springs depend
-    /// on.
+    /// The pile as a tower in the ground, from its tip up, with only the data on which the springs
+    /// depend.
     pub(in crate::tower) fn alone(
         &self,
         frame: &FrameDescription,
@@ -104,8 +105,8 @@ impl FramePile {
         last.map_or(f64::NAN, |part| part.ends_m(frame)[1][2])
     }
 
-    /// The joint at its tip, from 0, with the direction of the pile there; none if the tip is that
-    /// of a pile before it.
+    /// The joint at its tip, from 0, with the direction of the pile there; none if an earlier pile
+    /// has the same tip.
     pub(super) fn tip(&self, frame: &FrameDescription) -> Option<(usize, [f64; 3])> {
         let last = self.members.last()?;
         let [_, joint] = last.joints(frame);
@@ -169,7 +170,7 @@ impl Buried {
     }
 }
 
-/// The beams that are in the ground at least in part: those that are piles by their slope, and the
+/// The beams that are at least partly in the ground: those whose slope is that of a pile, and the
 /// others.
 pub(in crate::tower) fn buried(
     frame: &FrameDescription,
@@ -188,8 +189,8 @@ pub(in crate::tower) fn buried(
         .partition(|part| part.direction(frame)[2] >= LEAST_RISE)
 }
 
-/// The member on which a pile goes on below another one: that in the ground whose upper end is at
-/// its lower end, of several the one most in line.
+/// The next member of a pile below a given one: the member in the ground whose upper end is at the
+/// lower end of the given one; of several, the one nearest to its direction.
 fn next_below(frame: &FrameDescription, buried: &[Buried], part: &Buried) -> Option<usize> {
     let [_, lower] = part.ends_m(frame);
     let own = part.direction(frame);

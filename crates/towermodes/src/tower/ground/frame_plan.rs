@@ -1,5 +1,5 @@
-//! The springs of the ground along the piles of a frame: each pile is cut as a tower is that is
-//! this pile alone.
+//! The springs of the ground along the piles of a frame: each pile is divided like a tower that
+//! consists of this pile.
 
 use super::super::frame::{FrameDescription, FrameSoil, FrameSoilRow, FrameSupport};
 use super::super::parts::surroundings::SoilRow;
@@ -15,21 +15,22 @@ use crate::tower::validate::{check_frame_in_ground, check_springs_of_frame};
 /// An element of a pile is at most this many times (4 EI/k)^¼ long, over which a pile bends in
 /// soil: then a polynomial of degree 8 has ten digits.
 const LONGEST: f64 = 2.0;
-/// The most elements of one section: stiffer soil holds the pile at its surface anyway.
+/// Largest number of elements of one section: stiffer soil fixes the pile at its surface anyway.
 const MOST_ELEMENTS: f64 = 16.0;
 
-/// Where the springs along the piles of a frame are cut: the same for a frame and those near it.
+/// The heights at which the springs along the piles of a frame are computed: the same for a frame
+/// and slightly changed frames.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(in crate::tower) struct FramePlan {
     piles: Vec<PilePlan>,
 }
 
-/// The same along one pile.
+/// The heights along one pile.
 #[derive(Debug, Clone, PartialEq)]
 struct PilePlan {
     pile: FramePile,
     plan: Plan,
-    /// Into how many elements each section of the plan is divided.
+    /// Number of elements of each section of the plan.
     elements: Vec<usize>,
 }
 
@@ -58,7 +59,7 @@ impl FrameDescription {
 }
 
 impl FramePlan {
-    /// Of a frame; empty without piles.
+    /// The plan of a frame; empty without piles.
     pub(super) fn of(frame: &FrameDescription, ground: &Ground) -> Self {
         let piles = FramePile::all(frame, ground).unwrap_or_default();
         let piles = piles.into_iter().map(|pile| {
@@ -75,7 +76,8 @@ impl FramePlan {
         }
     }
 
-    /// By which fraction the lines may change a frequency: that of the worst pile.
+    /// Relative error of a frequency by linear interpolation of the springs: that of the worst
+    /// pile.
     pub(super) fn error(&self) -> f64 {
         let errors = self.piles.iter().map(|pile| pile.plan.error);
         errors.fold(0.0, f64::max)
@@ -89,7 +91,7 @@ impl FramePlan {
     }
 }
 
-/// Into how many elements each section of a pile is divided.
+/// Number of elements of each section of a pile.
 fn elements(alone: &TowerDescription, plan: &Plan) -> Vec<usize> {
     let Some(reactions) = Reactions::of(alone) else {
         return Vec::new();
@@ -102,7 +104,7 @@ fn elements(alone: &TowerDescription, plan: &Plan) -> Vec<usize> {
             let lateral = reactions.springs(section.layer, height_m).x_n_per_m2;
             4.0 * reactions.pile.bending_n_m2(height_m) / lateral
         };
-        // At the ends themselves the tube may be the neighbour.
+        // At the ends of a section the tube could be that of the adjacent section.
         let least = [0.001, 0.5, 0.999].map(at).into_iter();
         let bends_m = least.fold(f64::INFINITY, f64::min).powf(0.25);
         let wanted = ((upper_m - lower_m) / (LONGEST * bends_m)).ceil();

@@ -3,18 +3,18 @@
 use super::layer_springs::KINKS;
 use super::reaction::Reactions;
 
-/// What changes the formula of the springs inside a layer.
+/// The cause of a change of formula inside a layer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kink {
-    /// The hole of local scour no longer reduces the effective stress.
+    /// End of the depth over which the hole of local scour reduces the effective stress.
     Overburden,
-    /// The springs across the pile, by the number of the change in their model.
+    /// A change in the lateral model, by its index.
     Across(usize),
-    /// The axial springs.
+    /// A change in the axial springs.
     Axial,
 }
 
-/// Into how many intervals a section is divided in the search for a kink.
+/// Number of intervals of a section in the search for a kink.
 const INTERVALS: usize = 8;
 /// How far inside a section its ends are looked at.
 const INSIDE: f64 = 1e-9;

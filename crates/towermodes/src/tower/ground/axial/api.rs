@@ -1,4 +1,4 @@
-//! API: first points of the t-z curves of clay and sand, and of the Q-z curve.
+//! API: secants to the first points of the t-z curves of clay and sand, and of the Q-z curve.
 
 use std::f64::consts::PI;
 
