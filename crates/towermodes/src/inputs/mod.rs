@@ -37,7 +37,7 @@ pub trait Inputs {
     /// Replaces each value, in the same order, by one of the same type.
     fn update(&mut self, each: &mut dyn FnMut(&'static Input, Given) -> Given);
 
-    /// Visits the values that this kind of table has but does not use.
+    /// Visits the values that other kinds of this table have and this kind does not have.
     fn idle(&self, each: &mut dyn FnMut(&'static Input, Given));
 }
 

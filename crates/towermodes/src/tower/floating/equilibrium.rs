@@ -24,7 +24,8 @@ const MOTIONS: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
 
 /// The pose of the reference point in which weights, buoyancy and lines are in balance.
 ///
-/// Weights and buoyancy change by their stiffness at the reference position, lines follow exactly.
+/// Weights and buoyancy change linearly by their stiffness at the reference position; the forces of
+/// the lines are exact.
 pub(super) fn equilibrium(afloat: &Afloat) -> Result<Pose, EquilibriumError> {
     if afloat.gravity_m_per_s2 == 0.0 {
         return Err(EquilibriumError::NoGravity);

@@ -5,11 +5,10 @@ use crate::tower::ground::layer_springs::{LayerSprings, Nature};
 use crate::tower::ground::spot::Spot;
 use crate::tower::ground::values::{Made, Values};
 
-/// Derived for long beams on the surface of an elastic half-space, so the springs are softer than
-/// those of a pile in the half-space.
+/// 0.65 (E D⁴/(E_p I))^(1/12) E/(1 − ν²), N/m², with the bending stiffness E_p I of the pile.
 ///
-/// Derived for long beams on the surface of an elastic half-space: softer than the soil around a
-/// pile.
+/// Derived for long beams on the surface of an elastic half-space, so the springs are softer than
+/// those of a pile inside the half-space.
 ///
 /// Source: Vesić, *Bending of beams resting on isotropic elastic solid*, J. Eng. Mech. Div. ASCE 87
 /// (1961).
