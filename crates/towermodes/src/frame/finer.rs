@@ -32,7 +32,7 @@ pub(super) struct FinerElement {
     parts: Vec<FinerPart>,
 }
 
-/// The additional coordinates of one part of the element.
+/// The additional coordinates of one part of the element; they do not move the far end.
 #[derive(Debug)]
 struct FinerPart {
     planes: Vec<&'static [Component]>,

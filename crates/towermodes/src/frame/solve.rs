@@ -233,6 +233,8 @@ fn solve_once(
 }
 
 /// Refuses an unstable frame. Returns the motions without stiffness if the frame is a mechanism.
+/// The spectrum of a mechanism is computed with an origin below zero, and also that of a free
+/// frame, which has six motions without stiffness.
 pub(super) fn check_stiffness(
     frame: &Frame,
     (joints, joint_of_node): (&[Option<usize>], &[usize]),

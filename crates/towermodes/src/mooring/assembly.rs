@@ -8,7 +8,9 @@ use super::pose::Placement;
 use super::system::Mooring;
 use super::vector::{Matrix3, Vector, cross, difference, dot, length, product, skew};
 
-/// The lines at given positions of platform and free parts.
+/// The lines at given positions of platform and free parts. The unknowns are the motions of the
+/// free parts, then the six of the platform: displacement (m) and rotation vector (rad) of the
+/// origin in fixed axes.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Assembly {
     /// The lines.
@@ -109,7 +111,8 @@ impl Assembly {
         }
     }
 
-    /// Adds the stiffness of a force of constant direction on a rotating body,
+    /// Adds the stiffness of a force of constant direction on a rotating body, (F·r) 1 − ½ (r Fᵀ +
+    /// F rᵀ): the Hessian of −F·R(θ)r.
     fn turn(&mut self, owner: Unknowns, r: Vector, f: Vector) {
         if let Some((first, 6)) = owner {
             let along = dot(f, r);

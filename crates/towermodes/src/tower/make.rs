@@ -43,7 +43,7 @@ impl Tower {
         Ok(tower)
     }
 
-    /// The tower of a description that was checked, in soil by layers.
+    /// The tower of a checked description with soil in layers.
     fn in_ground(description: &TowerDescription) -> Result<Self, TowerError> {
         let plan = GroundPlan::of(description);
         let mut rows = with_rows(description.clone(), &plan);
@@ -57,7 +57,7 @@ impl Tower {
         Ok(tower)
     }
 
-    /// The tower of a description that was checked, if something holds it.
+    /// The tower of a checked description, if it is supported.
     fn supported(description: &mut TowerDescription) -> Result<Self, TowerError> {
         let pieces = pieces_of(description, Rows::Fewest);
         let mut tower = Self::made_of(description, pieces);
@@ -67,7 +67,7 @@ impl Tower {
         Ok(tower)
     }
 
-    /// Refuses lines at an equilibrium that there is not.
+    /// Refuses mooring lines for which no equilibrium exists.
     fn check_equilibrium(&self) -> Result<(), TowerError> {
         let mistake = self.afloat.as_ref().and_then(|afloat| afloat.mistake());
         mistake.map_or(Ok(()), |mistake| {
@@ -79,8 +79,8 @@ impl Tower {
         })
     }
 
-    /// The tower of a description that was checked, or of one near it, with these linear pieces.
-    /// What the tower keeps is taken out of the description.
+    /// The tower of a checked description, or of a slightly changed one, with these linear pieces.
+    /// Parts that the tower keeps are removed from the description.
     pub(super) fn made_of(description: &mut TowerDescription, pieces: Vec<Piece>) -> Self {
         let pieces = in_environment(pieces, description);
         Self::made_of_parts(description, pieces)
@@ -99,7 +99,7 @@ impl Tower {
         let linear = afloat.as_ref().and_then(|afloat| afloat.linear.as_ref());
         let frame = held_frame(description, afloat.as_ref());
         let platform = linear.or(description.foundation.floating());
-        // On a frame that floats, its joints have all but this.
+        // On a floating frame the joints have everything except this.
         let riding = platform.map(|platform| match &frame {
             Some(_) => platform.added_mass_alone(),
             None => platform.clone(),
@@ -172,7 +172,7 @@ impl Tower {
     }
 }
 
-/// The frame of a tower, held by water and lines if it floats.
+/// The frame of a tower; if it floats, with hydrostatic and mooring stiffness.
 fn held_frame(
     description: &TowerDescription,
     afloat: Option<&Afloat>,
@@ -207,7 +207,7 @@ pub(super) fn pieces_of(description: &TowerDescription, rows: Rows) -> Vec<Piece
     piece::tube_pieces(stations, materials, factor, description.shear, rows)
 }
 
-/// What is attached to a tower, in the order of the description.
+/// The attachments of a tower, in the order of the description.
 pub(super) fn attachments_of(description: &TowerDescription, top_m: f64) -> Vec<Attachment> {
     let masses = description.point_masses.iter();
     let wires = description.wires.iter();

@@ -39,7 +39,7 @@ pub struct Tower {
     pub(super) above: Above,
     pub(super) independent: Vec<Motions>,
     pub(super) planes_are_equal: bool,
-    /// Whether elements have joints of their own in each bending plane, even where both are equal.
+    /// Whether both bending planes have separate joints, even if they are equal.
     pub(super) planes_are_apart: bool,
     pub(super) outfitting_factor: f64,
     pub(super) mass_kg: f64,
@@ -50,7 +50,7 @@ pub struct Tower {
     pub(super) warnings: Vec<Warning>,
 }
 
-/// What a tower in soil by layers keeps of it.
+/// The data of soil in layers that a tower keeps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct InGround {
     /// Height of the surface, or of the bottom of the hole of local scour, m.
@@ -109,10 +109,10 @@ impl Tower {
     }
 
     /// The attachments, with the weight of the rotor-nacelle assembly but without its inertia: for
-    /// a turbine whose parts have it.
+    /// a turbine model, whose parts contain this inertia.
     pub(crate) fn attachments_but_inertia_of_rna(&self) -> Vec<Attachment> {
         let mut attachments = self.attachments.clone();
-        // Attachments rise, and of those at the top it is the last.
+        // Attachments are sorted by height, and the assembly is the last one at the top.
         if let Some(rna) = attachments.last_mut() {
             rna.inertia = [[0.0; 6]; 6];
         }
@@ -257,7 +257,7 @@ impl Tower {
         self.planes_are_equal
     }
 
-    /// Whether elements have joints of their own in each bending plane, even where both are equal.
+    /// Whether both bending planes have separate joints, even if they are equal.
     pub(crate) fn planes_are_apart(&self) -> bool {
         self.planes_are_apart
     }

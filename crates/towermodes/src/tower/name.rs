@@ -1,4 +1,4 @@
-//! Names without control characters.
+//! Checks of names: control characters are not allowed.
 
 /// Whether a character shows in a line of text without disturbing the rest of it: no control
 /// character, and no mark that turns the direction of writing (Unicode Standard Annex 9), with

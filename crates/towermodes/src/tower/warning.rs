@@ -813,7 +813,7 @@ impl std::fmt::Display for Center {
     }
 }
 
-/// "`north`: ", unless the name is what the part is called without one.
+/// "`north`: ", unless the name is the default name of the part.
 fn named(name: &str, item: MooringItem) -> String {
     match name.is_empty() || name == item.to_string() {
         true => String::new(),
@@ -821,7 +821,7 @@ fn named(name: &str, item: MooringItem) -> String {
     }
 }
 
-/// To three digits: a limit is no measurement.
+/// Rounded to three digits, because a limit is not a measured value.
 fn rounded(value: f64) -> f64 {
     format!("{value:.2e}").parse().unwrap_or(value)
 }

@@ -1,4 +1,4 @@
-//! A turbine that can exist.
+//! A checked turbine.
 
 use super::description::TurbineDescription;
 use super::equations::blade_elements::borders;
@@ -87,7 +87,7 @@ impl Turbine {
             return Err(TurbineError::TwoMachines { mass_kg });
         }
         let (blade, rna) = checked(&machine)?;
-        // The weight of the machine compresses the tower; its inertia is that of its parts.
+        // The weight of the RNA compresses the tower; its inertia is that of its parts.
         tower.rna = rna;
         Ok(Self {
             tower: Tower::new(tower)?,
@@ -138,7 +138,7 @@ impl TurbineDescription {
     }
 }
 
-/// The blade of a turbine whose numbers are possible, and the whole as a rigid body.
+/// The blade of a turbine after the checks of its values, and the RNA as a rigid body.
 fn checked(machine: &TurbineDescription) -> Result<(Blade, Rna), TurbineError> {
     check(machine)?;
     let blade = Blade::new(machine.blade.clone())?;

@@ -72,8 +72,8 @@ pub struct Generator {
 }
 
 impl Default for TurbineDescription {
-    /// Three blades without cone on a shaft without tilt; yaw drive and shaft are rigid. Nothing
-    /// has mass.
+    /// Default: three blades without cone on a shaft without tilt; yaw drive and shaft are rigid,
+    /// and all masses are zero.
     fn default() -> Self {
         Self {
             nacelle: RigidBody::default(),
@@ -93,7 +93,7 @@ impl Default for TurbineDescription {
 }
 
 impl Default for Generator {
-    /// Without inertia and gearbox, held at the constant speed.
+    /// Default: a generator without inertia and gearbox, held at constant speed.
     fn default() -> Self {
         Self {
             inertia_kg_m2: 0.0,

@@ -1,4 +1,4 @@
-//! Errors in the description of a turbine, and options that are impossible.
+//! Errors in the description of a turbine, and impossible options.
 
 use thiserror::Error;
 
@@ -8,8 +8,8 @@ use crate::number::Plain;
 use crate::rotor::RotorError;
 use crate::tower::TowerError;
 
-/// The largest inertia of a generator as a multiple of that of the rotor. It is a tenth of it in
-/// wind turbines; far beyond, nothing else is left of the rotation in the digits of a number.
+/// Largest inertia of a generator as a multiple of that of the rotor. In wind turbines it is about
+/// a tenth; far above this limit no digit of the rotor's rotation would remain.
 pub(super) const MOST_GENERATOR: f64 = 1e9;
 
 /// An impossible value in the description of a turbine.

@@ -6,7 +6,7 @@ use super::description::TurbineDescription;
 use super::error::TurbineError;
 use crate::tower::{Inertia, RigidBody};
 
-/// Checks the numbers of a turbine but for those of its tower and its blade.
+/// Checks the values of a turbine, except those of its tower and its blade.
 pub(super) fn check(turbine: &TurbineDescription) -> Result<(), TurbineError> {
     let (hub, generator) = (&turbine.hub, &turbine.generator);
     for (quantity, value) in [

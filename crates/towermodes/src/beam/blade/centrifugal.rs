@@ -10,7 +10,9 @@ const IN_PLANE: [usize; 2] = [0, 2];
 
 const NONE: SpatialMatrix = [[0.0; 6]; 6];
 
-/// The stiffness due to rotation against motions of a body at the tip
+/// The stiffness due to rotation against motions of a body at the tip, `tip_m` (m) from the rotor's
+/// axis, at Ω² = `speed_squared` (rad²/s²): N/m, N, N m. The tension that the body causes in the
+/// blade is not included.
 ///
 /// The potential of the centrifugal forces is −½ Ω² ∫ |P r|² dm, with P r the part of r normal to
 /// the rotor's axis. A point of the body that is ρ from the tip moves to r₀ + u + R ρ, where R

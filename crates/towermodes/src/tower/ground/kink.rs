@@ -18,11 +18,11 @@ pub(super) enum Kink {
 const INTERVALS: usize = 8;
 /// How far inside a section its ends are looked at.
 const INSIDE: f64 = 1e-9;
-/// The most steps to a zero.
+/// Limit of the number of steps to a zero.
 const STEPS: usize = 60;
 
 impl Kink {
-    /// All of them. Springs may depend on the effective stress, which comes before them.
+    /// All kinks. Springs may depend on the effective stress, so its kink is first.
     pub(super) fn all() -> impl Iterator<Item = Self> {
         let across = (0..KINKS).map(Self::Across);
         [Self::Overburden]
@@ -42,7 +42,7 @@ impl Kink {
     }
 
     /// The first height of this kink above the lower one of two heights between which the tower has
-    /// no row, as a fraction of the way.
+    /// no row, as a fraction of their distance.
     pub(super) fn share(
         self,
         reactions: &Reactions<'_>,
@@ -51,7 +51,7 @@ impl Kink {
     ) -> Option<f64> {
         let value =
             |share: f64| self.value(reactions, layer, lower_m + share * (upper_m - lower_m));
-        // At the ends themselves the tube may be the neighbour.
+        // At the ends of the section the tube could be that of the adjacent section.
         let border = |i: usize| (i as f64 / INTERVALS as f64).clamp(INSIDE, 1.0 - INSIDE);
         let first = value(border(0))?;
         let mut low = (border(0), first);
@@ -66,8 +66,8 @@ impl Kink {
     }
 }
 
-/// A zero between two points with values of different sign, by the rule of Illinois: of smooth
-/// functions in a few steps to the last digit.
+/// A zero between two points with values of different sign, by the Illinois method: for smooth
+/// functions it needs a few steps to the last digit.
 fn zero(
     (mut low, mut of_low): (f64, f64),
     (mut high, mut of_high): (f64, f64),
@@ -82,7 +82,7 @@ fn zero(
         };
         let is_high = (of_middle < 0.0) == (of_high < 0.0);
         let is_again = last_was_high == Some(is_high);
-        // An end that stays twice counts half.
+        // The value at an end that stays for a second step is halved.
         match (is_high, is_again) {
             (true, true) => of_low *= 0.5,
             (false, true) => of_high *= 0.5,

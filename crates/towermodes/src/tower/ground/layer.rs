@@ -62,7 +62,7 @@ pub struct GroundLayer {
     pub end_bearing_pa: Option<f64>,
 }
 
-/// What a file without the height of an end is told.
+/// The hint if a file lacks the height of an end.
 const HEIGHT: &str = "height in m, in the datum of the stations";
 
 /// The kind of soil of a layer.
@@ -205,7 +205,7 @@ impl LayerSoil {
         }
     }
 
-    /// Its values, if its kind has such.
+    /// Its values, if this kind of soil has any.
     fn values(&self) -> Option<&dyn Inputs> {
         match self {
             Self::Sand(sand) => Some(sand),
@@ -299,7 +299,7 @@ impl GroundLayer {
     }
 }
 
-/// Adds the values of one list whose keys another one has not, each behind the one before it.
+/// Adds the values of one list that another list does not contain, each after its predecessor.
 fn merge(all: &mut Vec<(&'static Input, Given)>, more: &[(&'static Input, Given)]) {
     let mut next = 0;
     for &(input, given) in more {

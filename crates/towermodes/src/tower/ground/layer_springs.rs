@@ -1,13 +1,11 @@
-//! What every model of springs is: the facts about a model stand in its own
-//! file.
+//! The common interface of the models of springs; the facts about each model are in its own file.
 
 use std::fmt;
 
 use super::spot::Spot;
 use crate::tower::warning::{Site, Warning};
 
-/// The springs that one layer gives to the pile, by its model, with the numbers that the model
-/// needs.
+/// The springs of one layer on the pile, by a model.
 ///
 /// A new model is a file in `models/` with a struct, this trait and a function that makes the
 /// struct from the values of a layer; its name in [`SoilModel`](super::SoilModel), and its function
@@ -17,7 +15,7 @@ pub(in crate::tower) trait LayerSprings: fmt::Debug {
     /// Springs across the pile per length, N/m².
     fn lateral_n_per_m2(&self, spot: &Spot<'_>) -> f64;
 
-    /// What they depend on.
+    /// The values on which the springs depend.
     fn nature(&self) -> Nature;
 
     /// Springs against rotation about x and y per length, N; most models have none.
@@ -30,8 +28,8 @@ pub(in crate::tower) trait LayerSprings: fmt::Debug {
         [0.0; 2]
     }
 
-    /// A number that changes its sign where the formula changes, for each such change from 0; none
-    /// for a number that it does not have. At most [`KINKS`].
+    /// A value that changes its sign where the formula changes, for each such change (numbered from
+    /// 0); none for other numbers. At most [`KINKS`].
     fn kink(&self, _number: usize, _: &Spot<'_>) -> Option<f64> {
         None
     }
@@ -41,19 +39,20 @@ pub(in crate::tower) trait LayerSprings: fmt::Debug {
         None
     }
 
-    /// Warns of values of the layer for which the model was not derived, or that it does not use
-    /// although models of its kind do. Each value alone has its usual range.
+    /// Warns about values of the layer for which the model was not derived, and about values that
+    /// it does not use although other models of its kind do. Limits of single values are checked
+    /// elsewhere.
     fn doubt(&self, _at: &dyn Fn(&'static str) -> Site, _: &mut Vec<Warning>) {}
 }
 
-/// The most changes of a formula inside a layer.
+/// Largest number of changes of a formula inside a layer.
 pub(super) const KINKS: usize = 2;
 
-/// What springs of a layer depend on.
+/// The values on which the springs of a layer depend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::tower) struct Nature {
-    /// Whether they are linear in height between the rows of the tower, for any numbers of the
-    /// layer and any taper of the pile.
+    /// Whether they are linear in height between the rows of the tower, for all values of the layer
+    /// and any taper of the pile.
     pub(in crate::tower) is_linear: bool,
     /// Whether they depend on the weight of the soil above.
     pub(in crate::tower) needs_weight: bool,
@@ -61,8 +60,7 @@ pub(in crate::tower) struct Nature {
     pub(in crate::tower) depends_on_edition: bool,
 }
 
-/// The springs along and about the axis of the pile that one layer gives, by the axial model of the
-/// ground.
+/// The springs of one layer along and about the axis of the pile, by the axial model of the ground.
 pub(in crate::tower) trait AxialSprings: fmt::Debug {
     /// Springs per length of the shaft against z, N/m², and against torsion, N.
     fn along(&self, spot: &Spot<'_>) -> [f64; 2];
@@ -70,10 +68,10 @@ pub(in crate::tower) trait AxialSprings: fmt::Debug {
     /// Springs under the tip against z, N/m, and against torsion, N m.
     fn at_tip(&self, spot: &Spot<'_>) -> [f64; 2];
 
-    /// What they depend on.
+    /// The values on which the springs depend.
     fn nature(&self) -> Nature;
 
-    /// A number that changes its sign where the formula changes; none if it does not.
+    /// A value that changes its sign where the formula changes; none if it does not change.
     fn kink(&self, _: &Spot<'_>) -> Option<f64> {
         None
     }
@@ -88,8 +86,8 @@ pub(in crate::tower) struct Piles {
     pub(in crate::tower) diameters_m: [f64; 2],
     /// Smallest and largest embedded length over the diameter.
     pub(in crate::tower) lengths: [f64; 2],
-    /// Whether the model belongs to a pile with shear deformation.
+    /// Whether the model requires a pile with shear deformation.
     pub(in crate::tower) need_shear: bool,
-    /// What a user can do outside these.
+    /// Suggestion if the pile is outside these ranges.
     pub(in crate::tower) remedy: &'static str,
 }

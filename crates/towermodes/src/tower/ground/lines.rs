@@ -1,4 +1,4 @@
-//! Curved springs as straight lines that do the same work.
+//! Linear springs in place of a curved spring profile, with the same work.
 //!
 //! Springs k(z) do the work ½ ∫ k v² dz on a deflection v. A part of the pile is cut in the middle,
 //! and a straight line takes the place of the springs in each half. The four values of both lines
@@ -15,7 +15,7 @@ const SPRINGS: usize = SoilStiffness::SPRINGS;
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 struct Moments([[f64; SPRINGS]; 5]);
 
-/// The borders at which the integrals of the uppermost part are cut, as fractions of a half: its
+/// The points at which the integrals of the uppermost part are divided, as fractions of a half: its
 /// springs can begin with a power of the depth.
 const GRADED: [f64; 4] = [0.75, 0.9375, 0.984_375, 1.0];
 
@@ -28,13 +28,12 @@ pub(super) struct Part {
 }
 
 impl Part {
-    /// One straight line with the sum and the first moment of the springs: exact for springs that
-    /// are linear.
+    /// One line with the sum and the first moment of the springs: exact for linear springs.
     pub(super) fn line(&self, reactions: &Reactions<'_>) -> [SoilRow; 2] {
         self.line_of(&self.moments(reactions, [-1.0, 1.0]), [-1.0, 1.0])
     }
 
-    /// Two straight lines with the four moments of the springs.
+    /// Two lines with the first four moments of the springs.
     pub(super) fn pair(&self, reactions: &Reactions<'_>) -> [SoilRow; 4] {
         self.pair_of(&self.halves(reactions))
     }
@@ -45,14 +44,14 @@ impl Part {
 
     fn pair_of(&self, halves: &[Moments; 2]) -> [SoilRow; 4] {
         let whole = halves[0].and(&halves[1]);
-        // The same halves by two moments each, which is possible for every spring.
+        // The same halves with two moments each, which is possible for every spring.
         let [low, below] = self.line_of(&halves[0], [-1.0, 0.0]);
         let [above, high] = self.line_of(&halves[1], [0.0, 1.0]);
         let mut rows = [low, below, above, high];
         let mut values = rows.map(|row| row.stiffness.values());
         for spring in 0..SPRINGS {
             let fitted = whole.pair_of(spring);
-            // No spring is negative.
+            // Springs are not negative.
             if fitted.iter().all(|value| *value >= 0.0) {
                 for (of_end, fitted) in values.iter_mut().zip(fitted) {
                     of_end[spring] = fitted;
@@ -71,8 +70,8 @@ impl Part {
         self.moments(reactions, [-1.0, 1.0]).0[0].map(|mean| mean * length_m)
     }
 
-    /// What the lines miss of twice the work of each spring on a deflection that bends over a
-    /// length (m) as much as a pile does.
+    /// Twice the difference of the work of each spring and its lines, for a deflection that varies
+    /// over a length (m) like that of a pile.
     ///
     /// With v² = Σ v_n P_n the lines miss Σ v_n ∫ δ P_n dz, δ their difference from the springs.
     /// Of v = e^(−z/l) cos(z/l) the n-th derivative of v² is at most ½ (2ⁿ + 8^(n/2)) v²/lⁿ.
@@ -129,7 +128,7 @@ impl Part {
         for spring in 0..SPRINGS {
             let mean = sums[spring] / half;
             let slope = 3.0 * (firsts[spring] / half - middle * mean) / half;
-            // No spring is negative: the sum is more important than the moment.
+            // Springs are not negative: the sum is more important than the moment.
             let slope = match slope.abs() > mean {
                 true => mean.copysign(slope),
                 false => slope,
@@ -143,7 +142,7 @@ impl Part {
         [row(low, ends[0]), row(high, ends[1])]
     }
 
-    /// The ends themselves are exact.
+    /// At the ends the height is exact.
     fn end_m(&self, s: f64) -> f64 {
         match s {
             -1.0 => self.lower_m,

@@ -23,7 +23,7 @@ pub(super) struct Modulus {
 }
 
 impl Modulus {
-    /// By what it follows from; by Young's modulus with Poisson's ratio.
+    /// A modulus from this source; Young's modulus also needs Poisson's ratio.
     pub(super) fn new(source: ShearModulus, poissons_ratio: Option<f64>) -> Self {
         Self {
             source,
@@ -60,7 +60,7 @@ impl Modulus {
     }
 }
 
-/// G₀ at a point, Pa; Young's modulus where that is given.
+/// G₀ at a point, Pa; if Young's modulus is given, that modulus.
 fn of_source_pa(source: &ShearModulus, spot: &Spot<'_>) -> f64 {
     let (pile, height_m) = (spot.pile, spot.height_m);
     match *source {
@@ -116,7 +116,7 @@ fn total_stress_pa(pile: &Pile<'_>, height_m: f64) -> f64 {
     pile.stress_before_scour_pa(height_m) + water_pa
 }
 
-/// A cone resistance q_t at an end of a layer that is smaller than the stress there.
+/// A cone resistance q_t at an end of a layer that is smaller than the total stress at this height.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::tower) struct ConeBelowStress {
     pub(in crate::tower) layer: usize,
@@ -125,8 +125,8 @@ pub(in crate::tower) struct ConeBelowStress {
     pub(in crate::tower) stress_pa: f64,
 }
 
-/// The first cone resistance of Robertson & Cabal that the stress of soil and water exceeds; both
-/// are linear in a layer.
+/// The first cone resistance for Robertson & Cabal that is smaller than the stress of soil and
+/// water; both are linear in a layer.
 pub(in crate::tower) fn cone_below_stress(
     description: &TowerDescription,
 ) -> Option<ConeBelowStress> {

@@ -5,8 +5,8 @@ use super::description::Ground;
 use super::layer::{GroundLayer, LayerSoil};
 use crate::tower::description::TowerDescription;
 
-/// The effective stress is the unreduced one from this many diameters below the surface around a
-/// hole of local scour.
+/// From this depth, in diameters below the surface around a hole of local scour, the effective
+/// stress is not reduced.
 const OVERBURDEN_DIAMETERS: f64 = 6.0;
 
 /// A tower in the ground: heights, depths, the sections of the pile, the weight of the soil.
@@ -18,14 +18,14 @@ pub(in crate::tower) struct Pile<'a> {
     pub(super) tip_m: f64,
     /// Height of the surface after general scour, m.
     pub(super) bed_m: f64,
-    /// Height of the bottom of the hole of local scour, m: soil begins here.
+    /// Height of the bottom of the hole of local scour, m: the upper end of the soil at the pile.
     pub(super) hole_m: f64,
     /// Weight of the soil above the top of each layer before scour, Pa.
     weights_to_top_pa: Vec<f64>,
 }
 
 impl<'a> Pile<'a> {
-    /// Of a tower with ground.
+    /// The pile of a tower with ground.
     pub(super) fn of(description: &'a TowerDescription) -> Option<Self> {
         let ground = description.ground.as_ref()?;
         let bed_m = ground.surface_m - ground.scour.general_m;
@@ -94,9 +94,9 @@ impl<'a> Pile<'a> {
         }
     }
 
-    /// By how much the stress that local scour leaves, on a line from zero to the full one, exceeds
-    /// the stress without scour, Pa; none where local scour does not reduce it. Under heavy layers
-    /// above light ones it does, and the line does not count.
+    /// The difference between the stress with local scour, on a line from zero to the unreduced
+    /// stress, and the stress without scour, Pa; none where local scour does not reduce the stress.
+    /// It can be positive under heavy layers above light ones; then the line is not used.
     pub(super) fn overburden_excess_pa(&self, height_m: f64) -> Option<f64> {
         let full_m = self.full_overburden_m();
         if self.ground.scour.local_m == 0.0 || height_m <= full_m {
@@ -142,8 +142,8 @@ impl<'a> Pile<'a> {
         self.weight_to_pa(height_m) - self.weight_to_pa(surface_m)
     }
 
-    /// Weight of the soil between a height and the surface before scour, Pa: beyond the layers the
-    /// first and the last one go on.
+    /// Weight of the soil between a height and the surface before scour, Pa: the first and the last
+    /// layer are extended beyond their ends.
     fn weight_to_pa(&self, height_m: f64) -> f64 {
         let layers = &self.ground.layers;
         let below = layers.partition_point(|layer| layer.bottom_m > height_m);
@@ -155,14 +155,14 @@ impl<'a> Pile<'a> {
         self.weights_to_top_pa[index] + weight * (layer.top_m - height_m)
     }
 
-    /// Outer diameter D, m; at a step that of the tube above it.
+    /// Outer diameter D, m; at a step the diameter of the tube above it.
     pub(super) fn diameter_m(&self, height_m: f64) -> f64 {
         let given = self.ground.pile_diameter_m;
         let own = || self.tube(height_m).map(|(tube, _)| tube.outer_diameter_m);
         given.or_else(own).unwrap_or(f64::NAN)
     }
 
-    /// Bending stiffness E I, N m²; the smaller one of a table whose planes differ.
+    /// Bending stiffness E I, N m²; of a table with different planes the smaller one.
     pub(super) fn bending_n_m2(&self, height_m: f64) -> f64 {
         if let Some((tube, youngs_modulus_pa)) = self.tube(height_m) {
             return youngs_modulus_pa * tube.second_moment_of_area_m4();
@@ -195,7 +195,7 @@ impl<'a> Pile<'a> {
         Some((tube, material.unwrap_or(f64::NAN)))
     }
 
-    /// The layer, and how far down in it a height is: 0 at its top, 1 at its bottom.
+    /// The layer, and the position of a height in it: 0 at its top, 1 at its bottom.
     pub(super) fn layer(&self, index: usize, height_m: f64) -> (&'a GroundLayer, f64) {
         let layer = &self.ground.layers[index];
         let share = (layer.top_m - height_m) / (layer.top_m - layer.bottom_m);
@@ -221,8 +221,8 @@ fn weights_to_top_pa(ground: &Ground) -> Vec<f64> {
     weights.collect()
 }
 
-/// Of rows by rising height the one below a height, and how far above it the height is, as a
-/// fraction of the way to the next one; at the ends the nearest piece.
+/// The index of the row below a height, of rows in increasing height, and the position of the
+/// height between this row and the next one as a fraction; at the ends the nearest pair of rows.
 fn around<R>(rows: &[R], height_m: f64, row_m: impl Fn(&R) -> f64) -> Option<(usize, f64)> {
     let above = rows.partition_point(|row| row_m(row) <= height_m);
     let upper = above.min(rows.len().checked_sub(1)?).max(1);

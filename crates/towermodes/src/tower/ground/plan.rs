@@ -1,4 +1,5 @@
-//! Where the springs of the ground are cut into rows: the same for a tower and for those near it.
+//! The heights at which the springs of the ground are computed as rows: the same for a tower and
+//! slightly changed towers.
 
 use super::super::parts::surroundings::SoilStiffness;
 use super::description::Ground;
@@ -8,15 +9,15 @@ use super::pile::Pile;
 use super::reaction::Reactions;
 use crate::tower::description::TowerDescription;
 
-/// Every pile has at least this many parts where its springs are not linear in height, so that the
-/// derivatives with respect to its numbers are right too.
+/// Lowest number of parts of a pile whose springs are not linear in height, so that the derivatives
+/// with respect to their input values are accurate too.
 const LEAST_PARTS: f64 = 4.0;
-/// The most parts of one section.
+/// Largest number of parts of one section.
 const MOST_PARTS: usize = 32;
-/// The lines may change a frequency by this fraction.
+/// Permitted relative change of a frequency by the linear interpolation.
 const TOLERANCE: f64 = 1e-9;
-/// The stated error is the estimate times this: of 80 random sites none is changed by more than 10
-/// times the estimate, which takes the first terms of a series at their size.
+/// The stated error is the estimate times this factor: on 80 random sites no frequency changes by
+/// more than 10 times the estimate, which uses the absolute values of the first terms of a series.
 const SAFETY: f64 = 20.0;
 
 /// The sections of the pile within which springs are smooth, and how they are divided.
@@ -25,9 +26,9 @@ pub(in crate::tower) struct Plan {
     /// The ends of sections; each depends only on those before it.
     ends: Vec<End>,
     pub(super) sections: Vec<Section>,
-    /// The layer under the tip.
+    /// Index of the layer under the tip.
     pub(super) tip_layer: usize,
-    /// By which fraction the lines may change a frequency.
+    /// Estimated relative change of a frequency by the linear interpolation.
     pub(in crate::tower) error: f64,
 }
 
@@ -35,22 +36,22 @@ pub(in crate::tower) struct Plan {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Section {
     pub(super) layer: usize,
-    /// The number of its lower end.
+    /// Index of its lower end.
     lower: usize,
     upper: usize,
     pub(super) lines: Lines,
 }
 
-/// What takes the place of the springs of a section.
+/// The linear springs of a section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Lines {
-    /// One straight line: the springs are linear in height.
+    /// One line: the springs are linear in height.
     One,
-    /// Two in each of so many parts.
+    /// Two lines in each of this number of parts.
     Pairs(usize),
 }
 
-/// What the end of a section moves with.
+/// The object that determines the height of an end of a section.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum End {
     Tip,
@@ -58,7 +59,7 @@ enum End {
     Hole,
     LayerTop(usize),
     LayerBottom(usize),
-    /// A row of the tower, by its number.
+    /// A row of the tower, by its index.
     Row(usize),
     /// The depth below which local scour does not reduce the effective stress.
     FullOverburden,
@@ -74,7 +75,7 @@ enum End {
 }
 
 impl Plan {
-    /// Of a tower; empty without ground.
+    /// The plan of a tower; empty without ground.
     pub(in crate::tower) fn of(description: &TowerDescription) -> Self {
         let Some(reactions) = Reactions::of(description) else {
             return Self::default();
@@ -138,7 +139,7 @@ impl Plan {
         }
     }
 
-    /// The numbers of the ends, and of those at kinks of one kind between them.
+    /// The indices of the ends, including kinks of one kind between them.
     fn with_kinks(
         &mut self,
         reactions: &Reactions<'_>,
@@ -166,7 +167,7 @@ impl Plan {
         cut
     }
 
-    /// Divides the sections until straight lines change no frequency.
+    /// Divides the sections until the linear interpolation changes no frequency.
     fn divide(&mut self, reactions: &Reactions<'_>, heights_m: &[f64]) {
         let pile = &reactions.pile;
         let weight = Weight::of(reactions, self, heights_m);
@@ -208,7 +209,7 @@ impl Plan {
 }
 
 impl Section {
-    /// Its parts on a tower with these heights of the ends, by rising height.
+    /// Its parts for these heights of the ends, in increasing height.
     pub(super) fn parts<'p>(
         &self,
         pile: &'p Pile<'_>,
@@ -227,8 +228,8 @@ impl Section {
     }
 }
 
-/// A part of a layer cut at equal steps of the root of the depth: springs that grow with a power of
-/// the depth bend most near the surface.
+/// A part of a layer, divided at equal steps of the square root of the depth: springs that grow
+/// with a power of the depth have their largest curvature near the surface.
 fn parts<'p>(
     pile: &'p Pile<'_>,
     layer: usize,
@@ -252,8 +253,9 @@ fn parts<'p>(
     })
 }
 
-/// What an error of the springs does to a frequency, by the work of the springs on a pile that
-/// bends over the length l = (4 EI/k̄)^¼: its deflection fades at least as e^(−z/2l).
+/// The relation between an error of the springs and the change of a frequency, from the work of the
+/// springs on a pile that bends over the length l = (4 EI/k̄)^¼: its deflection decreases at least
+/// as e^(−z/2l).
 #[derive(Debug, Clone, Copy)]
 struct Weight {
     length_m: f64,
@@ -292,7 +294,7 @@ impl Weight {
         (-pile.depth_m(0.5 * (part.lower_m + part.upper_m)) / self.length_m).exp()
     }
 
-    /// The largest fraction by which lines in a section change a frequency.
+    /// The largest relative change of a frequency by the linear interpolation in a section.
     fn missed(
         &self,
         reactions: &Reactions<'_>,
@@ -320,7 +322,7 @@ impl Weight {
     }
 }
 
-/// The layer under the tip: at a border the lower one, if there is one.
+/// The layer under the tip; if the tip is at a border of layers, the lower one, if there is one.
 fn tip_layer(ground: &Ground, tip_m: f64) -> usize {
     let below = ground
         .layers
@@ -329,7 +331,8 @@ fn tip_layer(ground: &Ground, tip_m: f64) -> usize {
     below.unwrap_or(ground.layers.len().saturating_sub(1))
 }
 
-/// Where the springs of a layer may change their slope, besides the kinks of their formulas.
+/// Heights at which the springs of a layer may change their slope, besides the kinks of their
+/// formulas.
 fn knees(description: &TowerDescription, pile: &Pile<'_>, layer: usize) -> Vec<End> {
     let rows = description.stations.len().max(description.properties.len());
     let mut knees: Vec<End> = (0..rows).map(End::Row).collect();
@@ -342,7 +345,7 @@ fn knees(description: &TowerDescription, pile: &Pile<'_>, layer: usize) -> Vec<E
 }
 
 impl End {
-    /// The height that it has on a tower, m, with the heights of the ends before it.
+    /// Its height on a tower, m; the heights of the ends before it are known.
     fn height_m(
         &self,
         description: &TowerDescription,

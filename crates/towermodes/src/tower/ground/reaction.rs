@@ -14,15 +14,15 @@ use crate::tower::description::TowerDescription;
 /// The springs of one layer by its models.
 #[derive(Debug)]
 pub(in crate::tower) struct Models<'l> {
-    /// Across the pile.
+    /// The springs across the pile.
     pub(in crate::tower) across: Box<dyn LayerSprings + 'l>,
-    /// Along it; none without an axial model.
+    /// The springs along the pile; none without an axial model.
     axial: Option<Box<dyn AxialSprings>>,
     /// The keys of the values that the models use.
     pub(in crate::tower) used: Vec<&'static str>,
 }
 
-/// Which model of a layer has no springs.
+/// The model that has no springs for a layer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::tower) enum Refused {
     /// The model of the layer.
@@ -32,7 +32,7 @@ pub(in crate::tower) enum Refused {
 }
 
 impl<'l> Models<'l> {
-    /// Of a layer of the ground.
+    /// The models of a layer of the ground.
     pub(in crate::tower) fn of(
         layer: &'l GroundLayer,
         ground: &'l Ground,
@@ -68,7 +68,7 @@ impl Ground {
         axial.any(|axial| axial.nature().depends_on_edition)
     }
 
-    /// The models of the layers that have what these need.
+    /// The models of the layers whose required values are given.
     fn models(&self) -> impl Iterator<Item = Models<'_>> {
         let layers = self.layers.iter();
         layers.filter_map(|layer| Models::of(layer, self).ok())
@@ -79,12 +79,12 @@ impl Ground {
 #[derive(Debug)]
 pub(super) struct Reactions<'a> {
     pub(super) pile: Pile<'a>,
-    /// None for a layer that lacks what its models need, which the checks refuse.
+    /// None for a layer without the required values; the checks refuse such a layer.
     models: Vec<Option<Models<'a>>>,
 }
 
 impl<'a> Reactions<'a> {
-    /// Of a tower with ground.
+    /// The pile of a tower with ground.
     pub(super) fn of(description: &'a TowerDescription) -> Option<Self> {
         let pile = Pile::of(description)?;
         let layers = pile.ground.layers.iter();
@@ -103,8 +103,8 @@ impl<'a> Reactions<'a> {
         }
     }
 
-    /// The springs of a layer at a height of the pile, with the factors on the soil; not a number
-    /// for a layer that the checks refuse.
+    /// The springs of a layer at a height of the pile, with the factors on the soil; NaN for a
+    /// layer that the checks refuse.
     pub(super) fn springs(&self, index: usize, height_m: f64) -> SoilStiffness {
         let Some(models) = &self.models[index] else {
             return SoilStiffness::from_values([f64::NAN; SoilStiffness::SPRINGS]);
@@ -139,20 +139,20 @@ impl<'a> Reactions<'a> {
         springs.map(|spring| spring * self.pile.factor(index))
     }
 
-    /// Whether the springs of a layer are linear in height between the rows of the tower, for any
-    /// numbers of the layer and any taper of the pile.
+    /// Whether the springs of a layer are linear in height between the rows of the tower, for all
+    /// values of the layer and any taper of the pile.
     pub(super) fn are_linear(&self, index: usize) -> bool {
         let models = self.models[index].as_ref();
         models.is_some_and(|models| models.natures().all(|nature| nature.is_linear))
     }
 
-    /// A number that changes its sign where the springs across the pile change their formula.
+    /// A value that changes its sign where the springs across the pile change their formula.
     pub(super) fn kink(&self, index: usize, number: usize, height_m: f64) -> Option<f64> {
         let models = self.models[index].as_ref()?;
         models.across.kink(number, &self.spot(index, height_m))
     }
 
-    /// The same of the axial springs.
+    /// A value that changes its sign where the axial springs change their formula.
     pub(super) fn axial_kink(&self, index: usize, height_m: f64) -> Option<f64> {
         let axial = self.models[index].as_ref()?.axial.as_ref()?;
         axial.kink(&self.spot(index, height_m))

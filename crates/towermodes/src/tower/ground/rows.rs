@@ -9,17 +9,18 @@ use crate::space::SpatialMatrix;
 use crate::tower::description::TowerDescription;
 use crate::tower::foundation::{Foundation, StiffnessFoundation};
 
-/// Where the springs of the ground are cut: the same for a tower and for those near it.
+/// The heights at which the springs of the ground are computed: the same for a tower and slightly
+/// changed towers.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::tower) enum GroundPlan {
-    /// Along the tower itself; empty without ground.
+    /// For the tower; empty without ground.
     OfTower(Plan),
-    /// Along the piles of the frame that carries it.
+    /// For the piles of the frame below the tower.
     OfFrame(FramePlan),
 }
 
 impl GroundPlan {
-    /// Of a tower that was checked.
+    /// The plan of a checked tower.
     pub(in crate::tower) fn of(description: &TowerDescription) -> Self {
         let foundation = description.foundation.frame();
         match foundation.zip(description.ground.as_ref()) {
@@ -30,7 +31,7 @@ impl GroundPlan {
         }
     }
 
-    /// By which fraction the lines may change a frequency.
+    /// Relative error of a frequency by the linear interpolation.
     pub(in crate::tower) fn error(&self) -> f64 {
         match self {
             Self::OfTower(plan) => plan.error,
@@ -128,7 +129,7 @@ fn soil(
 }
 
 impl Section {
-    /// Its rows by rising height, on a tower with these heights of the ends.
+    /// Its rows in increasing height, for these heights of the ends.
     pub(super) fn rows(&self, reactions: &Reactions<'_>, heights_m: &[f64]) -> Vec<SoilRow> {
         let parts = self.parts(&reactions.pile, heights_m);
         match self.lines {
@@ -138,8 +139,8 @@ impl Section {
     }
 }
 
-/// A foundation with springs on the diagonal of its stiffness; they have no effect where it is
-/// rigid, and none under a floating platform.
+/// A foundation with springs added to the diagonal of its stiffness; they have no effect on fixed
+/// motions, and under a floating platform.
 fn on_springs(foundation: &Foundation, springs: [f64; 6]) -> Foundation {
     let base = Base::new(foundation, 0.0, 0.0);
     let acts = (0..6).any(|i| base.moves[i] && springs[i] != 0.0);

@@ -6,7 +6,7 @@ use super::pile::Pile;
 #[derive(Debug, Clone, Copy)]
 pub(in crate::tower) struct Spot<'p> {
     pub(super) pile: &'p Pile<'p>,
-    /// The number of the layer.
+    /// Index of the layer.
     pub(super) index: usize,
     /// Height in the datum of the stations, m.
     pub(super) height_m: f64,
@@ -23,7 +23,7 @@ impl Spot<'_> {
         self.pile.diameter_m(self.height_m)
     }
 
-    /// The value of the layer here between those at its top and at its bottom.
+    /// The value at this point, interpolated between the top and the bottom of the layer.
     pub(super) fn between(&self, [top, bottom]: [f64; 2]) -> f64 {
         let (_, share) = self.pile.layer(self.index, self.height_m);
         top + share * (bottom - top)

@@ -1,4 +1,4 @@
-//! The values of a layer as a model takes them.
+//! The values of a layer for its model.
 
 use super::description::Ground;
 use super::layer::{Clay, GroundLayer, LayerSoil, Sand};
@@ -14,12 +14,12 @@ pub(in crate::tower) enum NoSprings {
     Missing {
         /// Its key in the tower file.
         key: &'static str,
-        /// What it is.
+        /// Its name in words.
         value: &'static str,
     },
 }
 
-/// A model as it takes its values from a layer.
+/// A model made from the values of a layer.
 pub(super) type Made<T> = Result<Box<T>, NoSprings>;
 
 /// The values of a layer, from which a model takes those that it needs.

@@ -1,5 +1,5 @@
-//! Towers near a tower: changed a little for derivatives, in softer soil, without some of its
-//! springs.
+//! Variants of a tower: with slightly changed values for derivatives, in softer soil, without some
+//! of its springs.
 
 pub(super) mod neighbour;
 pub(super) mod numbers;

@@ -1,4 +1,5 @@
-//! Towers near a tower, assembled alike, so that a derivative can be taken between them.
+//! Slightly changed towers with the same structure, so that a difference quotient with the original
+//! tower is a derivative.
 
 use super::super::attachment::Attachment;
 use super::super::description::TowerDescription;
@@ -22,31 +23,30 @@ use crate::space::transform_matrix;
 pub(crate) struct Neighbours {
     description: TowerDescription,
     tower: Tower,
-    /// Where each attachment of the description is in the tower's list.
+    /// Index of each attachment of the description in the tower's list.
     places: Vec<usize>,
-    /// Where the springs of the ground are cut into rows.
+    /// The heights at which the springs of the ground are computed.
     plan: GroundPlan,
-    /// The cuts of the tower by soil and water.
+    /// The borders due to soil and water.
     fronts: Fronts,
 }
 
-/// A tower near another one.
+/// A slightly changed tower.
 #[derive(Debug, Clone)]
 pub(crate) struct Neighbour {
-    /// With the sets of coupled motions of the first tower.
+    /// The changed tower, with the sets of coupled motions of the original tower.
     pub(crate) tower: Tower,
-    /// The sets that it really has.
+    /// Its own sets of coupled motions.
     pub(crate) coupled: Vec<Motions>,
-    /// Soil and water that begin or end a little off the border between pieces that they have on
-    /// the first tower.
+    /// Soil and water that begin or end at a small distance from the border of the original tower.
     pub(crate) slivers: Vec<Sliver>,
-    /// How far (m) each attachment is above the end of a piece that carries it; empty if all are
-    /// where they are carried.
+    /// Distance (m) of each attachment above the end of the piece that carries it; empty if all
+    /// distances are zero.
     pub(crate) arms_m: Vec<f64>,
 }
 
 impl Neighbours {
-    /// Of a tower that is checked.
+    /// The neighbours of a checked tower.
     ///
     /// # Errors
     /// [`TowerError`], as [`Tower::new`].
@@ -79,8 +79,8 @@ impl Neighbours {
         &self.tower
     }
 
-    /// The tower of a description near that of the first; none if its structure is another one.
-    /// It is not checked.
+    /// The tower of a slightly changed description; none if its structure is different. It is not
+    /// checked.
     pub(crate) fn near(&self, description: &TowerDescription) -> Option<Neighbour> {
         let complete;
         let description = match description.foundation.frame() {
@@ -106,7 +106,7 @@ impl Neighbours {
         let pieces = cut_in_environment(pieces, description, &cuts_m);
         let mut tower = Tower::made_of_parts(&mut without_rows(description), pieces);
         let own = &self.tower;
-        // The trees that carry the joints of a frame follow from its numbers, but for springs.
+        // The trees that carry the joints of a frame depend on its values, except springs.
         let without_springs = |tower: &Tower| {
             tower.frame.clone().map(|mut frame| {
                 frame.remove_springs();
@@ -134,9 +134,9 @@ impl Neighbours {
         })
     }
 
-    /// Puts the attachments of a neighbour in the order of the first tower. What is at the end of a
-    /// piece there is carried by the end of this piece. The result is how far (m) above it each is,
-    /// if one is not there.
+    /// Sorts the attachments of a changed tower in the order of the original one. An attachment at
+    /// the end of a piece of the original tower is carried by the end of the same piece. Returns
+    /// the distance (m) of each above this end, if any distance is not zero.
     fn attach(&self, description: &TowerDescription, tower: &mut Tower) -> Option<Vec<f64>> {
         let attached = attachments_of(description, tower.top_m());
         if attached.len() != self.places.len() {
@@ -162,7 +162,7 @@ impl Neighbours {
         Some(arms_m)
     }
 
-    /// Whether a tower has the structure of the first.
+    /// Whether a tower has the structure of the original one.
     fn is_alike(&self, tower: &Tower) -> bool {
         let kind = |profile: &Profile| std::mem::discriminant(profile);
         let mut pieces = self.tower.pieces.iter().zip(&tower.pieces);
@@ -178,8 +178,8 @@ impl Neighbours {
         pieces_are && own.zip(tower.attachments.windows(2)).all(rises)
     }
 
-    /// The height (m) of a neighbour that each height (m) of the first tower becomes: ends of
-    /// pieces and attachments move to their new heights, what is between them in proportion.
+    /// The height (m) on a changed tower for each height (m) on the original one: ends of pieces
+    /// and attachments move to their new heights, other heights in proportion.
     pub(crate) fn moves(&self, neighbour: &Tower) -> impl Fn(f64) -> f64 + use<> {
         let (own, new) = (knots(&self.tower), knots(neighbour));
         move |height_m| {
@@ -196,8 +196,8 @@ impl Neighbours {
     }
 }
 
-/// What a description has besides the rows of the tower and its surroundings. Every field is named
-/// here, so that a new one is a decision.
+/// All fields of a description except the rows of the tower and its surroundings. Every field is
+/// named here, so that a new field needs a decision.
 fn without_rows(description: &TowerDescription) -> TowerDescription {
     let TowerDescription {
         // The pieces are made of these.
@@ -248,7 +248,7 @@ fn knots(tower: &Tower) -> Vec<f64> {
     knots
 }
 
-/// The place of each attachment by height.
+/// The index of each attachment by height.
 fn places(attached: &[Attachment]) -> Vec<usize> {
     let mut by_height: Vec<usize> = (0..attached.len()).collect();
     by_height.sort_by(|&a, &b| attached[a].height_m.total_cmp(&attached[b].height_m));
@@ -280,7 +280,7 @@ impl Tower {
         self.above = Above::new(&self.pieces, &self.attachments);
     }
 
-    /// The number of the border between pieces that is at a height (m): 0 for the base.
+    /// The index of the border between pieces at a height (m): 0 for the base.
     pub(crate) fn border_of(&self, height_m: f64) -> Option<usize> {
         let borders = self.pieces.len() + 1;
         (0..borders).find(|&border| self.border_m(border) == height_m)

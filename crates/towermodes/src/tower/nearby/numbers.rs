@@ -1,5 +1,5 @@
-//! The numbers that a tower consists of, in one list, so that derivatives can be taken with respect
-//! to them.
+//! The values that define a checked tower, in one list, so that derivatives can be taken with
+//! respect to them.
 
 use super::super::attachment::Attachment;
 use super::super::model::Tower;
@@ -10,10 +10,10 @@ use super::super::pieces::shear::Shear;
 use super::neighbour::Neighbour;
 use crate::space::SpatialMatrix;
 
-/// Where a number is in the list.
+/// Index of a value in the list.
 pub(crate) type Place = usize;
 
-/// The places of the numbers of a tower.
+/// The indices of the values of a tower.
 ///
 /// In front are the numbers of the base, then those of the attachments, then those of the pieces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,9 +22,9 @@ pub(crate) struct Places {
     pieces: usize,
 }
 
-/// The number of entries of a matrix.
+/// Number of entries of a matrix.
 const MATRIX: usize = 36;
-/// The number of numbers of the base, of an attachment, of a piece.
+/// Number of values of the base, of an attachment, of a piece.
 const OF_BASE: usize = 3 + 2 * MATRIX;
 const OF_ATTACHMENT: usize = 3 + 2 * MATRIX;
 const OF_PIECE: usize = 1 + OF_PROFILE + OF_SOIL + 4;
@@ -33,7 +33,7 @@ const OF_SOIL: usize = 2 * SoilStiffness::SPRINGS;
 const OF_SLIVER: usize = SoilStiffness::SPRINGS + 1;
 
 impl Places {
-    /// Of a tower.
+    /// The indices for a tower.
     pub(crate) fn of(tower: &Tower) -> Self {
         Self {
             attachments: tower.attachments.len(),
@@ -41,7 +41,7 @@ impl Places {
         }
     }
 
-    /// How many numbers there are.
+    /// Number of values.
     pub(crate) fn count(self) -> usize {
         self.sliver(self.pieces + 1)
     }

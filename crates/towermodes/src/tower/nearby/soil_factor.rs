@@ -54,7 +54,7 @@ impl TowerDescription {
     }
 }
 
-/// Whether the base can move against springs.
+/// Whether the base can move, with springs.
 fn is_elastic(foundation: &Foundation) -> bool {
     let is_spring = |spring: f64| spring.is_finite() && spring != 0.0;
     match foundation.support() {
@@ -66,7 +66,7 @@ fn is_elastic(foundation: &Foundation) -> bool {
     }
 }
 
-/// The foundation on soil that is `factor` times as stiff; what is rigid stays rigid.
+/// The foundation on soil with `factor` times the stiffness; fixed motions stay fixed.
 fn on_soil(foundation: &Foundation, factor: f64) -> Foundation {
     let mut changed = foundation.clone();
     match &mut changed {
@@ -85,7 +85,7 @@ fn on_soil(foundation: &Foundation, factor: f64) -> Foundation {
     changed
 }
 
-/// Infinite springs stay rigid, and absent ones absent.
+/// Infinite springs stay infinite, and missing springs stay missing.
 fn times(springs: &FoundationSprings, factor: f64) -> FoundationSprings {
     FoundationSprings {
         lateral_n_per_m: springs.lateral_n_per_m * factor,

@@ -1,4 +1,4 @@
-//! A tower without some of its springs and masses, while its elements stay as they are.
+//! A tower without some of its springs and masses, with the same elements.
 
 use super::super::frame::{FrameFoundation, Substance};
 use super::super::model::Tower;
@@ -19,7 +19,7 @@ pub(crate) enum Strippable {
     Members,
     /// Marine growth on members.
     Growth,
-    /// What members are filled with.
+    /// The filling of members.
     Filling,
     /// Guy wires and point masses.
     WiresAndMasses,
@@ -80,7 +80,8 @@ impl Tower {
         Some(stripped)
     }
 
-    /// Removes the moorings of the base, or all but them and the water around a platform.
+    /// Removes the moorings of the base, or everything except the moorings and the water around a
+    /// platform.
     fn remove_from_base(&mut self, part: Strippable) {
         let base = &mut self.base;
         if part == Strippable::Moorings {
@@ -101,8 +102,8 @@ impl Tower {
         }
     }
 
-    /// The index of the material at a height (m), of two that meet there the lower one; 0 for a
-    /// table of properties.
+    /// The index of the material at a height (m), at a border the lower one; 0 for a table of
+    /// properties.
     pub(crate) fn material_index_at(&self, height_m: f64) -> usize {
         let above = self.stations.partition_point(|s| s.height_m < height_m);
         let station = self.stations.get(above.saturating_sub(1));

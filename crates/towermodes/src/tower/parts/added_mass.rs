@@ -2,7 +2,7 @@
 
 use crate::space::SpatialMatrix;
 
-/// Above the last frequency the added mass becomes that at infinite frequency within this fraction
+/// Above the last frequency the added mass changes to that at infinite frequency over this fraction
 /// of the frequency.
 const RAMP: f64 = 1e-6;
 
@@ -65,7 +65,8 @@ impl AddedMassTable {
         let Some((from, lower)) = low.filter(|_| frequency > 0.0) else {
             return self.zero;
         };
-        // Exactly the matrix of a row, and that at infinity without its difference from the last.
+        // At the row the result is exactly its matrix, and at infinity exactly that at infinite
+        // frequency.
         match high.filter(|(to, _)| frequency < *to && frequency > from) {
             Some((to, upper)) => between(lower, upper, (frequency - from) / (to - from)),
             None if above > 0 && frequency == from => *lower,
@@ -73,8 +74,8 @@ impl AddedMassTable {
         }
     }
 
-    /// Where the added mass bends: the frequency of a row, or the end of the change to infinity.
-    /// The first is frequency zero, and there is none after the last.
+    /// A frequency at which the slope of the added mass changes: the frequency of a row, or the end
+    /// of the change to infinity. The first is frequency zero; none after the last.
     fn knot(&self, index: usize) -> Option<(f64, &SpatialMatrix)> {
         let last = self.rows.len();
         match index {
@@ -105,7 +106,7 @@ impl AddedMassTable {
     }
 }
 
-/// The matrix at a fraction of the way from one to another.
+/// The matrix at a fraction between two others.
 fn between(lower: &SpatialMatrix, upper: &SpatialMatrix, fraction: f64) -> SpatialMatrix {
     std::array::from_fn(|i| {
         std::array::from_fn(|j| lower[i][j] + fraction * (upper[i][j] - lower[i][j]))

@@ -1,4 +1,4 @@
-//! Damping: loss factors of the parts, and the aerodynamic damping by the rotor.
+//! Damping: loss factors of the parts, and the aerodynamic damping of the rotor.
 
 use crate::inputs::{Input, Inputs, Limit};
 
@@ -99,7 +99,7 @@ pub struct RotorAerodynamics {
     pub air_density_kg_per_m3: f64,
 }
 
-/// What to do where the other values of the rotor stand alone.
+/// Suggestion if the other values of the rotor are given without the chord moment.
 const ADD_CHORD_MOMENT: &str =
     "add chord_moment, the integral of chord times radius over one blade, m3";
 

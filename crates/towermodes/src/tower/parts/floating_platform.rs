@@ -69,7 +69,8 @@ impl FloatingPlatform {
         added
     }
 
-    /// Its added mass alone, about the height of its hydrostatic stiffness, which is zero.
+    /// The platform with only its added mass, about the height of its hydrostatic stiffness;
+    /// everything else is zero.
     pub(in crate::tower) fn added_mass_alone(&self) -> Self {
         Self {
             added_mass: self.added_mass,

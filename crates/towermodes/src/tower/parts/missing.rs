@@ -60,7 +60,7 @@ impl MissingPart {
         matches!(self, Self::Nacelle | Self::Hub | Self::Blades)
     }
 
-    /// It in a sentence, with its article.
+    /// Its name in a sentence, with its article.
     fn in_words(self) -> &'static str {
         match self {
             Self::Substructure => "a substructure",

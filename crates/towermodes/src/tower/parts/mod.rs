@@ -1,5 +1,5 @@
-//! What a tower is described by: materials, properties of sections, bodies, rotor, surroundings,
-//! damping.
+//! The parts of the description of a tower: materials, properties of sections, bodies, rotor,
+//! surroundings, damping.
 
 pub(super) mod added_mass;
 pub(super) mod damping;

@@ -21,7 +21,8 @@ impl MooringLines {
         self.about(self.description.reference_m[2])
     }
 
-    /// The same about the point of the tower's axis at a height in the datum of the stations, m.
+    /// The mooring system about the point of the tower's axis at a height in the datum of the
+    /// stations, m.
     pub(in crate::tower) fn mooring_about(&self, height_m: f64) -> Result<Mooring, MooringError> {
         self.about(height_m - self.still_water_m)
     }

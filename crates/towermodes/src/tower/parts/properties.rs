@@ -31,7 +31,7 @@ impl Properties {
     /// The section at the fraction `s` of the way from this row to `top`.
     #[inline]
     pub(crate) fn blend(&self, top: &Self, s: f64) -> Section {
-        // Infinite is infinite all the way.
+        // An infinite stiffness is infinite in all rows.
         let blend = |a: f64, b: f64| if a == b { a } else { a + s * (b - a) };
         let mass_kg_per_m = blend(self.mass_kg_per_m, top.mass_kg_per_m);
         let inertia =
@@ -74,7 +74,7 @@ impl Properties {
         }
     }
 
-    /// The stiffnesses, all linear between rows; zero for a shear stiffness that is not there.
+    /// The stiffnesses, all linear between rows; zero for a missing shear stiffness.
     pub(crate) fn stiffnesses(&self) -> [f64; 6] {
         let (bending, shear) = (self.bending_n_m2, self.shear_n.unwrap_or_default());
         [
@@ -87,7 +87,7 @@ impl Properties {
         ]
     }
 
-    /// Mass and inertias `factor` times as large.
+    /// The properties with mass and inertias multiplied by `factor`.
     pub(crate) fn heavier(&self, factor: f64) -> Self {
         Self {
             mass_kg_per_m: factor * self.mass_kg_per_m,

@@ -1,4 +1,4 @@
-//! Rigid bodies put together: a rotor-nacelle assembly from its hub, blades and nacelle.
+//! Combination of rigid bodies: a rotor-nacelle assembly from its hub, blades and nacelle.
 
 use super::inertia::Inertia;
 
@@ -65,7 +65,7 @@ impl RigidBody {
         .without_rounding()
     }
 
-    /// The same with zeros in place of rounding errors of terms that cancel, for example of the
+    /// The body with zeros in place of rounding errors of terms that cancel, for example of the
     /// blades of a rotor: such rounding errors would couple independent motions.
     fn without_rounding(mut self) -> Self {
         let size_m = self.center_m.iter().fold(0.0_f64, |a, x| a.max(x.abs()));
@@ -121,7 +121,7 @@ impl RigidBody {
         }
     }
 
-    /// With a rotation matrix R: centre R c, inertia R J Rᵀ.
+    /// The body rotated by the matrix R: centre R c, inertia R J Rᵀ.
     fn turned(&self, rotation: [[f64; 3]; 3]) -> Self {
         let own = self.inertia_kg_m2.tensor();
         let entry = |i: usize, j: usize| {

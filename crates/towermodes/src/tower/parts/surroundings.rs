@@ -37,7 +37,7 @@ pub struct SoilStiffness {
 }
 
 impl SoilStiffness {
-    /// How many springs there are.
+    /// Number of springs.
     pub(crate) const SPRINGS: usize = 6;
 
     /// Spring per length against deflection in each plane, N/m².
@@ -102,7 +102,7 @@ impl SoilStiffness {
         Self::from_values(self.values().map(|spring| factor * spring))
     }
 
-    /// These and others together.
+    /// The sum of these springs and others.
     pub(crate) fn and(&self, other: &Self) -> Self {
         let (a, b) = (self.values(), other.values());
         Self::from_values(std::array::from_fn(|i| a[i] + b[i]))

@@ -1,4 +1,4 @@
-//! Matrices of a piece of tower, which lies on the axis: inertia, soil, weight.
+//! Matrices of a piece of tower, which are axisymmetric: inertia, soil, weight.
 
 use super::super::support::independent::Motion;
 use super::planes::{Plane, Planes};

@@ -1,4 +1,5 @@
-//! Where soil and water begin, end or change slope on towers near each other.
+//! Heights where soil and water begin, end or change slope, on a tower and on slightly changed
+//! towers.
 //!
 //! A front can leave the height of a station, or of another front. A border between pieces goes on
 //! with the station, or with the first of the fronts; what another front covers beyond the border,
@@ -9,21 +10,21 @@ use super::super::model::Tower;
 use super::immersion::{SpringsAndMass, fronts_m, jumps_at_fronts};
 use super::piece::{Piece, Profile};
 
-/// The cuts of a tower by soil and water.
+/// The borders of a tower due to soil and water.
 #[derive(Debug, Clone)]
 pub(crate) struct Fronts {
-    /// For each cut, rising, what it moves with.
+    /// For each border, in increasing height, the object that determines its height.
     cuts: Vec<Guide>,
-    /// The cut of each front, if it is one.
+    /// The border at each front, if there is one.
     of_fronts: Vec<Option<usize>>,
 }
 
-/// What a cut moves with.
+/// The object that determines the height of a border.
 #[derive(Debug, Clone, Copy)]
 enum Guide {
-    /// A row of the tower, by its number.
+    /// A row of the tower, by its index.
     Row(usize),
-    /// A front, by its number.
+    /// A front, by its index.
     Front(usize),
 }
 
@@ -63,7 +64,7 @@ impl Fronts {
         }
     }
 
-    /// The cuts (m) of a near tower of these pieces.
+    /// The borders (m) of a slightly changed tower of these pieces.
     pub(crate) fn cuts_m(&self, description: &TowerDescription, pieces: &[Piece]) -> Vec<f64> {
         if self.cuts.is_empty() {
             return Vec::new();
@@ -78,7 +79,7 @@ impl Fronts {
         cuts.map(|guide| height(guide).unwrap_or(base_m)).collect()
     }
 
-    /// What the fronts of a near tower cover beyond its cuts (m).
+    /// The parts of the fronts of a changed tower beyond its borders (m).
     pub(crate) fn slivers(
         &self,
         description: &TowerDescription,
@@ -92,7 +93,7 @@ impl Fronts {
             let Some(cut_m) = cut.map(|cut| cuts_m[cut]) else {
                 continue;
             };
-            // There is nothing beyond the ends of the tower.
+            // Beyond the ends of the tower there is no soil or water.
             let length_m = front_m.clamp(base_m, top_m) - cut_m;
             if length_m == 0.0 {
                 continue;
@@ -110,7 +111,7 @@ impl Fronts {
     }
 }
 
-/// The tube at a border between pieces, if it is one.
+/// The tube at a border between pieces, if the tower consists of tubes.
 fn tube_at(tower: &Tower, border: usize) -> Option<super::section::Tube> {
     let piece = tower.pieces.get(border).or(tower.pieces.last())?;
     match &piece.profile {

@@ -6,7 +6,7 @@ use super::environment::Environment;
 use super::piece::Piece;
 use super::section::Tube;
 
-/// Cuts pieces where soil and water begin, end or change slope, and gives each part its
+/// Divides pieces where soil and water begin, end or change slope, and gives each part its
 /// environment.
 pub(crate) fn in_environment(pieces: Vec<Piece>, description: &TowerDescription) -> Vec<Piece> {
     let base_m = pieces.first().map_or(0.0, |piece| piece.base_m);
@@ -90,7 +90,7 @@ fn add_jumps<R>(
     }
 }
 
-/// Cuts pieces at heights (m, rising), and gives each part its environment.
+/// Divides pieces at heights (m, increasing), and gives each part its environment.
 pub(crate) fn cut_in_environment(
     pieces: Vec<Piece>,
     description: &TowerDescription,
@@ -113,7 +113,7 @@ pub(crate) fn cut_in_environment(
     parts
 }
 
-/// The environment of a piece inside which nothing begins or ends.
+/// The environment of a piece in which soil and water neither begin nor end.
 fn environment(description: &TowerDescription, base_m: f64, piece: &Piece) -> Environment {
     let soil = description
         .soil
@@ -140,13 +140,14 @@ fn environment(description: &TowerDescription, base_m: f64, piece: &Piece) -> En
     environment
 }
 
-/// The springs of one layer at both ends of a piece; `None` if the layer is elsewhere.
+/// The springs of one layer at both ends of a piece; `None` if the layer does not cover the piece.
 fn soil_of(rows: &[SoilRow], piece: &Piece) -> Option<[SoilStiffness; 2]> {
     let (pair, shares) = around(rows, |row| row.height_m, piece)?;
     Some(shares.map(|s| pair[0].stiffness.blend(&pair[1].stiffness, s)))
 }
 
-/// The mass of one table at both ends of a piece, kg/m; `None` if the table is elsewhere.
+/// The mass of one table at both ends of a piece, kg/m; `None` if the table does not cover the
+/// piece.
 fn added_mass_of(rows: &[AddedMassRow], piece: &Piece) -> Option<[f64; 2]> {
     let (pair, shares) = around(rows, |row| row.height_m, piece)?;
     let (below, above) = (pair[0].mass_kg_per_m, pair[1].mass_kg_per_m);

@@ -96,8 +96,8 @@ pub fn mass_integrals(piece: &Piece, base_m: f64, top_m: f64, reference_m: f64) 
     sum
 }
 
-/// The mass of `piece` alone between two heights (m) inside it, kg, and its moment about
-/// `reference_m`, kg m: what weighs of [`mass_integrals`].
+/// The mass of `piece` between two heights (m) inside it, kg, and its moment about `reference_m`,
+/// kg m, without the masses that have no weight in [`mass_integrals`].
 pub(crate) fn weight_integrals(
     piece: &Piece,
     base_m: f64,
@@ -113,8 +113,7 @@ pub(crate) fn weight_integrals(
     (mass_kg, moment_kg_m)
 }
 
-/// Tells `add` the points of the quadrature of [`mass_integrals`] with their weights (m) and
-/// masses.
+/// Calls `add` with each point of the quadrature of [`mass_integrals`], its weight (m) and masses.
 pub(crate) fn for_each_mass_point(
     piece: &Piece,
     base_m: f64,
@@ -124,7 +123,7 @@ pub(crate) fn for_each_mass_point(
     integrate_masses(piece, base_m, top_m, add);
 }
 
-/// Tells `add` the points of the quadrature of [`compliance`] with their weights (m) and sections.
+/// Calls `add` with each point of the quadrature of [`compliance`], its weight (m) and section.
 pub(crate) fn for_each_flexible_point(
     piece: &Piece,
     base_m: f64,
@@ -134,7 +133,7 @@ pub(crate) fn for_each_flexible_point(
     integrate(piece, base_m, top_m, &mut add);
 }
 
-/// Tells `add` the points of the quadrature with their weights (m) and masses.
+/// Calls `add` with each point of the quadrature, its weight (m) and masses.
 #[inline(always)]
 fn integrate_masses(
     piece: &Piece,
@@ -179,7 +178,7 @@ pub fn soil_integrals(
     piece.environment.soil?;
     let (middle, half) = (0.5 * (base_m + top_m), 0.5 * (top_m - base_m));
     let mut sum = Axisymmetric::default();
-    // Linear springs times a square: three points are exact.
+    // Linear springs times a quadratic function: three points are exact.
     for (node, weight) in GAUSS_3 {
         let z = middle + half * node;
         let (arm, weight) = (z - reference_m, weight * half);
@@ -221,7 +220,8 @@ impl Moments {
     fn compliance(&self, base_m: f64, top_m: f64) -> BendingCompliance {
         let middle = 0.5 * (base_m + top_m);
         let offset = self.first / self.zeroth;
-        // Over a part too short for a number between its ends there is nothing left but rounding.
+        // If the part is so short that no floating-point number lies between its ends, the result
+        // would be only rounding.
         let elastic_centre_m = if offset.is_finite() {
             (middle + offset).clamp(base_m, top_m)
         } else {
@@ -300,15 +300,15 @@ pub fn gauss_hinges(
     let root = (half_sum * half_sum - product).sqrt();
     let (lower, upper) = (half_sum - root, half_sum + root);
     if upper.partial_cmp(&lower) != Some(std::cmp::Ordering::Greater) {
-        // Too short for a number between its ends: both hinges at the centre.
+        // If no floating-point number lies between the ends: both hinges are at the centre.
         return [hinge(0.0, 0.5), hinge(0.0, 0.5)];
     }
     let lower_share = upper / (upper - lower);
     [hinge(lower, lower_share), hinge(upper, 1.0 - lower_share)]
 }
 
-/// Tells `add` the points of a quadrature with their weights (m) and sections: five Gauss points on
-/// each of as many panels as keep the change of every dimension over a panel below 10 %.
+/// Calls `add` with each point of a quadrature, its weight (m) and section: five Gauss points per
+/// panel, with so many panels that no dimension changes by 10 % or more over a panel.
 #[inline]
 fn integrate(piece: &Piece, base_m: f64, top_m: f64, add: &mut impl FnMut(f64, f64, &Section)) {
     if piece.steepness(base_m, top_m) <= STEEPEST {
@@ -335,7 +335,8 @@ fn integrate_panel(
     }
 }
 
-/// Halves until every panel is flat enough, or has no number between its ends.
+/// Halves panels until no dimension changes too much, or no floating-point number lies between the
+/// ends.
 #[cold]
 fn integrate_steep(
     piece: &Piece,

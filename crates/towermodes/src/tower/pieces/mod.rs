@@ -1,5 +1,5 @@
-//! The tower along its height: linear pieces, sections and their integrals, soil and water beside
-//! them.
+//! Pieces of the tower along its height: linear pieces, sections and their integrals, soil and
+//! water around them.
 
 pub(super) mod axisymmetric;
 pub(super) mod environment;

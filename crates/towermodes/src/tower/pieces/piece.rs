@@ -46,8 +46,8 @@ pub enum Profile {
 }
 
 impl Profile {
-    /// The profile from the lower end of this to the upper end of another, if both are of one kind
-    /// and material.
+    /// The profile from the lower end of this piece to the upper end of another, if both have the
+    /// same kind and material.
     fn up_to(&self, upper: &Self) -> Option<Self> {
         match (*self, *upper) {
             (
@@ -80,7 +80,7 @@ impl Piece {
         self.top_m - self.base_m
     }
 
-    /// How far up the piece a height (m) is: 0 at its base, 1 at its top.
+    /// The position of a height (m) in the piece: 0 at its base, 1 at its top.
     #[inline]
     fn share_at(&self, height_m: f64) -> f64 {
         (height_m - self.base_m) / self.length_m()
@@ -124,7 +124,7 @@ impl Piece {
         self.environment.soil_at(self.share_at(height_m))
     }
 
-    /// The masses of [`section_at`](Self::section_at) alone.
+    /// The masses of [`section_at`](Self::section_at).
     #[inline]
     pub(super) fn masses_at(&self, height_m: f64) -> SectionMasses {
         match &self.profile {
@@ -168,7 +168,7 @@ impl Piece {
             .is_none_or(|ends| ends.iter().all(is_round))
     }
 
-    /// Whether it does not deform at all in a motion, whatever moves it.
+    /// Whether it is rigid in this motion.
     pub(crate) fn is_rigid_in(&self, motion: Motion) -> bool {
         let Profile::Table { base, .. } = &self.profile else {
             return false;
@@ -188,8 +188,8 @@ impl Piece {
         }
     }
 
-    /// The largest ratio, thick end to thin end, of what the compliances between two heights (m)
-    /// depend on.
+    /// The largest ratio, thick end to thin end, of the properties on which the compliances between
+    /// two heights (m) depend.
     pub(crate) fn steepness(&self, base_m: f64, top_m: f64) -> f64 {
         ratio(self.steepest(base_m, top_m))
     }
@@ -204,8 +204,8 @@ impl Piece {
         (ratio((a, b)) > most && base_m < cut_m && cut_m < top_m).then_some(cut_m)
     }
 
-    /// What the compliances between two heights (m) depend on and has the largest ratio at them:
-    /// its values there.
+    /// The property with the largest ratio at two heights (m), of those on which the compliances
+    /// depend: its values at both heights.
     fn steepest(&self, base_m: f64, top_m: f64) -> (f64, f64) {
         let steeper = |x: (f64, f64), y| if ratio(y) > ratio(x) { y } else { x };
         match &self.profile {
@@ -223,8 +223,8 @@ impl Piece {
                     let columns = base.stiffnesses().into_iter().zip(top.stiffnesses());
                     columns.map(move |(a, b)| a + s * (b - a))
                 };
-                // A shear stiffness that is not there is zero at both ends: the ratio NaN, which is
-                // no larger.
+                // A missing shear stiffness is zero at both ends: the ratio is NaN, and the
+                // comparison is false.
                 at(base_m).zip(at(top_m)).fold((1.0, 1.0), steeper)
             }
         }
@@ -237,7 +237,8 @@ impl Piece {
         is_same(&self.section_at(height_m), &upper.section_at(height_m))
     }
 
-    /// The part between two heights (m), with nothing around it; the whole piece is itself.
+    /// The part between two heights (m), without soil and water; for the whole range the piece is
+    /// unchanged.
     pub(crate) fn part(&self, base_m: f64, top_m: f64) -> Self {
         let at = |height_m| self.share_at(height_m);
         let profile = match self.profile {
@@ -265,7 +266,7 @@ impl Piece {
         }
     }
 
-    /// The piece that reaches over both, if `upper` goes on in one line from this piece.
+    /// The piece that covers both, if `upper` continues this piece linearly.
     fn joined(&self, upper: &Self) -> Option<Self> {
         let whole = Self {
             base_m: self.base_m,
@@ -284,8 +285,8 @@ fn ratio((x, y): (f64, f64)) -> f64 {
     if x > y { x / y } else { y / x }
 }
 
-/// Whether two sections differ by no more than rounding: a row can be split in two by hand with
-/// full digits, and nothing else.
+/// Whether two sections differ only by rounding: a row can be divided by hand only if all digits
+/// are written.
 fn is_same(a: &Section, b: &Section) -> bool {
     let pairs = a.values().into_iter().zip(b.values());
     pairs
@@ -293,16 +294,16 @@ fn is_same(a: &Section, b: &Section) -> bool {
         .all(|(a, b)| a == b || (a - b).abs() <= 1e-11 * a)
 }
 
-/// Into which linear pieces the rows of a tower are made.
+/// How rows become linear pieces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Rows {
-    /// As few as there can be: a row on the line of its neighbours separates nothing.
+    /// As few as possible: a row on the line between its neighbours does not divide a piece.
     Fewest,
-    /// One between every two rows of different height.
+    /// One piece between any two successive rows of different height.
     Each,
 }
 
-/// The linear pieces that stations make.
+/// The linear pieces of a list of stations.
 pub(crate) fn tube_pieces(
     stations: &[Station],
     materials: &[Material],
@@ -333,7 +334,7 @@ pub(crate) fn tube_pieces(
     pieces_with_length(pieces, rows)
 }
 
-/// The linear pieces that the rows of a property table make.
+/// The linear pieces of a property table.
 pub(crate) fn table_pieces(
     properties: &[PropertyStation],
     outfitting_factor: f64,
@@ -351,7 +352,7 @@ pub(crate) fn table_pieces(
     pieces_with_length(pieces, rows)
 }
 
-/// Leaves out pieces without a length and, for the fewest, joins those that go on in one line.
+/// Omits pieces without length and, for the fewest pieces, joins those that continue linearly.
 fn pieces_with_length(pieces: impl Iterator<Item = Piece>, rows: Rows) -> Vec<Piece> {
     let pieces = pieces.filter(|piece| piece.top_m != piece.base_m);
     if rows == Rows::Each {

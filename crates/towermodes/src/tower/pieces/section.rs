@@ -141,7 +141,7 @@ impl Section {
         }
     }
 
-    /// All its values, to compare sections by.
+    /// All its values, for the comparison of sections.
     pub(crate) fn values(&self) -> [f64; 17] {
         let (rotary, bending) = (self.masses.rotary_inertia_kg_m, self.bending_n_m2);
         let shear = self.shear_flexibility_per_n;

@@ -14,21 +14,21 @@ const CENTRE: Usual = Usual::at_most(Quantity::CentreDistance, 25.0);
 /// The RNA has at least this fraction of the mass of the tower: with a wrong unit it has less than
 /// a hundredth.
 const RNA_SHARE: Usual = Usual::at_least(Quantity::RnaShare, 0.01);
-/// A point mass of less has no effect on a tower of [`LARGE_KG`]: it is in t.
+/// A smaller point mass has no effect on a tower of [`LARGE_KG`]: its value is probably in t.
 const POINT_MASS: Usual = Usual::at_least(Quantity::PointMass, 10.0);
 /// The mass of a large tower, kg.
 const LARGE_KG: f64 = 20e3;
-/// The RNA is at most this many times as heavy as the tower.
+/// The mass of the RNA is at most this many times that of the tower.
 const TOWERS: f64 = 5.0;
-/// Machines above this mass have inertias that second bending and torsion feel, kg.
+/// An RNA above this mass, kg, has inertias that affect second bending and torsion.
 const HEAVY_KG: f64 = 50e3;
 /// Radii of gyration are at most this fraction of the tower height: a rotor's is a third of its
 /// radius, which is less than the height.
 const REACH: f64 = 0.6;
-/// No body is denser throughout than lead, kg/m³.
+/// No body has a larger mean density than lead, kg/m³.
 const DENSEST_KG_PER_M3: f64 = 12e3;
-/// By so much a principal moment may exceed the sum of the others: inertias are given to two or
-/// three digits.
+/// A principal moment may exceed the sum of the others by this fraction: inertias are given with
+/// two or three digits.
 const ROUNDED: f64 = 0.01;
 
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
@@ -110,7 +110,7 @@ fn point_mass(tower: &Tower, index: usize, mass: &PointMass, warnings: &mut Vec<
     );
 }
 
-/// Whether an inertia can be that of a body of a mass (kg) that reaches so far (m).
+/// Whether a body of this mass (kg) and size (m) can have an inertia.
 pub(crate) fn inertia(
     mass_kg: f64,
     inertia: &Inertia,
@@ -123,7 +123,7 @@ pub(crate) fn inertia(
     }
     let [least_kg_m2, middle_kg_m2, largest_kg_m2] = inertia.principal_kg_m2();
     let others_kg_m2 = least_kg_m2 + middle_kg_m2;
-    // A flat disc has equality.
+    // For a flat disc both sides are equal.
     if largest_kg_m2 > others_kg_m2 * (1.0 + ROUNDED) {
         warnings.push(Warning::TriangleInequality {
             site,
@@ -135,7 +135,8 @@ pub(crate) fn inertia(
         return;
     }
     let ball_m = radius_of_ball_m(mass_kg);
-    // What is heavier than a ball of its reach is said elsewhere; then there is no range.
+    // A body that is heavier than a ball of lead of its size gets another warning; then there is no
+    // range.
     let usual = match ball_m < reach_m {
         true => Usual::new(Quantity::RadiusOfBody, ball_m, reach_m),
         false => Usual::at_least(Quantity::RadiusOfBody, ball_m),

@@ -1,15 +1,15 @@
-//! Signs and places of the couplings in 6×6 matrices.
+//! Signs and positions of the couplings in 6×6 matrices.
 
 use crate::space::SpatialMatrix;
 use crate::tower::Site;
 use crate::tower::Warning;
 
-/// Couplings below this fraction of the geometric mean of their diagonal entries are noise of the
-/// program that made the matrix.
+/// Couplings below this fraction of the geometric mean of their diagonal entries are numerical
+/// noise of the program that computed the matrix.
 const NOISE: f64 = 0.05;
 
-/// Diagonal entries of both planes that differ by a larger factor are those of a structure with
-/// different planes, whose couplings may have any signs.
+/// If the diagonal entries of both planes differ by a larger factor, the planes of the structure
+/// are different, and their couplings may have any signs.
 const PLANES_APART: f64 = 3.0;
 
 /// A matrix and its name.
@@ -17,9 +17,9 @@ pub(super) struct Named<'a> {
     pub(super) what: &'static str,
     pub(super) site: Site,
     pub(super) matrix: &'a SpatialMatrix,
-    /// Height of the point that it is about above the tower's base, m.
+    /// Height of the reference point of the matrix above the tower's base, m.
     pub(super) above_base_m: f64,
-    /// By so much its centre may be above the base, m; none if it may be anywhere.
+    /// Largest height of its centre above the base, m; none if there is no limit.
     pub(super) highest_m: Option<f64>,
 }
 
@@ -41,7 +41,7 @@ pub(super) fn check(named: &Named<'_>, warnings: &mut Vec<Warning>) {
     warnings.extend(acts_above(named));
 }
 
-/// Whether the diagonal entries of both planes are so near that the couplings of both must be, too.
+/// Whether the diagonal entries of both planes are so close that the couplings must be close, too.
 fn has_equal_planes(matrix: &SpatialMatrix) -> bool {
     [(0, 1), (3, 4)].into_iter().all(|(i, j)| {
         let (one, other) = (matrix[i][i].abs(), matrix[j][j].abs());
@@ -49,8 +49,8 @@ fn has_equal_planes(matrix: &SpatialMatrix) -> bool {
     })
 }
 
-/// A translation with the rotation about the same axis: nothing that is the same on both sides of a
-/// plane through the tower has it.
+/// Warns about a coupling of a translation with the rotation about the same axis: a structure with
+/// a vertical plane of symmetry does not have it.
 fn along_axis(what: &'static str, site: Site, matrix: &SpatialMatrix, warnings: &mut Vec<Warning>) {
     let couples = |i: &usize| {
         let diagonal = matrix[*i][*i].abs().sqrt() * matrix[i + 3][i + 3].abs().sqrt();

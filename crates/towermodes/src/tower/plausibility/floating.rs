@@ -12,15 +12,14 @@ use crate::tower::{Ineffective, Warning};
 use crate::tower::{Place, Tower};
 use crate::tower::{Quantity, Site};
 
-/// A platform has at least this fraction of the mass of the turbine on it: tension-leg platforms
-/// have about one.
+/// Lowest mass of a platform as a fraction of the mass of tower and RNA: for tension-leg platforms
+/// it is about one.
 const SHARE: Usual = Usual::at_least(Quantity::PlatformShare, 0.05);
-/// Slow spars have 0.03 Hz, tension-leg platforms 1 Hz.
+/// Range of the heave frequency: slow spars have 0.03 Hz, tension-leg platforms 1 Hz.
 const HEAVE_HZ: Usual = Usual::new(Quantity::HeaveFrequency, 0.008, 5.0);
-/// Slack moorings give 0.004 Hz.
+/// Lowest surge frequency: slack moorings give 0.004 Hz.
 const SURGE_HZ: Usual = Usual::new(Quantity::SurgeFrequency, 0.001, 2.0);
-/// Platforms and their moorings are at most this many tower heights away from the tower
-/// base.
+/// Largest distance of platforms and their moorings from the tower base, in tower heights.
 const DEPTH: f64 = 4.0;
 /// The centre of added mass, hydrostatic or mooring stiffness may be above the tower's base by this
 /// fraction of its height or by this distance, m: entries are rounded, and lines may begin there.
@@ -31,19 +30,19 @@ const ABOVE_M: f64 = 2.0;
 /// platforms have up to 1.7.
 const WIDEST: f64 = 3.0;
 const WATER_KG_PER_M3: f64 = 1025.0;
-/// Half the difference of opposite entries of a matrix up to this fraction of their size changes no
-/// frequency that is printed: it is not worth a warning.
+/// If half the difference of opposite entries of a matrix is below this fraction of their size, no
+/// printed frequency changes, so there is no warning.
 const ROUNDING: f64 = 5e-5;
 /// Densities of sea water differ by 2 % at most.
 const SAME_WATER: f64 = 0.02;
-/// The vertical force that is left at the reference position is at most this fraction of the
-/// weight: published models have up to 0.8 %.
+/// Largest remaining vertical force at the reference position, as a fraction of the weight:
+/// published models have up to 0.8 %.
 const OUT_OF_BALANCE: f64 = 0.01;
-/// The horizontal force that is left is at most this fraction of the weight: lines around a
-/// platform leave a thousandth of their pull.
+/// Largest remaining horizontal force, as a fraction of the weight: the sum of the forces of all
+/// lines around a platform is about a thousandth of the force of one line.
 const PUSHED: f64 = 0.002;
-/// The moment that is left is at most that of the weight at this distance, m: the rotor-nacelle
-/// assembly of a published model leaves 0.4 m.
+/// Largest remaining moment, as the distance (m) at which the weight would cause it: the
+/// rotor-nacelle assembly of a published model causes 0.4 m.
 const TILTED_M: f64 = 1.5;
 
 pub(super) fn check(
@@ -66,7 +65,7 @@ pub(super) fn check(
         ),
         ("mooring", "platform's mooring stiffness", &own.mooring),
     ];
-    // The stiffness of lines is computed: nobody can change its signs.
+    // The stiffness of lines is computed, so its signs cannot be wrong.
     let is_given = |(key, ..): &(&str, _, _)| *key != "mooring" || !given.mooring_is_computed;
     let is_far = depths(tower, platform, warnings);
     for (key, what, referred) in matrices.into_iter().filter(is_given) {
@@ -100,12 +99,12 @@ pub(super) fn check(
     }
 }
 
-/// The rigid platform of a frame that floats has the mass of the members but for this fraction …
+/// The rigid platform of a floating frame has the mass of the members within this fraction …
 const SAME_MASS: f64 = 0.1;
-/// … and their centre but for this fraction of the height of the frame.
+/// … and their centre within this fraction of the height of the frame.
 const SAME_CENTER: f64 = 0.05;
 
-/// A frame that floats and the rigid platform that stands for its weight.
+/// Compares a floating frame with the rigid platform that represents its weight.
 pub(super) fn of_members(foundation: &FrameFoundation, warnings: &mut Vec<Warning>) {
     let Some(restoring) = &foundation.restoring else {
         return;
@@ -131,7 +130,7 @@ pub(super) fn of_members(foundation: &FrameFoundation, warnings: &mut Vec<Warnin
     }
 }
 
-/// Mooring lines at rest, and the balance with weights and buoyancy.
+/// Checks mooring lines at rest, and their balance with weights and buoyancy.
 pub(super) fn at_rest(
     tower: &Tower,
     given: &Given<'_>,
@@ -192,7 +191,7 @@ fn lines(given: &Given<'_>, platform: &FloatingPlatform, warnings: &mut Vec<Warn
     warnings.extend(other_water(given, lines_kg_per_m3));
 }
 
-/// Lines in another water than the tower or its members.
+/// Warns if the water of the lines differs from that of the tower or its members.
 fn other_water(given: &Given<'_>, lines_kg_per_m3: f64) -> Option<Warning> {
     let around_tower = given.water.map(|water| water.density_kg_per_m3);
     let around_tower = around_tower.map(|density| ("the tower is", density));
@@ -223,7 +222,8 @@ fn at(key: &'static str) -> Site {
     Site::at(Place::Foundation { key })
 }
 
-/// Centre of mass and reference heights that are far from the tower; returns whether there are any.
+/// Warns about a centre of mass and reference heights far from the tower; returns whether there are
+/// any.
 fn depths(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>) -> bool {
     let usual = Usual::at_most(Quantity::PlatformDepth, DEPTH * tower.height_m());
     let [x_m, y_m, z_m] = platform.center_m;

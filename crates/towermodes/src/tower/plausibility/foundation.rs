@@ -8,16 +8,17 @@ use crate::tower::foundation::Support;
 use crate::tower::{Place, Tower};
 use crate::tower::{Quantity, Site};
 
-/// Softer than this a foundation turns more than the tower bends by an order of magnitude.
+/// Lowest ratio of the rocking stiffness to EI/H: below it the rotation of the foundation exceeds
+/// the bending of the tower by an order of magnitude.
 const ROCKING: Usual = Usual::at_least(Quantity::RockingStiffness, 0.2);
 const LATERAL: Usual = Usual::at_least(Quantity::LateralStiffness, 30.0);
 const TORSION: Usual = Usual::at_least(Quantity::TorsionStiffness, 0.2);
 const LATERAL_HZ: Usual = Usual::at_least(Quantity::LateralFrequency, 0.8);
 const VERTICAL_HZ: Usual = Usual::at_least(Quantity::VerticalFrequency, 1.5);
-/// The lever of springs is at least this fraction of the section's radius of gyration: a footing is
-/// wider than the tower, a pile as wide.
+/// Lowest value of √(K_R/K_L) as a fraction of the section's radius of gyration: a footing is wider
+/// than the tower, a pile is as wide.
 const LEVER: f64 = 0.5;
-/// The lever of the head of a pile is at least this many of its radii.
+/// Lowest value of √(K_R/K_L) of a pile head, in radii of the pile.
 const PILE_LEVER: f64 = 2.0;
 /// Speed of sound in steel, m/s.
 const SOUND_M_PER_S: f64 = 5000.0;
@@ -131,7 +132,7 @@ fn springs(
         against_rotation(tower, [rocking, torsion], warnings);
         against_translation(tower, [lateral, vertical], warnings);
     }
-    // One slip needs one warning.
+    // One mistake needs only one warning.
     if warnings.len() > before {
         return;
     }
@@ -149,8 +150,8 @@ fn springs(
     }
 }
 
-/// The softer plane's rocking spring against EI/H, the torsion spring against GJ/H; those that are
-/// zero or infinite are not meant to hold, or to give.
+/// Checks the rocking spring of the softer plane relative to EI/H, and the torsion spring relative
+/// to GJ/H; springs of zero or infinite stiffness are intended.
 fn against_rotation(
     tower: &Tower,
     [rocking, torsion]: [&'static str; 2],
@@ -171,8 +172,8 @@ fn against_rotation(
     }
 }
 
-/// The softer plane's lateral spring against EI/H³ and against the mass that it carries, the
-/// vertical one against that mass.
+/// Checks the lateral spring of the softer plane relative to EI/H³ and to the supported mass, and
+/// the vertical spring relative to this mass.
 fn against_translation(
     tower: &Tower,
     [lateral, vertical]: [&'static str; 2],

@@ -1,15 +1,15 @@
-//! The frame under a tower: its members, and where the tower begins on it.
+//! The frame under a tower: its members, and the position of the tower on it.
 
 use super::Given;
 use super::usual::check_inputs;
 use crate::tower::frame::{FrameFoundation, FramePart, FrameWarning};
 use crate::tower::{Ineffective, Place, Site, Tower, Warning};
 
-/// A transition piece is at most this high, m.
+/// Largest height of a transition piece, m.
 const HIGH_M: f64 = 12.0;
-/// A tower may begin this far below the highest joint of its transition piece, m.
+/// Largest distance of the tower base below the highest joint of its transition piece, m.
 const BELOW_M: f64 = 0.5;
-/// The axis of a tower is at most this far beside the middle of the joints that carry it, m.
+/// Largest distance of the axis of a tower from the middle of the joints that carry it, m.
 const BESIDE_M: f64 = 1.0;
 
 pub(super) fn check(
@@ -61,7 +61,7 @@ fn transition(tower: &Tower, foundation: &FrameFoundation) -> Option<Warning> {
     let site = Site::at(Place::Substructure { part });
     let [_, _, reference_m] = foundation.reference_m();
     let is_far = (base_m - reference_m).abs() > HIGH_M;
-    // The reference point of a floater is at still water.
+    // The reference point of a floater is at still water level.
     if is_far && foundation.platform.mass_kg > 0.0 && foundation.restoring.is_none() {
         return Some(Warning::FarReference {
             site,

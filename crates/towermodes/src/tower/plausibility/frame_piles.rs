@@ -1,16 +1,16 @@
-//! Piles of a frame in the ground: close to each other, members there without springs, joints just
-//! off the surface.
+//! Piles of a frame in the ground: piles close to each other, members without springs, joints just
+//! above or below the surface.
 
 use crate::tower::frame::{FrameDescription, MemberKind, difference, norm};
 use crate::tower::ground::{FramePile, Ground, buried};
 use crate::tower::{Place, Site, Warning};
 
-/// Piles closer than this, in diameters, soften each other: in tests of groups the springs across
-/// a pile lose a fifth at four diameters.
+/// Piles with a smaller distance, in diameters, reduce the stiffness of each other: in tests of
+/// groups the lateral stiffness decreases by a fifth at four diameters.
 const GROUP_DIAMETERS: f64 = 3.0;
-/// Suction buckets of jackets reach down by about one diameter, piles by ten and more.
+/// Suction buckets of jackets have an embedded length of about one diameter, piles of ten and more.
 const SHORT_DIAMETERS: f64 = 1.0;
-/// A joint nearer to the surface than this, m, was probably meant to be at it.
+/// A joint within this distance of the surface, m, is probably meant to be at the surface.
 const NEAR_M: f64 = 0.05;
 
 pub(super) fn check(frame: &FrameDescription, ground: &Ground, warnings: &mut Vec<Warning>) {
@@ -22,7 +22,7 @@ pub(super) fn check(frame: &FrameDescription, ground: &Ground, warnings: &mut Ve
     near_surface(frame, ground, &piles, site, warnings);
 }
 
-/// The two piles that are closest to each other in diameters, if they are a group.
+/// The two piles with the smallest distance in diameters, if they are a group.
 fn group(
     frame: &FrameDescription,
     ground: &Ground,
@@ -125,7 +125,7 @@ fn without_springs(
     }));
 }
 
-/// Joints of piles that miss the surface by a little.
+/// Joints of piles that are close to the surface but not at it.
 fn near_surface(
     frame: &FrameDescription,
     ground: &Ground,

@@ -10,18 +10,18 @@ use crate::tower::{Material, Place, Station, Tower};
 const WIDEST_M: f64 = 30.0;
 /// Largest usual tower height, m.
 const TALLEST_M: f64 = 1000.0;
-/// No tube has a thinner wall: diameter over wall.
+/// Largest ratio of diameter to wall of a tube.
 const THINNEST: f64 = 500.0;
-/// No tube of concrete, and no mast of a small turbine, has a thicker one.
+/// Lowest ratio of concrete tubes and masts of small turbines.
 const THICKEST: f64 = 10.0;
-/// No steel tube wider than [`WIDE_M`] has a thicker one, but for flanges, which are short: built
-/// towers and piles have 50 to 300.
+/// Lowest ratio of steel tubes wider than [`WIDE_M`], except flanges, which are short: built towers
+/// and piles have 50 to 300.
 const THICKEST_STEEL: f64 = 30.0;
-/// A tube is wide from this diameter on, m.
+/// A tube of at least this diameter is wide, m.
 const WIDE_M: f64 = 1.5;
 /// Metals have a Young's modulus above this, concrete and wood below, Pa.
 const METAL_PA: f64 = 6e10;
-/// A flange is shorter than this fraction of its diameter.
+/// Largest length of a flange as a fraction of its diameter.
 const FLANGE: f64 = 0.5;
 
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
@@ -51,10 +51,10 @@ fn widest(stations: &[Station], warnings: &mut Vec<Warning>) {
     }
 }
 
-/// The wall that is furthest from those of built towers.
+/// The wall whose ratio is farthest outside the range of built towers.
 fn walls(stations: &[Station], materials: &[Material], warnings: &mut Vec<Warning>) {
     let mut furthest: Option<(f64, Warning)> = None;
-    // A row that is out of line needs no second warning.
+    // A row that does not fit its neighbours has a warning already.
     let has_one = |index| {
         let place = Some(Place::Station { index, key: "wall" });
         warnings.iter().any(|warning| warning.place() == place)
@@ -80,12 +80,12 @@ fn walls(stations: &[Station], materials: &[Material], warnings: &mut Vec<Warnin
     warnings.extend(furthest.map(|(_, warning)| warning));
 }
 
-/// The least ratio of diameter to wall that a tube as at a station has.
+/// The lowest ratio of diameter to wall of the tube at a station.
 fn thickest(stations: &[Station], materials: &[Material], index: usize) -> f64 {
     let station = &stations[index];
     let below = stations[index.saturating_sub(1)].height_m;
     let above = stations[(index + 1).min(stations.len() - 1)].height_m;
-    // Between rows the wall is linear: a row has half of the way to each of its neighbours.
+    // Between rows the wall is linear: half of the distance to each neighbour belongs to a row.
     let length_m = 0.5 * (above - below);
     let is_flange = length_m < FLANGE * station.outer_diameter_m;
     let is_metal = !is_end_of(stations, index, |material| {
@@ -108,7 +108,7 @@ fn is_end_of(stations: &[Station], index: usize, is_of_kind: impl Fn(usize) -> b
     parts.any(|pair| pair[0].height_m != pair[1].height_m && is_of_kind(pair[0].material))
 }
 
-/// A diameter or a wall of one row that is a power of ten off.
+/// A diameter or a wall of one row that is wrong by a power of ten.
 fn lines(stations: &[Station], warnings: &mut Vec<Warning>) {
     type Column = fn(&Station) -> f64;
     let columns: [(&'static str, &'static str, Column); 2] = [

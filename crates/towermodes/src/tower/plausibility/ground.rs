@@ -54,10 +54,10 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
     }
 }
 
-/// Built piles are embedded so deep that scour leaves most of it.
+/// Lowest remaining fraction of the embedded length after scour.
 const SCOURED: f64 = 0.5;
 
-/// Scour that leaves less than half of what is in the ground of the deepest pile.
+/// Scour that removes more than half of the embedded length of the deepest pile.
 fn deep_scour(tip_m: f64, ground: &Ground, warnings: &mut Vec<Warning>) {
     let scour_m = ground.scour.general_m + ground.scour.local_m;
     let embedded_m = ground.surface_m - tip_m;
@@ -71,8 +71,7 @@ fn deep_scour(tip_m: f64, ground: &Ground, warnings: &mut Vec<Warning>) {
     }
 }
 
-/// Water and ground that contradict each other. The bed goes down with the scour from the height
-/// at which it is given.
+/// Water and ground that contradict each other. Scour lowers the given height of the seabed.
 fn water_over(ground: &Ground, water: &Water, warnings: &mut Vec<Warning>) {
     let (surface_m, level_m) = (ground.surface_m, water.level_m);
     let at = |key| Site::at(Place::Water { key });
@@ -130,7 +129,7 @@ fn piles_of(tower: &Tower, given: &Given<'_>, ground: &Ground) -> Vec<EmbeddedPi
     embedded.collect()
 }
 
-/// The layer that a tip stands on may give springs under the tip.
+/// Whether the layer is under a tip, where it may have springs.
 fn is_under_a_tip(ground: &Ground, index: usize, piles: &[EmbeddedPile]) -> bool {
     let above_m = ground.layers[index - 1].bottom_m;
     let top_m = ground.layers[index].top_m;
@@ -170,7 +169,7 @@ fn models(piles: &[EmbeddedPile], ground: &Ground, warnings: &mut Vec<Warning>) 
     }
 }
 
-/// Piles for which a model was not derived: of each number the first that is outside.
+/// Piles for which a model was not derived: for each value the first pile outside the range.
 fn outside(
     piles: &[EmbeddedPile],
     ground: &Ground,

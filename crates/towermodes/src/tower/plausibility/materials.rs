@@ -63,7 +63,7 @@ fn useless(tower: &Tower, used: &[bool], warnings: &mut Vec<Warning>) {
         warnings.push(Warning::UselessMaterial { site });
     }
     let unused = (0..used.len()).filter(|&index| !used[index] && last_alone != Some(index));
-    // Beside a table of properties materials have no meaning at all, and no file can give them.
+    // A tower with a table of properties uses no materials, and no file can give them.
     for index in unused.filter(|_| !stations.is_empty()) {
         let key = "density";
         warnings.push(Warning::NoEffect {

@@ -77,7 +77,7 @@ impl<'a> Given<'a> {
     }
 }
 
-/// The warnings that the input alone gives rise to.
+/// The warnings that depend only on the input.
 pub(super) fn plausibility(tower: &Tower, given: &Given<'_>) -> Vec<Warning> {
     let missing = tower.missing_parts().cloned();
     let mut warnings: Vec<Warning> = missing.map(Warning::PartsMissing).into_iter().collect();
@@ -102,7 +102,8 @@ pub(super) fn plausibility(tower: &Tower, given: &Given<'_>) -> Vec<Warning> {
 }
 
 const GRAVITY: Usual = Usual::new(Quantity::Gravity, 9.7, 9.9);
-/// For rotors on towers of more than 20 m, except small turbines, which reach hundreds of rpm.
+/// Range for rotors on towers of more than 20 m, except small turbines, which reach hundreds of
+/// rpm.
 const ROTOR_SPEED: Usual = Usual::new(Quantity::RotorSpeed, 3.0, 100.0);
 /// The RNA of a small turbine has at most this mass, kg.
 const SMALL_KG: f64 = 5e3;

@@ -1,22 +1,20 @@
-//! Rows whose value does not fit those of the adjacent rows: a digit, or one of an exponent,
-//! is wrong.
+//! Rows whose value does not fit those of the adjacent rows: a digit or the exponent is wrong.
 
 /// In built towers no row differs from both adjacent rows by this factor in stiffness or width.
 const SPIKE: f64 = 4.0;
-/// How far from a power of ten a ratio may be, in powers of ten, that a wrong exponent makes: what
-/// is real beside it varies as well.
+/// Largest deviation of a ratio from a power of ten, in powers of ten, for a wrong exponent: the
+/// true values vary too.
 const NEAR_A_POWER: f64 = 0.12;
-/// Rows that go together differ by no more than this factor from one to the next, where the value
-/// of the next one is foretold.
+/// If the values of two rows differ by more than this factor, no value is extrapolated from them.
 const SMOOTH: f64 = 2.0;
 
 /// The criterion for a value that does not fit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Spike {
-    /// Any value far from its neighbours': nothing real makes it.
+    /// Any value far from those of the neighbours: no real tower has it.
     Any,
-    /// A power of ten away from them: something real, as a mass that is spread over a short length,
-    /// can make any other value.
+    /// A value that is wrong by a power of ten: a real feature, such as a mass distributed over a
+    /// short length, can cause any other value.
     PowerOfTen,
 }
 
@@ -29,8 +27,8 @@ impl Spike {
     }
 }
 
-/// The value that is furthest out of line of positive values at heights (m): its index, and
-/// the value expected from the adjacent ones.
+/// The positive value that deviates most from its neighbours at heights (m): its index, and the
+/// value expected from the neighbours.
 pub(super) fn worst(heights_m: &[f64], values: &[f64], spike: Spike) -> Option<(usize, f64)> {
     let out_of_line = (0..values.len()).filter_map(|index| {
         let expected = expected(heights_m, values, index, spike)?;
@@ -45,7 +43,8 @@ fn expected(heights_m: &[f64], values: &[f64], index: usize, spike: Spike) -> Op
     let value = values[index];
     let last = values.len() - 1;
     if index == 0 || index == last {
-        // An end has one neighbour: it is foretold from that one and the next.
+        // An end has one neighbour: its expected value is extrapolated from this neighbour and the
+        // next one.
         let [near, far] = if index == 0 {
             [1, 2]
         } else {
@@ -59,7 +58,7 @@ fn expected(heights_m: &[f64], values: &[f64], index: usize, spike: Spike) -> Op
     }
     let (below, above) = (values[index - 1], values[index + 1]);
     let [low_m, here_m, high_m] = [index - 1, index, index + 1].map(|i| heights_m[i]);
-    // Rows at one height are a step, on whose sides values differ as they like.
+    // Rows at one height are a step; the values on both sides are independent.
     if low_m == here_m || here_m == high_m {
         return None;
     }
@@ -73,7 +72,7 @@ fn expected(heights_m: &[f64], values: &[f64], index: usize, spike: Spike) -> Op
     spike.is(value / expected).then_some(expected)
 }
 
-/// Whether a ratio is no more than a factor from one.
+/// Whether a ratio is within a factor of one.
 fn between(ratio: f64, factor: f64) -> bool {
     (1.0 / factor..=factor).contains(&ratio)
 }

@@ -1,4 +1,4 @@
-//! Soil around the tower: how stiff it is, in itself and against the tower.
+//! Soil around the tower: its stiffness, absolute and relative to the tower.
 
 use super::Given;
 use super::usual::{Usual, check_worst};
@@ -6,14 +6,15 @@ use crate::tower::Warning;
 use crate::tower::{Ineffective, Quantity, Site};
 use crate::tower::{Piece, Place, Plane, SoilRow, SoilStiffness, Tower};
 
-/// The stiffest row of a layer is at least as stiff as very soft clay; no rock is stiffer than the
-/// other.
+/// The stiffest row of a layer is at least as stiff as very soft clay, and at most as stiff as
+/// rock.
 const STIFFEST_ROW: Usual = Usual::new(Quantity::SoilSpring, 5e4, 1e12);
 const PLANES: Usual = Usual::new(Quantity::SoilPlaneRatio, 0.1, 10.0);
-/// A tower that soil holds reaches into it over at least this fraction of the length over which it
-/// bends there.
+/// Lowest embedded length of a tower that is supported by soil, as a fraction of the length over
+/// which it bends in the soil.
 const WINKLER: Usual = Usual::at_least(Quantity::WinklerLengths, 0.5);
-/// A base with a rocking spring of at least this many times EI/H supports the tower without soil.
+/// If the rocking spring of the base is at least this many times EI/H, the base supports the tower
+/// without soil.
 const HOLDS: f64 = 5.0;
 
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
@@ -52,7 +53,7 @@ fn of_layer(layer: usize, rows: &[SoilRow], warnings: &mut Vec<Warning>) {
         .clone()
         .map(|(index, row, x, y)| (index, row, x.max(y)));
     let stiffest = larger.max_by(|(.., a), (.., b)| a.total_cmp(b));
-    // A layer may hold along or about the axis alone.
+    // A layer may have only springs along or about the axis.
     if let Some((index, row, spring)) = stiffest.filter(|(.., spring)| *spring > 0.0) {
         STIFFEST_ROW.check(spring, at(index, "x").high(row.height_m), warnings);
     }
@@ -61,7 +62,7 @@ fn of_layer(layer: usize, rows: &[SoilRow], warnings: &mut Vec<Warning>) {
     check_worst(ratios, warnings);
 }
 
-/// Whether soil that alone holds the tower can do so.
+/// Whether soil without other supports can support the tower.
 fn holds(tower: &Tower, is_in_layers: bool, warnings: &mut Vec<Warning>) {
     let base = tower.base();
     let section = tower.pieces()[0].section_at(tower.base_m());
@@ -87,7 +88,8 @@ fn holds(tower: &Tower, is_in_layers: bool, warnings: &mut Vec<Warning>) {
     }
 }
 
-/// The length in soil over (4EI/k)^¼ with the mean spring; none without soil in this plane.
+/// The embedded length divided by (4EI/k)^¼ with the mean spring; none without soil springs in this
+/// plane.
 fn winkler_lengths(tower: &Tower, plane: Plane) -> Option<f64> {
     let in_soil = tower.pieces().iter().filter_map(|piece| {
         let [low, high] = piece

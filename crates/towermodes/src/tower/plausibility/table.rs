@@ -11,7 +11,7 @@ use crate::tower::{Quantity, Site};
 
 /// Speed of sound in steel, m/s.
 const SOUND_M_PER_S: f64 = 5000.0;
-/// No section is denser than this throughout, kg/m³: steel with all that is fixed to it.
+/// Largest mean density of a section, kg/m³: steel with everything that is attached to it.
 const DENSEST_KG_PER_M3: f64 = 1e4;
 /// Largest radius of gyration √(EI/EA) of a section, m, and as a fraction of the tower's height.
 const WIDEST_M: f64 = 20.0;
@@ -48,7 +48,7 @@ const SPEEDS: [Speed; 3] = [
     Speed {
         key: "shear_stiffness_fore_aft_n",
         quantity: Quantity::ShearWaveSpeed,
-        // A tower that hardly shears may have any stiffness above.
+        // A tower with little shear deformation may have any larger stiffness.
         of_row: [100.0, f64::INFINITY],
         typical: [300.0, f64::INFINITY],
         value: |p| {
@@ -95,7 +95,7 @@ pub(super) fn check(tower: &Tower, warnings: &mut Vec<Warning>) {
             site,
         )
     });
-    // A tower without rotary inertia is a model in its own right.
+    // A tower without rotary inertia is a valid model.
     check_worst(
         sums.filter(|(_, sum, _)| *sum > 0.0 && sum.is_finite()),
         warnings,
@@ -108,7 +108,7 @@ fn at(index: usize, row: &PropertyStation, key: &'static str) -> Site {
 
 fn check_speed(speed: &Speed, rows: &[PropertyStation], warnings: &mut Vec<Warning>) {
     let value = |row: &PropertyStation| (speed.value)(&row.properties);
-    // A tower that does not twist, stretch or shear has no such wave.
+    // A tower without torsion, axial or shear deformation has no such wave.
     let mut speeds: Vec<f64> = rows.iter().map(value).filter(|v| v.is_finite()).collect();
     speeds.sort_by(f64::total_cmp);
     let Some(&median) = speeds.get(speeds.len() / 2) else {

@@ -9,7 +9,7 @@ const AXIAL: [&str; 2] = ["shaft_friction", "end_bearing"];
 /// The weight of a layer loads the layers below.
 const ALWAYS_USED: &str = "effective_unit_weight";
 
-/// What a layer has and its models do not use.
+/// The given values of a layer that its models do not use.
 pub(super) fn of(layer: &GroundLayer, models: &Models<'_>) -> Vec<(&'static str, Ineffective)> {
     let used = &models.used;
     let unused = given(layer).filter(|key| *key != ALWAYS_USED && !used.contains(key));
@@ -20,7 +20,7 @@ pub(super) fn of(layer: &GroundLayer, models: &Models<'_>) -> Vec<(&'static str,
     unused.map(why).collect()
 }
 
-/// The keys of the values that a layer need not have and has; of a shear modulus the first.
+/// The keys of the optional values that are given in a layer; of a shear modulus the first key.
 fn given(layer: &GroundLayer) -> impl Iterator<Item = &'static str> {
     let modulus = layer.shear_modulus.map(|modulus| modulus.key());
     let is_given = move |key: &str, given: Given| match given {

@@ -44,7 +44,7 @@ impl Usual {
         is_outside
     }
 
-    /// How many times a positive value is outside the range; up to 1 inside.
+    /// The ratio of a positive value to the nearest limit of the range; at most 1 inside the range.
     fn excess(&self, value: f64) -> f64 {
         (self.least / value).max(value / self.most)
     }
@@ -65,8 +65,8 @@ impl Usual {
     }
 }
 
-/// Warns of each number of a table that is outside its usual range, infinity has none; and of each
-/// value without effect because the one that it needs is absent.
+/// Warns about each value of a table that is outside its usual range (infinite values are not
+/// checked), and about each value without effect because another value is missing.
 pub(super) fn check_inputs(
     inputs: &dyn Inputs,
     at: impl Fn(&'static str) -> Place,
@@ -93,8 +93,8 @@ pub(super) fn check_inputs(
     }
 }
 
-/// One of the values at top and bottom: the larger one, because the other may be zero; but the
-/// smaller one if it is so much smaller that it has another unit.
+/// The value to check of those at top and bottom: the larger one, because the other may be zero;
+/// but the smaller one if the ratio indicates another unit.
 fn checked_of_pair([top, bottom]: [f64; 2]) -> f64 {
     let (smaller, larger) = (top.min(bottom), top.max(bottom));
     match smaller > 0.0 && smaller * OTHER_UNIT <= larger {
@@ -103,10 +103,10 @@ fn checked_of_pair([top, bottom]: [f64; 2]) -> f64 {
     }
 }
 
-/// Of a layer one end is not so many times the other: kPa in place of Pa is a factor of 1000.
+/// Largest ratio of the values at both ends of a layer: kPa in place of Pa is a factor of 1000.
 const OTHER_UNIT: f64 = 300.0;
 
-/// Warns of the positive value that is furthest outside its range, if any is.
+/// Warns about the positive value that is farthest outside its range, if there is one.
 pub(super) fn check_worst(
     values: impl Iterator<Item = (Usual, f64, Site)>,
     warnings: &mut Vec<Warning>,

@@ -1,4 +1,4 @@
-//! Water around the tower, and masses that move with it as water does.
+//! Water around the tower, and added masses.
 
 use super::Given;
 use super::usual::check_inputs;

@@ -7,10 +7,10 @@ use crate::tower::Warning;
 use crate::tower::{Ineffective, Quantity, Site};
 use crate::tower::{Place, Tower, Wires};
 
-/// Stays of small masts are 5 mm thick. There is no upper limit: decks hold towers rigidly with
-/// wires.
+/// Lowest diameter: stays of small masts are 5 mm thick. There is no upper limit: some BModes decks
+/// hold towers rigidly with wires.
 const DIAMETER: Usual = Usual::at_least(Quantity::WireDiameter, 0.003);
-/// A right angle in radians is 1.57.
+/// Lowest angle, degrees: a right angle in radians is 1.57.
 const ANGLE: Usual = Usual::new(Quantity::WireAngle, 2.0, 85.0);
 /// Young's modulus of steel strand, Pa.
 const STRAND_PA: f64 = 1.6e11;
@@ -31,7 +31,7 @@ pub(super) fn check(tower: &Tower, wires: &[Wires], warnings: &mut Vec<Warning>)
             warnings.push(Warning::NoEffect { site, what });
             continue;
         }
-        // Level wires to a building or to another tower have no angle, and any length.
+        // Horizontal wires to a building or to another tower have the angle zero and any length.
         if angle_deg == 0.0 || ANGLE.check(angle_deg, at("angle_deg"), warnings) {
             continue;
         }

@@ -8,19 +8,19 @@ use super::base::{Base, symmetrized};
 use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
 use crate::symmetric::eigenpairs;
 
-/// The inertia that moves with a base: constant, and the added mass by frequency.
+/// The inertia that moves with a base: a constant part, and the added mass by frequency.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct InertiaByFrequency {
     table: Arc<AddedMassTable>,
-    /// From the base up to the point that the table is about, m.
+    /// Height of the reference point of the table above the base, m.
     rise_m: f64,
-    /// Without the table, for the motion of the base.
+    /// The inertia without the table, for the motion of the base.
     constant: SpatialMatrix,
 }
 
 impl InertiaByFrequency {
-    /// That of a platform under a tower with its base at `base_m`; none if its added mass does not
-    /// depend on frequency.
+    /// The inertia of a platform under a tower with its base at `base_m`; none if its added mass
+    /// does not depend on frequency.
     pub(crate) fn of(platform: &FloatingPlatform, base_m: f64) -> Option<Self> {
         let table = platform.added_mass_by_frequency.clone()?;
         let without = FloatingPlatform {
@@ -39,14 +39,14 @@ impl InertiaByFrequency {
         self.table.matrices()
     }
 
-    /// The end of the interval that a frequency is in, where the added mass is linear; none where
-    /// it is constant. Both are angular, rad/s.
+    /// The end of the interval around a frequency in which the added mass is linear; none where it
+    /// is constant. Both are angular, rad/s.
     pub(crate) fn end_of_interval(&self, frequency: f64) -> Option<f64> {
         let mut intervals = self.table.intervals();
         intervals.find(|[_, to]| frequency < *to).map(|[_, to]| to)
     }
 
-    /// At an angular frequency, rad/s.
+    /// The inertia at an angular frequency, rad/s.
     pub(crate) fn at(&self, frequency: f64) -> SpatialMatrix {
         let mut added = symmetrized(&self.table.at(frequency));
         transform_matrix(&mut added, self.rise_m);
@@ -83,7 +83,7 @@ impl InertiaByFrequency {
     /// definite.
     pub(crate) fn bounds(&self, [from, to]: [f64; 2]) -> Option<[SpatialMatrix; 2]> {
         let ends = [self.at(from), self.at(to)];
-        // Units in which the inertias are alike make the bounds narrow.
+        // Units in which all inertias have a similar size make the bounds narrow.
         let units: [f64; 6] = std::array::from_fn(|i| ends[0][i][i].abs().sqrt());
         if units.contains(&0.0) {
             return None;
@@ -106,12 +106,12 @@ impl InertiaByFrequency {
     }
 }
 
-/// A factor times the second matrix less the first.
+/// A factor times the second matrix minus the first.
 fn scaled_difference([first, second]: &[SpatialMatrix; 2], factor: f64) -> SpatialMatrix {
     std::array::from_fn(|i| std::array::from_fn(|j| factor * (second[i][j] - first[i][j])))
 }
 
-/// By the signs of the pivots; a pivot that is all rounding is not positive.
+/// Decides by the signs of the pivots; a pivot within rounding errors is not positive.
 fn is_positive_definite(matrix: &SpatialMatrix) -> bool {
     const ROUNDING: f64 = 1e-12;
     let mut rest = *matrix;

@@ -1,4 +1,4 @@
-//! The lowest section of a tower: its free motions, its support, the inertia that moves with it.
+//! The lowest section of a tower: its free motions, its support, and the inertia of the support.
 
 use super::super::attachment::spatial_inertia;
 use super::super::foundation::{Foundation, StiffnessFoundation, Support};
@@ -33,8 +33,7 @@ pub struct Base {
 }
 
 impl Base {
-    /// Of a foundation under a tower with its base at `base_m` that carries `mass_kg`, with all
-    /// that is on it.
+    /// The base for a foundation under a tower with its base at `base_m` and the mass `mass_kg`.
     pub(crate) fn new(foundation: &Foundation, base_m: f64, mass_kg: f64) -> Self {
         match foundation.support() {
             Support::Clamped => Self::default(),
@@ -42,7 +41,8 @@ impl Base {
             Support::Springs(springs) => Self::on(&on_springs(springs.matrix())),
             Support::Form(form) => Self::on(&on_springs(form.stiffness())),
             Support::Floating(platform) => {
-                // The lines were checked; a neighbour beyond the last that they can reach has none.
+                // The lines were checked already; a neighbour in which they cannot reach their ends
+                // has no stiffness.
                 let linear = platform.with_linear_moorings();
                 let platform = linear.unwrap_or_else(|_| platform.clone());
                 Self::afloat(&platform, base_m, mass_kg)
@@ -67,9 +67,9 @@ impl Base {
         }
     }
 
-    /// The base rides on the transition piece, which the frame holds, or which floats. The weight
-    /// of the tower turns over about the reference point of the transition piece, or about that
-    /// of the stiffness of the buoyancy.
+    /// The base on a transition piece, which is supported by the frame or floats. The reference
+    /// point of the gravity stiffness of the tower is that of the transition piece, or that of the
+    /// hydrostatic stiffness.
     fn on_frame(foundation: &FrameFoundation, base_m: f64, mass_kg: f64) -> Self {
         Self {
             moves: [true; 6],
@@ -119,8 +119,8 @@ impl Base {
     }
 }
 
-/// A stiffness that is rigid wherever it is not finite, as a rigid spring is after a step towards
-/// its neighbour.
+/// A stiffness with infinite values in place of values that are not finite, such as a rigid spring
+/// after a step to a changed tower.
 fn on_springs(mut stiffness: SpatialMatrix) -> StiffnessFoundation {
     for (motion, row) in stiffness.iter_mut().enumerate() {
         if !row[motion].is_finite() {

@@ -1,4 +1,4 @@
-//! Which motions of a tower are coupled: by structure, not by size.
+//! The coupled motions of a tower: decided by the structure, not by the size of the entries.
 
 use super::super::pieces::planes::Plane;
 use crate::space::SpatialMatrix;
@@ -11,9 +11,9 @@ pub type Component = (usize, f64);
 pub enum Motion {
     /// Bending in a plane.
     Bending(Plane),
-    /// Twist about the axis.
+    /// Torsion about the axis.
     Torsion,
-    /// Stretch along the axis.
+    /// Axial motion.
     Axial,
 }
 

@@ -1,4 +1,4 @@
-//! What holds a tower, and the motions that are left to it.
+//! The support of a tower, and its remaining motions.
 
 pub(crate) mod added_mass;
 pub(super) mod base;

@@ -16,7 +16,8 @@ impl FloatingPlatform {
         self.with_moorings_at(&Pose::default(), height_m)
     }
 
-    /// The same at any pose of the point at a height on the tower's axis, m.
+    /// The platform with the stiffness of its lines at any pose of the point at a height on the
+    /// tower's axis, m.
     pub(in crate::tower) fn with_moorings_at(
         &self,
         pose: &Pose,
@@ -51,7 +52,7 @@ impl ReferredMatrix {
         self.add_moved(matrix, height_m);
     }
 
-    /// Adds a matrix about another height, m, and keeps its own.
+    /// Adds a matrix about another height, m, and keeps the height of this matrix.
     fn add_moved(&mut self, matrix: &SpatialMatrix, height_m: f64) {
         let mut moved = *matrix;
         if height_m != self.height_m {

@@ -6,7 +6,7 @@ use super::super::parts::surroundings::SoilStiffness;
 use super::super::pieces::piece::Piece;
 use super::super::pieces::planes::Plane;
 
-/// Steps of the integration over the embedded length, at least.
+/// Lowest number of steps of the integration over the embedded length.
 const STEPS: f64 = 1000.0;
 
 /// Springs of the soil at a height of a tower.
@@ -60,7 +60,7 @@ impl Tower {
         Some((height_m, self.stiffness_at(height_m)?))
     }
 
-    /// The static stiffness at a height (m) of everything below, without the water and the weight.
+    /// The static stiffness at a height (m) of the pile and soil below, without water and weight.
     fn stiffness_at(&self, surface_m: f64) -> Option<HeadStiffness> {
         let base = self.base();
         if base.on_frame || !(base.moves[0] && base.moves[4]) {

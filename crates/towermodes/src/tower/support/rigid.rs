@@ -42,7 +42,7 @@ impl Tower {
         sum
     }
 
-    /// The motion that is 1 for each coordinate of the base, m or rad; 0 where it is rigidly held.
+    /// The motion for a value of 1 of each coordinate of the base, m or rad; 0 for fixed motions.
     ///
     /// Coordinates of which the stiffness, or the inertia where nothing resists, is 1 suit the
     /// elimination.

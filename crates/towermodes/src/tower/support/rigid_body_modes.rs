@@ -1,16 +1,16 @@
-//! The check for rigid-body modes: a rigid motion that nothing resists has no frequency.
+//! The check for rigid-body modes: a rigid motion without stiffness has no frequency.
 
 use super::super::error::{FreeMotions, Place, Problem, TowerError};
 use super::super::model::Tower;
 use crate::space::SpatialMatrix;
 use crate::symmetric::eigenpairs;
 
-/// A scaled stiffness below this counts as zero.
+/// A scaled stiffness below this is treated as zero.
 const FREE: f64 = 1e-12;
-/// Parts of a free motion larger than this, as a fraction of its largest, are named.
+/// Components of a free motion larger than this, as a fraction of its largest one, are named.
 const NAMED: f64 = 0.1;
 
-/// Refuses a tower that can move as a whole without resistance, unless it floats.
+/// Refuses a tower that can move as a whole without stiffness, unless it floats.
 pub(crate) fn check(tower: &Tower) -> Result<(), TowerError> {
     if tower.base.floats || tower.base.on_frame || tower.base.is_clamped() {
         return Ok(());
@@ -24,7 +24,7 @@ pub(crate) fn check(tower: &Tower) -> Result<(), TowerError> {
     }
 }
 
-/// The motion that a stiffness does not resist, if there is one among those that are possible.
+/// A possible motion without stiffness, if there is one.
 fn free_motion(stiffness: &SpatialMatrix, moves: [bool; 6]) -> Option<FreeMotions> {
     let possible = |i: usize| moves[i];
     let bare: [bool; 6] = std::array::from_fn(|i| possible(i) && stiffness[i][i] <= 0.0);
@@ -41,7 +41,7 @@ fn free_motion(stiffness: &SpatialMatrix, moves: [bool; 6]) -> Option<FreeMotion
         })
     });
     let (values, vectors) = eigenpairs(scaled);
-    // A value that is not a number is free too: the springs overflow.
+    // A motion whose value is NaN is free too: the springs overflow.
     let is_free = |value: &f64| value.partial_cmp(&FREE) != Some(std::cmp::Ordering::Greater);
     let mut named = [false; 6];
     for (_, vector) in values

@@ -21,7 +21,7 @@ impl Damping {
     }
 }
 
-/// Everything that damping must satisfy.
+/// Checks the values of the damping.
 pub(super) fn check_damping(damping: &Damping) -> Result<(), TowerError> {
     check_inputs(damping, |key| Place::Damping { key })?;
     let mut materials = damping.loss_factors.materials.iter().flatten();

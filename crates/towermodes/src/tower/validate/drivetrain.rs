@@ -5,7 +5,7 @@ use super::inputs::check_inputs;
 use super::scale::error;
 use crate::tower::error::{Place, Problem, TowerError};
 
-/// Everything that a drivetrain must satisfy in an assembly with this inertia about x, kg m².
+/// Checks a drivetrain in an assembly with this inertia about x, kg m².
 pub(super) fn check_drivetrain(drivetrain: &Drivetrain, xx_kg_m2: f64) -> Result<(), TowerError> {
     let at = |key| Place::Drivetrain { key };
     check_inputs(drivetrain, at)?;

@@ -78,7 +78,8 @@ fn check_springs(springs: &FoundationSprings) -> Result<(), TowerError> {
     error(at("coupling"), problem)
 }
 
-/// A formula far outside its range can give a stiffness that no soil has.
+/// Checks that the stiffness is possible: a formula far outside its range can give an impossible
+/// one.
 fn check_form(form: &dyn ClosedForm) -> Result<(), TowerError> {
     check_inputs(form, at)?;
     form.check()?;
@@ -155,7 +156,7 @@ fn check_platform(platform: &FloatingPlatform) -> Result<(), TowerError> {
 
 const BY_FREQUENCY: &str = "added_mass_by_frequency";
 
-/// Rising frequencies and matrices that are finite and nearly symmetric.
+/// Checks that the frequencies increase and the matrices are finite and nearly symmetric.
 fn check_table(table: &AddedMassTable) -> Result<(), TowerError> {
     let mut before = 0.0;
     for (index, (frequency, _)) in table.rows.iter().enumerate() {
@@ -181,7 +182,7 @@ fn check_table(table: &AddedMassTable) -> Result<(), TowerError> {
     Ok(())
 }
 
-/// The numbers of a frame may have changed since it was made.
+/// Checks a frame again, because its values may have changed since it was made.
 fn check_frame(foundation: &FrameFoundation) -> Result<(), TowerError> {
     let site = |part| Place::Substructure { part };
     for (index, growth) in foundation.in_water.growth.iter().enumerate() {
@@ -208,7 +209,8 @@ fn check_frame(foundation: &FrameFoundation) -> Result<(), TowerError> {
     }
 }
 
-/// What holds a frame that floats has joints of the frame, and numbers.
+/// Checks that the restoring stiffness of a floating frame refers to joints of the frame and has
+/// possible values.
 fn check_restoring(foundation: &FrameFoundation) -> Result<(), TowerError> {
     let place = Place::Substructure {
         part: FramePart::Transition,
@@ -243,7 +245,7 @@ fn check_restoring(foundation: &FrameFoundation) -> Result<(), TowerError> {
     }
 }
 
-/// The lines can be, and they reach the platform at its reference position.
+/// Checks that the lines are possible and reach the platform at its reference position.
 fn check_lines(lines: &MooringLines) -> Result<(), TowerError> {
     let quantity = "the height of still water at the moorings";
     let site = |item| Place::Mooring { item };
@@ -254,8 +256,8 @@ fn check_lines(lines: &MooringLines) -> Result<(), TowerError> {
     }
 }
 
-/// Weights turn a floating tower over about the point that its hydrostatic stiffness is about:
-/// without that they have none.
+/// Checks that a floating tower with gravity has a hydrostatic stiffness: the gravity stiffness of
+/// the weights is about its reference point.
 pub(super) fn check_buoyancy(description: &TowerDescription) -> Result<(), TowerError> {
     let Foundation::Floating(platform) = &description.foundation else {
         return Ok(());
@@ -285,8 +287,8 @@ fn check_finite(
     }
 }
 
-/// The first pair of entries that should be equal and are not, by more than a fraction of the
-/// larger and of their diagonal entries.
+/// The first pair of entries that should be equal and differ by more than a fraction of the larger
+/// one and of their diagonal entries.
 fn asymmetry(
     what: &'static str,
     matrix: &SpatialMatrix,
@@ -309,8 +311,8 @@ fn asymmetry(
     })
 }
 
-/// Half the largest difference of opposite entries, as a fraction of their size: of the larger of
-/// the two or, where both are noise, of their diagonal entries.
+/// Half the largest difference of opposite entries, as a fraction of the larger of the two; for
+/// entries within the noise, as a fraction of their diagonal entries.
 pub(in crate::tower) fn largest_asymmetry(matrix: &SpatialMatrix) -> f64 {
     let pairs = (0..6).flat_map(|row| (row + 1..6).map(move |column| (row, column)));
     let shares = pairs.map(|(row, column)| {

@@ -6,13 +6,13 @@ use crate::space::SpatialMatrix;
 use crate::symmetric::eigenpairs;
 use crate::tower::error::{Place, Problem, TowerError};
 
-/// A principal moment of inertia may be negative by this fraction of the largest: tensors are
-/// rounded.
+/// A principal moment of inertia may be negative by this fraction of the largest one, because
+/// tensors are rounded.
 const ROUNDED: f64 = 1e-9;
-/// A scaled eigenvalue above minus this is not negative.
+/// A scaled eigenvalue is treated as negative below minus this value.
 const NEGATIVE: f64 = 1e-9;
 
-/// Refuses a tensor that no body has: with an infinite entry or a negative principal moment.
+/// Refuses an impossible tensor: with an infinite entry or a negative principal moment.
 pub(super) fn check_inertia(place: Place, inertia: &Inertia) -> Result<(), TowerError> {
     for value in inertia.tensor().into_iter().flatten() {
         finite(place, "an entry of the inertia", value, " kg m2")?;
@@ -31,8 +31,7 @@ pub(in crate::tower) fn negative_inertia(inertia: &Inertia) -> Option<Problem> {
     is_negative.then_some(Problem::NegativeInertia { principal_kg_m2 })
 }
 
-/// A matrix with a negative eigenvalue; whether it is negative is judged where its diagonal is
-/// scaled to one.
+/// Returns an error for a matrix with a negative eigenvalue, after scaling its diagonal to one.
 pub(in crate::tower) fn indefinite(what: &'static str, matrix: &SpatialMatrix) -> Option<Problem> {
     let scale = |i: usize| match matrix[i][i] {
         diagonal if diagonal > 0.0 => diagonal.sqrt(),

@@ -6,14 +6,14 @@ use super::scale::{
 use crate::inputs::{Given, Input, Inputs, Limit, given_inputs};
 use crate::tower::error::{Place, Problem, TowerError};
 
-/// Checks each number of a table against its limit; `at` gives the place of a key.
+/// Checks each value of a table against its limit; `at` gives the place of a key.
 pub(super) fn check_inputs(
     inputs: &dyn Inputs,
     at: impl Fn(&'static str) -> Place,
 ) -> Result<(), TowerError> {
     for (input, given) in given_inputs(inputs) {
         let numbers = match given {
-            // Strength and stiffness can begin with zero, as those of normally consolidated clay.
+            // Strength and stiffness can be zero at one end, as in normally consolidated clay.
             Given::Pair(Some([0.0, other] | [other, 0.0])) if other > 0.0 => {
                 [Some(other), None, None]
             }

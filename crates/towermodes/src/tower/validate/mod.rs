@@ -30,7 +30,7 @@ use super::parts::material::Material;
 use super::parts::properties::Properties;
 use super::pieces::shear::Shear;
 
-/// Everything a description must satisfy to be a tower.
+/// Checks everything that makes a description a tower.
 pub(super) fn validate(description: &TowerDescription) -> Result<(), TowerError> {
     for (index, material) in description.materials.iter().enumerate() {
         check_material(index, material)?;
@@ -128,7 +128,7 @@ fn check_properties(rows: &[PropertyStation]) -> Result<Vec<f64>, TowerError> {
     Ok(heights_m)
 }
 
-/// A tower twists, or stretches, everywhere or nowhere.
+/// Checks that a stiffness is infinite in all rows or in none.
 fn check_rigidity(index: usize, row: &Properties, first: &Properties) -> Result<(), TowerError> {
     let columns = [
         ("gj_n_m2", row.torsion_n_m2, first.torsion_n_m2),
@@ -165,7 +165,7 @@ fn check_row(index: usize, row: &PropertyStation) -> Result<(), TowerError> {
             " N m2",
         ),
     ];
-    // Infinity is a tower that does not twist or stretch.
+    // An infinite stiffness means a tower without torsion or axial deformation.
     if torsion_n_m2 != f64::INFINITY {
         positives.push(("gj_n_m2", "GJ", torsion_n_m2, " N m2"));
         let (key, quantity) = ("polar_inertia_kg_m", "polar inertia");

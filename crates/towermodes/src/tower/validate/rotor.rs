@@ -15,7 +15,7 @@ impl Rotor {
     }
 }
 
-/// Everything that a rotor must satisfy.
+/// Checks the values of a rotor.
 pub(crate) fn check_rotor(rotor: &Rotor) -> Result<(), TowerError> {
     let (count, most) = (rotor.blades, MOST_BLADES);
     if !(1..=most).contains(&count) {

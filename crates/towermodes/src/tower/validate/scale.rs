@@ -1,19 +1,19 @@
-//! Whether a number can be a quantity at all: finite, of a possible sign, and of a size that can be
-//! computed with.
+//! Checks of single values: finite, of a possible sign, and of a magnitude that permits
+//! computation.
 
 use crate::tower::error::{Place, Problem, TowerError};
 
-/// Sizes that are not zero lie between these, in SI units. Products of a few of them stay far from
-/// the limits of a double.
+/// Smallest and largest magnitude of nonzero values, in SI units: products of several values stay
+/// far from the limits of double precision.
 const SIZES: [f64; 2] = [1e-30, 1e30];
-/// Lengths lie between these, m: their fourth powers are in every stiffness.
+/// Smallest and largest length, m: fourth powers of lengths are in every stiffness.
 const LENGTHS_M: [f64; 2] = [1e-15, 1e9];
 
 pub(super) fn error<T>(place: Place, problem: Problem) -> Result<T, TowerError> {
     Err(TowerError { place, problem })
 }
 
-/// Finite, of either sign or zero.
+/// Checks that a value is finite, positive, negative or zero.
 pub(super) fn finite(
     place: Place,
     quantity: &'static str,
@@ -23,7 +23,7 @@ pub(super) fn finite(
     in_scale(place, quantity, value, unit, [0.0, SIZES[1]])
 }
 
-/// A height or another coordinate, m: finite, of either sign or zero.
+/// Checks a height or another coordinate, m: finite, positive, negative or zero.
 pub(super) fn coordinate(
     place: Place,
     quantity: &'static str,
@@ -32,7 +32,7 @@ pub(super) fn coordinate(
     in_scale(place, quantity, value_m, " m", [0.0, LENGTHS_M[1]])
 }
 
-/// A length, m: positive.
+/// Checks that a length, m, is positive.
 pub(super) fn length(place: Place, quantity: &'static str, value_m: f64) -> Result<(), TowerError> {
     above_zero(place, quantity, value_m, " m")?;
     in_scale(place, quantity, value_m, " m", LENGTHS_M)
@@ -69,8 +69,8 @@ pub(super) fn not_negative(
     error(place, problem)
 }
 
-/// A stiffness to the ground: not negative, and of any finite size, because springs are scaled to
-/// themselves and a huge one is a rigid hold.
+/// Checks a stiffness to the ground: not negative, and of any finite magnitude, because unknowns
+/// are scaled with the springs; a very large one is rigid.
 pub(super) fn stiffness(
     place: Place,
     quantity: &'static str,

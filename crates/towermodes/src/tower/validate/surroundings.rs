@@ -19,7 +19,7 @@ pub(super) fn check_surroundings(
         check_added_mass(table, rows, base_m, top_m)?;
     }
     if let Some(water) = &description.water {
-        // The members of a frame may reach down to it.
+        // The members of a frame may extend down to this height.
         let frame = description.foundation.frame();
         let base_m = frame.map_or(base_m, |frame| base_m.min(frame.lowest_m()));
         if !description.properties.is_empty() {
@@ -91,7 +91,8 @@ fn check_added_mass(
     check_rows("the added mass", &heights_m, (base_m, top_m), at)
 }
 
-/// The heights of rows around the tower: at least two, rising, and on the tower at least in part.
+/// Checks the heights of rows around the tower: at least two, increasing, and at least partly on
+/// the tower.
 fn check_rows(
     what: &'static str,
     heights_m: &[f64],

@@ -26,7 +26,7 @@ impl Site {
         }
     }
 
-    /// The same, and a height (m) on the tower.
+    /// The same site with a height (m) on the tower.
     pub(crate) fn high(self, height_m: f64) -> Self {
         Self {
             height_m: Some(height_m),
@@ -34,7 +34,7 @@ impl Site {
         }
     }
 
-    /// The same in one plane.
+    /// The same site in one plane.
     pub(crate) fn in_plane(self, plane: Plane) -> Self {
         Self {
             plane: Some(plane),
@@ -66,7 +66,7 @@ impl Site {
     }
 }
 
-/// A text that is made by a function.
+/// A text that a function writes.
 struct Words<W>(W);
 
 impl<W: Fn(&mut fmt::Formatter<'_>) -> fmt::Result> fmt::Display for Words<W> {

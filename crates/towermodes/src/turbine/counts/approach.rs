@@ -12,16 +12,16 @@ use super::super::equations::gyroscopic::Gyroscopic;
 use super::search::{Found, Guess, POINT, Sample, Search};
 use crate::scalar::{Complex, Scalar};
 
-/// Half the width of the bracket that a frequency ends in, relative to it.
+/// Half the width of the final bracket of a frequency, relative to the frequency.
 const CLOSE: f64 = 1e-10;
-/// A step smaller than this, relative to the frequency, is the last but for rounding.
+/// A step smaller than this, relative to the frequency, is the last one except for rounding.
 const SETTLED: f64 = 1e-6;
-/// Steps after which halving alone has reached any tolerance.
+/// Number of steps after which bisection has reached any tolerance.
 const STEPS: usize = 200;
 /// Iterations for modes that share a frequency.
 const SHARED_STEPS: usize = 3;
 
-/// The state of an approach to one frequency.
+/// The state of the search for one frequency.
 #[derive(Clone, Copy)]
 struct Approach {
     low: Sample,
@@ -32,8 +32,8 @@ struct Approach {
 }
 
 impl<G: Gyroscopic + ?Sized> Search<'_, G> {
-    /// The mode in a bracket, or all that share its frequency; `is_low` tells whether a count is
-    /// one of below.
+    /// Finds the mode in a bracket, or all modes with the same frequency; `is_low` decides whether
+    /// a count belongs to the lower side.
     pub(super) fn find(
         &mut self,
         low: Sample,
@@ -75,7 +75,7 @@ impl<G: Gyroscopic + ?Sized> Search<'_, G> {
         self.result(&state)
     }
 
-    /// The first shift; the right side is prepared.
+    /// The first shift; it also prepares the right side.
     fn begin(&mut self, state: &Approach, guess: Option<&Guess<'_>>) -> f64 {
         let middle = 0.5 * (state.low.w + state.high.w);
         let inside = guess.filter(|guess| state.low.w < guess.w && guess.w < state.high.w);
@@ -126,14 +126,14 @@ impl<G: Gyroscopic + ?Sized> Search<'_, G> {
         vec![Found { w, bounds, vector }]
     }
 
-    /// Modes with the same frequency, by inverse iteration with all of them.
+    /// Finds modes with the same frequency, by inverse iteration with all of them.
     fn shared(&mut self, bounds: [Sample; 2], count: usize) -> Vec<Found> {
         let w = 0.5 * (bounds[0].w + bounds[1].w);
         self.system.factorize(bounds[0].w.max(0.5 * bounds[1].w));
         let mut vectors: Vec<Vec<Complex>> = Vec::new();
         for place in 0..count {
             start(&mut self.right);
-            // Starts that differ.
+            // Different starting vectors.
             self.right.rotate_left(place * 7 % self.vector.len().max(1));
             for _ in 0..SHARED_STEPS {
                 self.vector.copy_from_slice(&self.right);
@@ -147,7 +147,7 @@ impl<G: Gyroscopic + ?Sized> Search<'_, G> {
         all.map(|vector| Found { w, bounds, vector }).collect()
     }
 
-    /// Removes the parts along other vectors, with −H′ as metric, and scales.
+    /// Removes the components along other vectors, with −H′ as metric, and scales the vector.
     fn make_orthogonal(&mut self, w: f64, others: &[Vec<Complex>]) {
         for other in others {
             self.system.derivative(w, other, &mut self.right);
@@ -166,7 +166,7 @@ impl<G: Gyroscopic + ?Sized> Search<'_, G> {
     }
 }
 
-/// What follows a step.
+/// The action after a step.
 enum Next {
     Done,
     At(f64),
@@ -205,7 +205,7 @@ fn nearest_root(h: f64, slope: f64, mass: f64) -> f64 {
     }
 }
 
-/// A right side that excites every mode: numbers without a pattern.
+/// A right side that contains every mode: pseudo-random numbers.
 fn start(right: &mut [Complex]) {
     let mut state = 0x9e37_79b9_7f4a_7c15_u64;
     let mut next = || {

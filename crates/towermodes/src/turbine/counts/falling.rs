@@ -1,4 +1,4 @@
-//! The search where counts may fall: between modes of negative energy.
+//! The search where counts may decrease: between modes of negative energy.
 //!
 //! Two frequencies between two counts, one of positive and one of negative energy, leave the counts
 //! alike. An interval of the half width r around c has none if
@@ -14,19 +14,20 @@ use super::super::equations::gyroscopic::{Gyroscopic, Raise};
 use super::super::equations::model::UNRESISTED;
 use super::search::{Found, Sample, Search};
 
-/// Halvings of the whole interval.
+/// Number of times the whole interval is halved.
 const ROUNDS: usize = 14;
-/// Halvings before intervals are examined: wide ones are never empty.
+/// Number of times the interval is halved before its parts are examined: large intervals are never
+/// empty.
 const FIRST: usize = 5;
-/// The most intervals of one width.
+/// Largest number of intervals of one width.
 const MOST: usize = 1024;
-/// An unproven interval around a mode has at most so many of the smallest width.
+/// Largest width of an unproven interval around a mode, in smallest widths.
 const AROUND: f64 = 16.0;
-/// The steps in which the end of the negative energies is sought, and how many.
+/// Factor and largest number of the steps in which the end of the negative energies is searched.
 const STEP: f64 = 1.25;
 const STEPS: usize = 20;
 
-/// What a search among modes of negative energy found.
+/// The result of a search among modes of negative energy.
 #[derive(Debug, Default)]
 pub(super) struct Sought {
     pub(crate) found: Vec<Found>,
@@ -36,9 +37,9 @@ pub(super) struct Sought {
 }
 
 impl<G: Gyroscopic + ?Sized> Search<'_, G> {
-    /// All frequencies up to a limit, and all of negative energy above it, where `expected` modes
-    /// of negative energy are if none is unstable. The search begins with the end of the negative
-    /// energies, near `about`.
+    /// All frequencies up to a limit, and all modes of negative energy above it; `expected` is the
+    /// number of modes of negative energy if no mode is unstable. The search begins near `about`
+    /// with the highest frequency of negative energy.
     pub(super) fn falling(&mut self, limit: f64, about: f64, expected: usize) -> Sought {
         let end = self.end_of_negative_energies(about).max(limit);
         let mut open = vec![(self.sample(UNRESISTED.min(limit)), self.sample(end))];
@@ -95,7 +96,7 @@ impl<G: Gyroscopic + ?Sized> Search<'_, G> {
     }
 }
 
-/// Intervals that touch each other as one.
+/// Joins intervals that touch each other.
 fn merged(intervals: &[(Sample, Sample)]) -> Vec<[f64; 2]> {
     let mut all: Vec<[f64; 2]> = Vec::new();
     for (low, high) in intervals {
@@ -107,7 +108,7 @@ fn merged(intervals: &[(Sample, Sample)]) -> Vec<[f64; 2]> {
     all
 }
 
-/// The intervals but for narrow ones around a mode that was found.
+/// The intervals without narrow ones around a mode that was found.
 fn without_mode(mut intervals: Vec<[f64; 2]>, found: &[Found], end: f64) -> Vec<[f64; 2]> {
     let narrow = AROUND * end / (1 << ROUNDS) as f64;
     intervals.retain(|[from, to]| {

@@ -63,18 +63,18 @@ pub struct CoupledSpectrum {
     pub negative_energy_found: usize,
 }
 
-/// The part of the equations that a mode belongs to: all that moves the tower, or a harmonic of the
-/// blades that does not move the hub.
+/// The part of the equations to which a mode belongs: the part that moves the tower, or a harmonic
+/// of the blades that does not move the hub.
 pub(crate) type Part = Option<Reactionless>;
 
-/// The modes of all parts, rising, and what is proved of them.
+/// The modes of all parts, in increasing frequency, and what is proved about them.
 #[derive(Debug, Default)]
 pub(crate) struct Whole {
     pub(crate) found: Vec<(Part, Found)>,
     pub(crate) negative_energy_expected: usize,
     pub(crate) negative_energy_found: usize,
     pub(crate) is_complete: bool,
-    /// How many modes grow if none is missing.
+    /// Number of unstable modes if no mode is missing.
     growing: usize,
     /// Intervals in which two more modes are not excluded, rad/s.
     pub(super) unproven: Vec<[f64; 2]>,
@@ -94,7 +94,7 @@ impl TurbineModel {
         let speed = check(limit_hz, rotor_speed_rpm)?;
         let whole = self.search(TAU * limit_hz, speed, |_| Vec::new());
         let mut frequencies: Vec<_> = whole.found.iter().map(|(_, found)| found.as_hz()).collect();
-        // Those that share a frequency are one entry.
+        // Modes with the same frequency are one entry.
         frequencies.dedup_by(|a, b| {
             a.multiplicity > 1 && (a.lower_hz, a.upper_hz) == (b.lower_hz, b.upper_hz)
         });
@@ -129,7 +129,7 @@ impl TurbineModel {
         whole
     }
 
-    /// All modes where the stiffness has no negative eigenvalue.
+    /// All modes if the stiffness has no negative eigenvalue.
     fn search_rising<'g>(
         &mut self,
         limit: f64,
@@ -156,14 +156,14 @@ impl TurbineModel {
         whole
     }
 
-    /// All modes where it has some.
+    /// All modes if the stiffness has negative eigenvalues.
     fn search_falling(&mut self, limit: f64, speed: f64) -> Whole {
         let mut whole = Whole {
             is_complete: true,
             unresisted: self.unresisted,
             ..Whole::default()
         };
-        // Whirls of blades are faster than the rotor where their energy is positive.
+        // Whirl modes of blades with positive energy have a higher frequency than the rotor speed.
         let about = speed.abs() * self.most_waves() as f64;
         let still = self.unresisted + self.free_rotations();
         for part in self.parts() {
@@ -180,7 +180,7 @@ impl TurbineModel {
             let found = sought.found.into_iter();
             whole.found.extend(found.map(|found| (part, found)));
         }
-        // What is proved here is so for an inertia that does not depend on the frequency.
+        // The proof requires an inertia that does not depend on the frequency.
         whole.is_complete &= self.below.water().is_none();
         whole
     }
@@ -223,7 +223,7 @@ impl TurbineModel {
         std::iter::once(None).chain(waves.map(Some)).collect()
     }
 
-    /// The most periods of a wave around the rotor.
+    /// Largest number of periods of a wave around the rotor.
     fn most_waves(&self) -> usize {
         (self.machine.rotor.blades() / 2).max(1)
     }
@@ -249,7 +249,7 @@ impl Whole {
         intervals.map(|ends| ends.map(|w| w / TAU)).collect()
     }
 
-    /// How many modes grow without limit, as far as it is known.
+    /// Number of unstable modes, whose amplitude grows without limit, as far as it is known.
     pub(crate) fn growing(&self) -> usize {
         match self.unproven.is_empty() {
             true => self.growing,

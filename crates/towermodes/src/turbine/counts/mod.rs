@@ -1,4 +1,4 @@
-//! The frequencies of a turbine, each between two counts.
+//! The frequencies of a turbine, each between two eigenvalue counts.
 
 pub(super) mod approach;
 pub(super) mod falling;

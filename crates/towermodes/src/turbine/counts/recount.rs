@@ -1,4 +1,4 @@
-//! A list of modes checked against new counts.
+//! Check of a list of modes with new eigenvalue counts.
 
 use std::f64::consts::TAU;
 

@@ -1,11 +1,11 @@
-//! The frequencies of a gyroscopic eigenproblem below a limit, each between two counts, where
-//! counts only rise.
+//! The frequencies of a gyroscopic eigenproblem below a limit, each between two eigenvalue counts,
+//! if counts only increase.
 
 use super::super::equations::gyroscopic::Gyroscopic;
 use super::super::equations::model::UNRESISTED;
 use crate::scalar::Complex;
 
-/// Brackets narrower than this, relative, hold frequencies that cannot be told apart.
+/// Frequencies in a bracket narrower than this, relative, are treated as equal.
 pub(super) const POINT: f64 = 4e-12;
 
 /// H at a frequency.
@@ -31,7 +31,7 @@ pub(crate) struct Guess<'a> {
 pub(crate) struct Found {
     /// Frequency, rad/s.
     pub(crate) w: f64,
-    /// What counts below and above it.
+    /// The counts below and above it.
     pub(crate) bounds: [Sample; 2],
     /// Its vector.
     pub(crate) vector: Vec<Complex>,
@@ -40,7 +40,7 @@ pub(crate) struct Found {
 /// A search in a system.
 pub(super) struct Search<'a, G: ?Sized> {
     pub(super) system: &'a mut G,
-    /// Known counts by rising frequency.
+    /// Known counts in increasing frequency.
     samples: Vec<Sample>,
     pub(crate) right: Vec<Complex>,
     pub(crate) vector: Vec<Complex>,
@@ -57,8 +57,8 @@ impl<'a, G: Gyroscopic + ?Sized> Search<'a, G> {
         }
     }
 
-    /// All frequencies up to a limit if the count only rises, but for motions that nothing resists.
-    /// A guess for each mode in turn saves work. Returns the number of those motions too.
+    /// All frequencies up to a limit if the count only increases, except motions without stiffness.
+    /// A guess for each mode reduces the work. Also returns the number of these motions.
     pub(crate) fn rising(&mut self, limit: f64, guesses: &[Guess<'_>]) -> (usize, Vec<Found>) {
         self.samples.clear();
         let base = self.sample(UNRESISTED.min(limit)).negative;
@@ -82,7 +82,7 @@ impl<'a, G: Gyroscopic + ?Sized> Search<'a, G> {
         self.system.count(UNRESISTED.min(limit))
     }
 
-    /// All frequencies where the known counts show one.
+    /// All frequencies between known counts that differ.
     pub(super) fn between_samples(&mut self) -> Vec<Found> {
         let mut brackets = Vec::new();
         let samples = self.samples.clone();
@@ -116,7 +116,7 @@ impl<'a, G: Gyroscopic + ?Sized> Search<'a, G> {
         }
     }
 
-    /// By how much the known counts fall, in all: at least so many frequencies have negative
+    /// Sum of the decreases of the known counts: at least this number of frequencies have negative
     /// energy.
     pub(crate) fn falls(&self) -> usize {
         let pairs = self.samples.windows(2);
@@ -135,7 +135,7 @@ impl<'a, G: Gyroscopic + ?Sized> Search<'a, G> {
         sample
     }
 
-    /// The closest samples known around the mode of a number.
+    /// The closest known samples around the mode with this number.
     fn bracket(&self, number: usize) -> (Sample, Sample) {
         let above = self
             .samples
@@ -143,7 +143,7 @@ impl<'a, G: Gyroscopic + ?Sized> Search<'a, G> {
         (self.samples[above - 1], self.samples[above])
     }
 
-    /// Halves the bracket of a mode until no other is in it.
+    /// Halves the bracket of a mode until it contains no other mode.
     fn isolate(&mut self, number: usize) {
         loop {
             let (low, high) = self.bracket(number);

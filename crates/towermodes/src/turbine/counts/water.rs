@@ -1,4 +1,5 @@
-//! Where the added mass of a floating platform, which depends on the frequency, leaves a doubt.
+//! Frequencies at which the added mass of a floating platform, which depends on the frequency,
+//! leaves the count uncertain.
 //!
 //! H decreases with the frequency where M + ½ w M′ is positive. Elsewhere an eigenvalue could fall
 //! through zero and rise again, so that two frequencies leave the counts alike. An interval has
@@ -9,11 +10,12 @@ use super::super::equations::gyroscopic::Raise;
 use super::super::equations::model::TurbineModel;
 use crate::space::SpatialMatrix;
 
-/// Halvings of an interval until it is given up.
+/// Number of times an interval is halved before the search ends.
 const HALVINGS: usize = 6;
 
 impl TurbineModel {
-    /// Intervals below a limit, at a speed (all rad/s), in which counts do not exclude more modes.
+    /// Intervals below a limit, at a rotor speed (all rad/s), in which counts do not exclude
+    /// further modes.
     pub(super) fn doubtful_in_water(&mut self, limit: f64, speed: f64) -> Vec<[f64; 2]> {
         let doubtful = self.below.water().map(|water| water.doubtful(limit));
         let mut doubtful = doubtful.unwrap_or_default();
@@ -43,7 +45,7 @@ impl TurbineModel {
             && self.is_empty_in_water([middle, to], speed, halvings - 1)
     }
 
-    /// The count with an inertia of the base in place of that at the frequency.
+    /// The count with this inertia of the base instead of that at the frequency.
     fn count_with(&mut self, inertia: SpatialMatrix, at: (f64, f64), raise: Raise) -> usize {
         self.fix_inertia(Some(inertia));
         let count = self.count_coupled(at, raise, self.is_locked);

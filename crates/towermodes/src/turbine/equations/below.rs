@@ -1,5 +1,5 @@
-//! What a tower stands on beyond a constant matrix at its base: a frame, or water whose added mass
-//! depends on the frequency.
+//! The support of a tower, if it is not a constant matrix at its base: a frame, or water whose
+//! added mass depends on the frequency.
 
 use crate::frame::{FrameBelow, FrameSolveError, ReducedFrame};
 use crate::scalar::{Complex, Scalar};
@@ -8,10 +8,10 @@ use crate::tower::{InertiaByFrequency, Tower};
 
 use super::machine_vectors::Phasors;
 
-/// The step, relative to the frequency, from which the slope of the added mass follows.
+/// Relative step of the frequency for the slope of the added mass.
 const STEP: f64 = 1e-7;
 
-/// What is below the base of a tower, beyond what is in the base itself.
+/// The frame or water below the base of a tower, in addition to the constant matrix of the base.
 #[derive(Debug, Clone)]
 pub(crate) struct Below {
     frame: Option<Box<FrameBelow>>,
@@ -19,18 +19,18 @@ pub(crate) struct Below {
     water: Option<Box<Water>>,
 }
 
-/// The added mass of a floating platform, beside that of its base, which is that at infinite
-/// frequency.
+/// The added mass of a floating platform, relative to that at infinite frequency, which is in the
+/// matrix of the base.
 #[derive(Debug, Clone)]
 pub(crate) struct Water {
     by_frequency: InertiaByFrequency,
     infinite: SpatialMatrix,
-    /// An inertia of the base that takes the place of that at a frequency.
+    /// If given, an inertia of the base that replaces that at the frequency.
     pub(crate) fixed: Option<SpatialMatrix>,
 }
 
 impl Below {
-    /// What a tower stands on, with elements of a degree.
+    /// The support of a tower, with elements of this degree.
     pub(super) fn new(tower: &Tower, degree: usize) -> Result<Self, FrameSolveError> {
         let frame = tower.frame().map(|foundation| {
             let at = (tower.base_m(), tower.gravity_m_per_s2());
@@ -54,14 +54,15 @@ impl Below {
         frame.map_or(0, |frame| frame.degrees_of_freedom())
     }
 
-    /// What the base feels at a frequency (rad/s) with a coefficient of the inertia, −w² in H(w).
+    /// The matrix at the base at a frequency (rad/s) with a coefficient of the inertia, −w² in
+    /// H(w).
     pub(super) fn seen(&mut self, w: f64, inertia: f64) -> Option<ReducedFrame> {
         let frame = self.frame.as_mut();
         let of_frame = frame.map(|frame| frame.seen_from_base(inertia));
         self.with_water(of_frame, (w, inertia))
     }
 
-    /// The same of H(w), with its factors.
+    /// The matrix at the base for H(w), with its factors.
     pub(super) fn factorize(&mut self, w: f64) -> Option<ReducedFrame> {
         let frame = self.frame.as_mut();
         let of_frame = frame.map(|frame| frame.factorize(-w * w));
@@ -91,7 +92,7 @@ impl Below {
         frame.map_or_else(Phasors::default, |frame| frame.reduce(right))
     }
 
-    /// Finds its coordinates from the motion of the base.
+    /// Computes its coordinates from the motion of the base.
     pub(super) fn substitute(&mut self, base: &Phasors, right: &mut [Complex]) {
         if let Some(frame) = &mut self.frame {
             frame.substitute(base, right);
@@ -124,7 +125,7 @@ impl Below {
         (force, mass)
     }
 
-    /// Twice the elastic energies: by component of the motion of the base, and of its own motions.
+    /// Twice the elastic energies: by component of the motion of the base, and of local motions.
     pub(crate) fn energies(&mut self, base: &Phasors, x: &[Complex]) -> ([f64; 6], f64) {
         let frame = self.frame.as_mut();
         frame.map_or_else(Default::default, |frame| frame.energies(base, x))
@@ -136,8 +137,8 @@ impl Below {
         frame.flat_map(|frame| frame.strains(x)).collect()
     }
 
-    /// The inertia of a frame against motions of the base that it follows as a rigid body, without
-    /// what is in the base itself: kg, kg m, kg m².
+    /// The inertia of a frame for motions of the base that it follows as a rigid body, without the
+    /// part in the matrix of the base: kg, kg m, kg m².
     pub(super) fn rigid_inertia(&mut self) -> SpatialMatrix {
         let frame = self.frame.as_mut();
         frame.map_or_else(SpatialMatrix::default, |frame| frame.rigid_inertia())
@@ -162,7 +163,7 @@ impl Water {
         (std::array::from_fn(force), mass)
     }
 
-    /// The inertia at a frequency less that at infinite frequency.
+    /// The inertia at a frequency minus that at infinite frequency.
     fn added(&self, w: f64) -> SpatialMatrix {
         let all = self.fixed.unwrap_or_else(|| self.by_frequency.at(w.abs()));
         difference(&all, &self.infinite, 1.0)
@@ -174,12 +175,12 @@ impl Water {
         difference(&to, &from, 1.0 / step.max(f64::MIN_POSITIVE))
     }
 
-    /// Intervals below a limit (rad/s) in which counts may fall where a mode has positive energy.
+    /// Intervals below a limit (rad/s) in which counts may decrease at a mode of positive energy.
     pub(crate) fn doubtful(&self, limit: f64) -> Vec<[f64; 2]> {
         self.by_frequency.not_monotone_below(limit)
     }
 
-    /// Inertias of the base below and above those at all frequencies of an interval.
+    /// Lower and upper bound of the inertias of the base at all frequencies of an interval.
     pub(crate) fn bounds(&self, interval: [f64; 2]) -> Option<[SpatialMatrix; 2]> {
         self.by_frequency.bounds(interval)
     }

@@ -1,17 +1,17 @@
-//! Where the elements of a blade end.
+//! The boundaries of the elements of a blade.
 
 use crate::blade::{Blade, BladeSection};
 
-/// The largest ratio of a stiffness, or of the mass, at the ends of an element. Curvature is moment
-/// over stiffness; a polynomial of degree p approaches it as 3⁻ᵖ where the stiffness falls to a
-/// quarter.
+/// Largest ratio of a stiffness, or of the mass, at the ends of an element. The curvature is the
+/// moment divided by the stiffness; if the stiffness decreases to a quarter, the error of a
+/// polynomial of degree p for it decreases as 3⁻ᵖ.
 const STEEPEST: f64 = 4.0;
-/// Shorter stretches than this fraction of the span stay whole: little bends in them.
+/// Parts shorter than this fraction of the span are not divided: they contribute little to bending.
 const SHORT: f64 = 0.02;
 
-/// The borders of the elements of a blade and the places of its sections, as fractions of the span,
-/// and as many more that neither a stiffness nor the mass changes by more than a factor of 4 over a
-/// long element.
+/// The boundaries of the elements of a blade and the positions of its sections, as fractions of the
+/// span, with additional boundaries so that neither a stiffness nor the mass changes by more than a
+/// factor of 4 over a long element.
 pub(crate) fn borders(blade: &Blade) -> Vec<f64> {
     let description = blade.description();
     let sections = description.sections.iter().map(|section| section.span);
@@ -30,10 +30,11 @@ pub(crate) fn borders(blade: &Blade) -> Vec<f64> {
     all
 }
 
-/// Places between two neighbouring borders, at which what changes most has fallen by equal factors.
+/// Positions between two neighbouring boundaries, at which the property with the largest change
+/// decreases by equal factors.
 fn between(blade: &Blade, from: f64, to: f64) -> impl Iterator<Item = f64> {
     let at = |fraction: f64| blade.section_at(from + fraction * (to - from));
-    // Linear between the two: inside there is no step.
+    // Properties are linear between the two: there is no step inside.
     let (near, far) = (at(0.25), at(0.75));
     let ratio = |property: fn(&BladeSection) -> f64| {
         let (near, far) = (property(&near), property(&far));
@@ -46,7 +47,7 @@ fn between(blade: &Blade, from: f64, to: f64) -> impl Iterator<Item = f64> {
         ratio(|section| section.axial_n),
         ratio(|section| section.mass_kg_per_m),
     ];
-    // What is infinite does not change.
+    // An infinite stiffness does not change.
     let changes = ratios
         .into_iter()
         .filter(|ratio| *ratio > 0.0 && ratio.is_finite());

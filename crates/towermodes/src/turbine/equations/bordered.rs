@@ -57,7 +57,7 @@ impl Bordered {
         self.add(j, i, value);
     }
 
-    /// Eliminates all but the motion of the body, and keeps the factors.
+    /// Eliminates all coordinates except the motion of the body, and keeps the factors.
     pub(super) fn condense(&mut self, own: &mut Condensed) {
         let rows = self.rows;
         let factors = self.factors.chunks_exact_mut(rows).zip(&self.entries);
@@ -73,7 +73,7 @@ impl Bordered {
         reduce(&self.factors, self.rows, 6, &mut right[..self.rows]);
     }
 
-    /// Finds them from the motion of the body.
+    /// Computes these coordinates from the motion of the body.
     pub(super) fn substitute(&self, right: &mut [Complex; MOST]) {
         substitute(&self.factors, self.rows, 6, &mut right[..self.rows]);
     }

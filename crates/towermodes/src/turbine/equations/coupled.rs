@@ -1,5 +1,5 @@
-//! The parts of a turbine's equations that are solved by themselves: all that moves the tower, and
-//! harmonics of the blades that do not move the hub.
+//! The parts of a turbine's equations that are solved separately: the part that moves the tower,
+//! and harmonics of the blades that do not move the hub.
 
 use super::gyroscopic::{Gyroscopic, Raise};
 use super::machine_vectors::JOINTS;
@@ -17,7 +17,7 @@ pub(crate) struct Coupled<'a> {
     pub(crate) speed: f64,
 }
 
-/// A vector by parts.
+/// The parts of a vector.
 pub(crate) struct Split<'x> {
     pub(crate) tower: &'x [Complex],
     pub(crate) joints: &'x [Complex],
@@ -26,7 +26,7 @@ pub(crate) struct Split<'x> {
 }
 
 impl TurbineModel {
-    /// The coordinates by parts.
+    /// Splits the coordinates into their parts.
     pub(crate) fn split<'x>(&self, x: &'x [Complex]) -> Split<'x> {
         let (tower, rest) = x.split_at(self.tower.members()[0].degrees_of_freedom());
         let (machine, frame) = rest.split_at(self.machine.degrees_of_freedom());
@@ -40,7 +40,7 @@ impl TurbineModel {
     }
 }
 
-/// The places of tower, machine and frame in a vector.
+/// The ranges of tower, RNA and frame in a vector.
 fn split_mut((tower, machine): (usize, usize), x: &mut [Complex]) -> [&mut [Complex]; 3] {
     let (tower, rest) = x.split_at_mut(tower);
     let (machine, frame) = rest.split_at_mut(machine);
@@ -125,7 +125,7 @@ impl Gyroscopic for Coupled<'_> {
     }
 }
 
-/// A harmonic of the blades on a hub that stands still, at a speed (rad/s).
+/// A harmonic of the blades on a fixed hub, at a rotor speed (rad/s).
 pub(crate) struct OnStillHub<'a> {
     pub(crate) blade: &'a TurningBlade,
     pub(crate) wave: Reactionless,

@@ -1,9 +1,9 @@
-//! Eigenproblems (K + i w G − w² M) x = 0 with K and M symmetric and G skew, or all Hermitian: what
-//! a search for their frequencies needs.
+//! Eigenproblems (K + i w G − w² M) x = 0 with K and M symmetric and G skew, or all Hermitian: the
+//! interface for the search for their frequencies.
 
 use crate::scalar::Complex;
 
-/// What is added to H(w): R = a M + b N.
+/// A matrix added to H(w): R = a M + b N.
 ///
 /// N is positive and not less than ±H′(w): 2 w M where nothing turns, 2 (|s| + Ω) M for blades at
 /// the frequency s of their own frame, because |xᴴ C x| ≤ xᴴ M x, and the largest gyroscopic
@@ -17,7 +17,7 @@ pub(crate) struct Raise {
 }
 
 impl Raise {
-    /// What makes H(w) a lower bound of H(w ± r), for r in rad/s: −r N − r² M.
+    /// The matrix that makes H(w) a lower bound of H(w ± r), for r in rad/s: −r N − r² M.
     pub(crate) fn below(r: f64) -> Self {
         Self {
             by_inertia: -r * r,
@@ -25,7 +25,7 @@ impl Raise {
         }
     }
 
-    /// What makes H(w) an upper bound of H(w ± r), for r in rad/s: r N.
+    /// The matrix that makes H(w) an upper bound of H(w ± r), for r in rad/s: r N.
     pub(crate) fn above(r: f64) -> Self {
         Self {
             by_inertia: 0.0,
@@ -33,12 +33,12 @@ impl Raise {
         }
     }
 
-    /// What H(w) + R has more than −w² M of the inertia of what does not turn.
+    /// The coefficient of the inertia of parts that do not rotate, in R.
     pub(crate) fn inertia(self, w: f64) -> f64 {
         self.by_inertia + 2.0 * self.by_change * w
     }
 
-    /// The same of a blade at a frequency of its own frame.
+    /// The coefficient of the inertia of a blade at a frequency in its own frame, in R.
     pub(super) fn inertia_of_blade(self, own: f64, speed: f64) -> f64 {
         self.by_inertia + 2.0 * self.by_change * (own.abs() + speed.abs())
     }
@@ -57,7 +57,7 @@ pub(crate) trait Gyroscopic {
     /// The number of negative eigenvalues of H + R.
     fn count_raised(&mut self, w: f64, raise: Raise) -> usize;
 
-    /// The same, with the factors that [`solve`](Self::solve) needs.
+    /// As above, with the factors that [`solve`](Self::solve) needs.
     fn factorize(&mut self, w: f64) -> usize;
 
     /// Solves H x = r with the last factors, in place.

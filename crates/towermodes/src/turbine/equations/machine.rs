@@ -1,4 +1,5 @@
-//! Nacelle, drivetrain and rotor as the tower top feels them, at a frequency and a speed.
+//! Nacelle, drivetrain and rotor (the RNA), condensed to the tower top at a frequency and a rotor
+//! speed.
 
 use super::super::description::TurbineDescription;
 use super::bordered::Bordered;
@@ -9,13 +10,13 @@ use crate::scalar::{Complex, Scalar};
 use crate::space::SpatialMatrix;
 use crate::tower::{Inertia, RigidBody, Rna, spatial_inertia};
 
-/// The place of the first joint's coordinate beside the motion of the nacelle.
+/// Index of the first joint's coordinate after the motion of the nacelle.
 const FIRST_JOINT: usize = 6;
-/// Rotation about the shaft, and about the tower.
+/// Index of the rotation about the shaft, and of that about the tower.
 pub(super) const ABOUT_SHAFT: usize = 3;
 pub(super) const ABOUT_TOWER: usize = 5;
 
-/// All that is above a tower.
+/// The rotor-nacelle assembly (RNA): everything above the tower.
 #[derive(Debug, Clone)]
 pub(crate) struct Machine {
     pub(crate) rotor: Multiblade<TurningBlade>,
@@ -32,17 +33,17 @@ pub(crate) struct Machine {
     pub(super) generator_inertia: f64,
     pub(crate) gear_ratio: f64,
     pub(super) polar_inertia: f64,
-    /// Inertia of the machine as a rigid body for the motion of the tower top.
+    /// Inertia of the RNA as a rigid body for the motion of the tower top.
     pub(crate) rigid: SpatialMatrix,
     /// Inertia of hub and rigid blades about the shaft, kg m².
     pub(crate) rotor_inertia: f64,
 }
 
-/// The factors of a machine at a frequency.
+/// The factors of an RNA at a frequency.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct MachineFactors {
     pub(crate) rotor: RotorFactors,
-    /// The factors of the joint of the shaft, then of the yaw drive.
+    /// The factors at the joint of the shaft, then at the yaw drive.
     pub(crate) joints: [Bordered; 2],
 }
 
@@ -74,9 +75,9 @@ impl Machine {
         own
     }
 
-    /// The dynamic stiffness of the machine at the tower top, at a frequency w and a speed Ω,
-    /// rad/s, with its generator locked or free: K + i w G − w² M with all else eliminated, but for
-    /// harmonics of the blades that do not move the hub.
+    /// The dynamic stiffness of the RNA at the tower top, at a frequency w and a rotor speed Ω,
+    /// rad/s, with its generator locked or free: K + i w G − w² M with all other coordinates
+    /// eliminated, without harmonics of the blades that do not move the hub.
     pub(super) fn seen_from_top(
         &mut self,
         (w, speed): (f64, f64),
@@ -96,7 +97,7 @@ impl Machine {
             .0
     }
 
-    /// The same, with its factors.
+    /// As above, with its factors.
     pub(crate) fn factorize(
         &self,
         (w, speed): (f64, f64),
@@ -110,7 +111,7 @@ impl Machine {
         own
     }
 
-    /// Adds all between a rotor and the tower top, with a coefficient of the inertia, −w² in H(w),
+    /// Adds the parts between rotor and tower top, with a coefficient of the inertia, −w² in H(w),
     /// and the gyroscopic entry of hub and generator.
     fn carry(
         &self,
@@ -134,12 +135,12 @@ impl Machine {
         speed * (self.polar_inertia + self.gear_ratio * self.generator_inertia)
     }
 
-    /// Inertia of the generator at the slow end of the shaft, kg m².
+    /// Inertia of the generator referred to the low-speed shaft, kg m².
     pub(crate) fn generator_at_shaft(&self) -> f64 {
         self.gear_ratio * self.gear_ratio * self.generator_inertia
     }
 
-    /// Whether the shaft twists.
+    /// Whether the shaft has torsional flexibility.
     pub(crate) fn twists(&self) -> bool {
         !self.shaft.is_infinite()
     }
@@ -160,7 +161,7 @@ impl Machine {
         if self.twists() {
             let twist = all.border(ABOUT_SHAFT);
             if !is_locked {
-                // The inertia of the generator does not turn with the twist.
+                // The inertia of the generator does not rotate with the twist.
                 all.add_both(FIRST_JOINT, twist, -self.gear_ratio * inertia);
             }
             all.add(twist, twist, self.shaft);
@@ -170,7 +171,7 @@ impl Machine {
         all
     }
 
-    /// Lets the nacelle yaw on the tower.
+    /// Adds the yaw rotation of the nacelle on the tower.
     fn turn_yaw(&self, own: &mut Condensed) -> Bordered {
         let mut all = Bordered::of(&own.matrix);
         if self.yaws() {
@@ -181,12 +182,12 @@ impl Machine {
         all
     }
 
-    /// Whether the nacelle yaws on the tower.
+    /// Whether the nacelle has a yaw rotation on the tower.
     pub(crate) fn yaws(&self) -> bool {
         !self.yaw.is_infinite()
     }
 
-    /// The machine as a rigid body that does not turn, for its weight and the checks of the tower.
+    /// The RNA as a rigid body without rotation, for its weight and the checks of the tower.
     pub(crate) fn at_rest(&self, turbine: &TurbineDescription) -> Rna {
         let (sin, cos) = turbine.tilt_rad.sin_cos();
         let apex = [
@@ -242,7 +243,7 @@ fn to_apex(turbine: &TurbineDescription) -> SpatialMatrix {
     matrix
 }
 
-/// The inertia of a body that looks the same from all sides of a tilted shaft.
+/// The inertia of a body that is axisymmetric about a tilted shaft.
 fn about_shaft(polar: f64, across: f64, (sin, cos): (f64, f64)) -> Inertia {
     let more = polar - across;
     Inertia {

@@ -7,13 +7,13 @@ use crate::space::SpatialMatrix;
 /// A motion or a force in phasors.
 pub(crate) type Phasors = [Complex; 6];
 
-/// Coordinates of the joints: yaw of the nacelle, rotation of the generator against it at the slow
-/// end of the shaft, and twist of the shaft; zero where there is none.
+/// Number of coordinates of the joints: yaw of the nacelle, rotation of the generator relative to
+/// it at the low-speed shaft, and twist of the shaft; zero for missing ones.
 pub(crate) const JOINTS: usize = 3;
 const YAW: usize = 0;
 const GENERATOR: usize = 1;
 const TWIST: usize = 2;
-/// The place of the first coordinate of a joint in its matrix.
+/// Index of the first coordinate of a joint in its matrix.
 const FIRST: usize = 6;
 
 impl Machine {
@@ -22,7 +22,7 @@ impl Machine {
         JOINTS + self.rotor.degrees_of_freedom()
     }
 
-    /// The joints of the shaft in the order of their places.
+    /// The joints of the shaft in the order of their indices.
     fn of_shaft(&self, is_locked: bool) -> impl Iterator<Item = usize> {
         let joints = [(GENERATOR, !is_locked), (TWIST, self.twists())].into_iter();
         joints
@@ -55,7 +55,8 @@ impl Machine {
         std::array::from_fn(|i| of_yaw[i])
     }
 
-    /// Finds the coordinates from the motion of the tower top, in place of a reduced right side.
+    /// Computes the coordinates from the motion of the tower top; they replace a reduced right
+    /// side.
     pub(super) fn substitute(
         &self,
         is_locked: bool,

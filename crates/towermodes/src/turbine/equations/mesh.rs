@@ -3,8 +3,7 @@
 use super::super::error::TurbineError;
 use crate::beam::MAX_DEGREE;
 
-/// So many coordinates of each curvature are on the length of a blade, where its longest element
-/// is …
+/// Number of coordinates of each curvature over the length of a blade, if its longest element …
 const CURVATURES: f64 = 24.0;
 /// … but no higher degree than this.
 const MOST_DEGREE_OF_BLADE: usize = 9;

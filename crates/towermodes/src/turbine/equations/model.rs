@@ -16,9 +16,8 @@ use crate::rotor::reactionless;
 use crate::space::add_scaled;
 use crate::subsystem::{Coefficients, Subsystem};
 
-/// A motion slower than this, rad/s, a period of a week, is one that nothing resists: rounding
-/// makes a stiffness of zero one of some 1e-16 of the square of the rotor's speed times the
-/// inertia.
+/// A motion slower than this, rad/s (a period of a week), has no stiffness: because of rounding a
+/// stiffness of zero becomes about 1e-16 of the square of the rotor speed times the inertia.
 pub(crate) const UNRESISTED: f64 = 1e-5;
 
 /// The equations of motion of a turbine on a mesh, with work arrays:
@@ -30,15 +29,15 @@ pub struct TurbineModel {
     pub(crate) tower: SpaceBeam,
     pub(crate) machine: Machine,
     pub(crate) is_locked: bool,
-    /// What the tower stands on.
+    /// The support of the tower.
     pub(crate) below: Below,
     pub(super) workspace: TopWorkspace,
     pub(crate) factors: MachineFactors,
-    /// The whole as a rigid body, if it floats.
+    /// The turbine as a rigid body, if it floats.
     pub(crate) platform: Option<RigidTower>,
-    /// Number of motions that nothing resists, but for the rotation of a free shaft.
+    /// Number of motions without stiffness, without the rotation of a free shaft.
     pub(crate) unresisted: usize,
-    /// The relative error of frequencies by soil springs that are straight between depths.
+    /// Relative error of frequencies because soil springs are linear between depths.
     pub(crate) soil_error: f64,
 }
 
@@ -125,7 +124,7 @@ impl TurbineModel {
         self.negative_stiffness_at(rad_per_s(rotor_speed_rpm))
     }
 
-    /// The negative eigenvalues of the stiffness of the tower with what it stands on.
+    /// The negative eigenvalues of the stiffness of the tower with its support.
     fn negative_stiffness_of_tower(&mut self) -> usize {
         let inertia = UNRESISTED * UNRESISTED;
         let below = self.below.seen(0.0, inertia);
@@ -134,7 +133,7 @@ impl TurbineModel {
         own + below.map_or(0, |below| below.count)
     }
 
-    /// The same at a speed in rad/s.
+    /// As above, at a rotor speed in rad/s.
     pub(crate) fn negative_stiffness_at(&mut self, speed: f64) -> usize {
         let raise = Raise {
             by_inertia: UNRESISTED * UNRESISTED,

@@ -10,11 +10,12 @@ use crate::modes::RigidTower;
 use crate::scalar::{Complex, Scalar};
 
 /// Which of the two sums of forward and backward wave tilts the nacelle, for flap, edge, torsion
-/// and stretch: deflections as the cosine of the azimuth (up: 1) or as its sine.
+/// and axial motion: the sum with deflections as the cosine of the azimuth (up: 1) or the one with
+/// the sine.
 const COSINE_TILTS: [bool; 4] = [true, false, false, true];
 
 impl TurbineModel {
-    /// Elastic energies, twice.
+    /// Twice the elastic energies of a mode.
     pub(super) fn elastic_energy(&mut self, part: Part, vector: &[Complex]) -> TurbineEnergy {
         let blade = self.machine.rotor.body();
         if part.is_some() {
@@ -50,9 +51,9 @@ impl TurbineModel {
         }
     }
 
-    /// Energies of the tower in fore-aft bending, side-side bending, torsion and stretch, with what
-    /// a frame below has by component of the motion of the base, and of a floating platform in its
-    /// six motions.
+    /// Energies of the tower in fore-aft bending, side-side bending, torsion and axial motion,
+    /// including the energy of a frame below by component of the motion of the base; and of a
+    /// floating platform in its six motions.
     ///
     /// Gravity takes energy from the tower; what would be less than nothing is nothing.
     fn tower_energy(&self, x: &[Complex], below: [f64; 6]) -> ([f64; 4], [f64; 6]) {
@@ -89,14 +90,14 @@ impl TurbineModel {
     }
 }
 
-/// Surge to yaw in a motion of the base: square roots of twice the kinetic energies over the square
-/// of the frequency.
+/// The motions surge to yaw of a motion of the base: square roots of twice their kinetic energies
+/// divided by the square of the frequency.
 pub(super) fn rigid_motions(rigid: &RigidTower, base: &Phasors) -> [Complex; 6] {
     let [re, im] = [base.map(|x| x.re), base.map(|x| x.im)].map(|a| rigid.coordinates(&a));
     std::array::from_fn(|i| Complex::new(re[i], im[i]))
 }
 
-/// Energies of the blades by motion and harmonic, from those of coordinates of a blade.
+/// Energies of the blades by motion and harmonic, from the energies of the coordinates of a blade.
 fn by_harmonic(
     blade: &TurningBlade,
     blades: &[Complex],

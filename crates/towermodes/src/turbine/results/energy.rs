@@ -12,7 +12,7 @@ const PLATFORM: [Family; 6] = [
     Family::Yaw,
 ];
 
-/// Both waves tilt or yaw the nacelle if so much of their energy does.
+/// Both waves together tilt or yaw the nacelle if this fraction of their energy does.
 const CLEARLY: f64 = 2.0 / 3.0;
 
 /// How a blade deflects.
@@ -176,7 +176,7 @@ impl BladeEnergy {
 }
 
 impl TurbineEnergy {
-    /// Fractions of the sum of all.
+    /// The energies as fractions of their sum.
     pub(super) fn as_fractions(mut self) -> Self {
         let total = self.total();
         if total > 0.0 {
@@ -259,7 +259,7 @@ impl TurbineEnergy {
             + self.tower_axial
     }
 
-    /// By part, without the blades: platform, frame, tower, yaw drive, shaft.
+    /// The energies by part, without the blades: platform, frame, tower, yaw drive, shaft.
     pub(super) fn stationary(&self) -> impl Iterator<Item = (TurbinePart, f64)> {
         let platform = PLATFORM
             .map(TurbinePart::Platform)

@@ -30,7 +30,8 @@ pub struct TurbineMode {
     pub energy: TurbineEnergy,
     /// Shape of the mode; its largest deflection is 1.
     pub shape: TurbineShape,
-    /// What it is a mode of: all that moves the tower, or a harmonic of the blades.
+    /// The part of the equations of the mode: the part that moves the tower, or a harmonic of the
+    /// blades.
     pub(crate) part: Part,
     /// Its vector.
     pub(crate) vector: Vec<Complex>,

@@ -130,7 +130,7 @@ impl TurbineModel {
     }
 }
 
-/// The modes of a part at the last speed, where they would be at this one.
+/// The modes of a part at the last speed, with the frequencies expected at this speed.
 fn guesses(part: Part, speed: f64, before: &[TurbineModes]) -> Vec<Guess<'_>> {
     let Some(last) = before.last() else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! Which name each mode at a speed gets.
+//! The rule that names the modes at a speed.
 
 use super::super::counts::frequencies::Part;
 use super::energy::{BladeMotion, Harmonic, TurbineEnergy, TurbinePart};
@@ -6,9 +6,10 @@ use super::name::TurbineModeName;
 use crate::modes::Arrears;
 use crate::rotor::Reactionless;
 
-/// Platform, frame, tower, yaw drive, shaft.
+/// Number of families without blades: platform, frame, tower, yaw drive, shaft.
 const STATIONARY: usize = 13;
-/// These, and both waves and the collective motion of each motion of the blades.
+/// Number of all families: those without blades, and for each motion of the blades both waves and
+/// the collective motion.
 const FAMILIES: usize = STATIONARY + 2 * BladeMotion::ALL.len();
 /// The six motions of a platform name one mode each.
 const ONCE: [bool; FAMILIES] = {
@@ -20,22 +21,23 @@ const ONCE: [bool; FAMILIES] = {
     }
     once
 };
-/// Shares closer than this are equal, as those of both waves are at standstill.
+/// Shares with a smaller difference are treated as equal, as those of both waves at standstill.
 const TIE: f64 = 1e-4;
-/// From a mode to the next the arrears fade with this power of the ratio of their frequencies.
-/// Modes share a motion where their frequencies are close; what a mode far below has of a motion is
-/// no mode of it that was left out. On 50 random turbines at 100 speeds powers from 4 to 16 do
-/// better than arrears that do not fade, with any weight: see the theory in the book.
+/// From one mode to the next the arrears decrease with this power of the ratio of their
+/// frequencies: only modes of close frequencies share a motion, so the energy that a mode with a
+/// much lower frequency has in a motion does not mean that a mode of this motion is missing. On 50
+/// random turbines at 100 speeds, powers from 4 to 16 give better names than arrears that do not
+/// decrease, with any weight (see the theory in the book).
 const FADING: i32 = 8;
 
 /// The names of the modes of one problem: all that moves the hub, or one wave that does not.
 struct Names {
     families: Fading<FAMILIES>,
-    /// Backward and forward, for each motion of the blades.
+    /// Backward and forward waves, for each motion of the blades.
     waves: [Fading<2>; BladeMotion::ALL.len()],
 }
 
-/// Arrears that fade as the frequency rises.
+/// Arrears that decrease with increasing frequency.
 struct Fading<const K: usize> {
     arrears: Arrears<K>,
     /// The frequency of the last mode, if there is one.
@@ -50,7 +52,7 @@ impl<const K: usize> Fading<K> {
         }
     }
 
-    /// The family of the next mode, of a frequency, and its order in it.
+    /// The family of the next mode, which has this frequency, and its order in the family.
     fn name(&mut self, hz: f64, shares: &[f64; K], may: impl Fn(usize) -> bool) -> (usize, usize) {
         let last_hz = self.last_hz.replace(hz).unwrap_or(hz);
         self.arrears.fade((last_hz / hz).powi(FADING));
@@ -116,7 +118,7 @@ pub(super) struct Named {
 }
 
 impl Naming {
-    /// Names the next mode, which is one of a problem and has a frequency in Hz, by the fractions
+    /// Names the next mode, with this part of the equations and a frequency in Hz, by the fractions
     /// of its elastic energy.
     pub(crate) fn next(&mut self, problem: Part, hz: f64, energy: &TurbineEnergy) -> Named {
         let known = self.problems.iter().position(|(own, _)| *own == problem);
@@ -144,7 +146,7 @@ fn share(energy: &TurbineEnergy, part: TurbinePart) -> f64 {
     own.map(|(_, share)| share).sum()
 }
 
-/// The part with the largest share of all others, if there is one.
+/// The part with the second largest share, if there is one.
 fn second(energy: &TurbineEnergy, first: TurbinePart) -> Option<(TurbinePart, f64)> {
     let parts = energy.parts().into_iter();
     let others = parts.filter(|(part, share)| *part != first && *share > 0.0);

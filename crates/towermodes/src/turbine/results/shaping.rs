@@ -43,7 +43,7 @@ impl TurbineModel {
         let rotor = &self.machine.rotor;
         let blade = rotor.body();
         let (count, steps) = (blade.degrees_of_freedom(), per_element(blade.elements()));
-        // Coordinates are those of a blade times the root of their number.
+        // Coordinates are those of a blade times the square root of the number of blades.
         let each = 1.0 / (rotor.blades() as f64).sqrt();
         let along = [0, 1, 2].map(|harmonic| {
             let own = &blades[harmonic * count..(harmonic + 1) * count];
@@ -128,7 +128,7 @@ fn normalize(shape: &mut TurbineShape) {
                 false => a,
             };
             let first = point.into_iter().fold(point[0], larger);
-            // The phase of the largest component, the size of the whole.
+            // The phase of the largest component, and the magnitude of the whole shape.
             largest = first.times((of_point / first.norm_squared()).sqrt());
         }
     }

@@ -1,4 +1,4 @@
-//! API: sand with a stiffness in proportion to the depth, and clay by the curve of Matlock.
+//! API: sand with a stiffness proportional to the depth, and clay with the curve of Matlock.
 
 use super::clay::{self, Matlock};
 use super::sand::Subgrade;
@@ -15,7 +15,7 @@ pub(super) fn springs<'l>(values: &mut Values<'l>) -> Made<dyn LayerSprings + 'l
     }
 }
 
-/// Of sand: DNV has the same.
+/// The springs of sand; DNV has the same.
 pub(super) fn of_sand<'l>(values: &mut Values<'l>) -> Made<dyn LayerSprings + 'l> {
     Ok(Box::new(ApiSand(Subgrade::of(values)?)))
 }

@@ -1,32 +1,33 @@
-//! The lateral resistance of clay, to which springs are in proportion.
+//! The lateral resistance of clay, to which springs are proportional.
 
 use crate::tower::ground::layer_springs::Nature;
 use crate::tower::ground::spot::Spot;
 use crate::tower::ground::values::{NoSprings, Values};
 
-/// Of springs in proportion to the resistance of clay.
+/// The nature of springs that are proportional to the resistance of clay.
 pub(super) const NATURE: Nature = Nature {
     is_linear: false,
     needs_weight: true,
     depends_on_edition: false,
 };
 
-/// Lateral resistance p_u of clay per length, N/m, of two failures: the smaller one counts.
+/// Lateral resistance p_u of clay per length, N/m, for two failure mechanisms; the smaller one
+/// governs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Resistance {
-    /// Of a wedge to the surface.
+    /// Failure of a wedge to the surface.
     pub(super) shallow: f64,
-    /// Of a flow around the pile.
+    /// Flow around the pile.
     pub(super) deep: f64,
 }
 
 impl Resistance {
-    /// A number that changes its sign where the flow around the pile begins to count.
+    /// A value that changes its sign where flow around the pile begins to govern.
     pub(super) fn kink(self, number: usize) -> Option<f64> {
         (number == 0).then_some(self.shallow - self.deep)
     }
 
-    /// The smaller one. `min` would hide a value that is missing.
+    /// The smaller resistance. `min` would hide a missing value.
     pub(super) fn least(self) -> f64 {
         if self.deep < self.shallow {
             self.deep
@@ -36,7 +37,7 @@ impl Resistance {
     }
 }
 
-/// The values of clay by which a pile fails it, and the strain that goes with them.
+/// The values of clay from which its resistance follows, and the strain of the curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Undrained {
     /// Undrained strength S_u at the top and at the bottom of the layer, Pa.
@@ -46,7 +47,7 @@ pub(super) struct Undrained {
 }
 
 impl Undrained {
-    /// Of the values of a layer.
+    /// From the values of a layer.
     pub(super) fn of(values: &mut Values<'_>) -> Result<Self, NoSprings> {
         let clay = values.clay()?;
         let (strength, strain) = (clay.undrained_strength_pa, clay.strain_at_half_strength);
@@ -71,7 +72,7 @@ pub(super) struct Matlock {
 }
 
 impl Matlock {
-    /// Of the values of a layer.
+    /// From the values of a layer.
     pub(super) fn of(values: &mut Values<'_>) -> Result<Self, NoSprings> {
         let clay = Undrained::of(values)?;
         let value = "the factor J (0.5 for soft, 0.25 for stiff clay)";

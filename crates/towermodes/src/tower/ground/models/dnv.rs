@@ -1,4 +1,4 @@
-//! DNV: sand as API, and clay with an initial stiffness.
+//! DNV: sand as in API, and clay with an initial stiffness.
 
 use super::api;
 use super::clay::{self, Matlock};

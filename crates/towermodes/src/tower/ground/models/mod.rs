@@ -51,7 +51,7 @@ static BY_SOIL: LazyLock<String> = LazyLock::new(|| {
             let springs = springs_of(&mut Values::new(&layer, &ground));
             !matches!(springs, Err(NoSprings::OtherSoil))
         };
-        // The model of a table follows from its type: nobody chooses it.
+        // The model of a table follows from its type, so users do not choose it.
         let models = SoilModel::CHOICES.iter().copied();
         let models = models.filter(|model| *model != SoilModel::Table && has_formula(model));
         let names: Vec<&str> = models.map(SoilModel::name).collect();

@@ -33,13 +33,13 @@ const DENSITIES: [f64; 2] = [0.45, 0.9];
 /// 1067–1082; the constants as programmed in openpile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Constants {
-    /// k_p over the depth in diameters.
+    /// k_p as a function of the depth in diameters.
     lateral: Line,
-    /// k_m likewise.
+    /// k_m as a function of the depth in diameters.
     rotation: Line,
-    /// k_H over the embedded length in diameters.
+    /// k_H as a function of the embedded length in diameters.
     shear: Line,
-    /// k_M likewise.
+    /// k_M as a function of the embedded length in diameters.
     moment: Line,
 }
 
@@ -48,15 +48,15 @@ struct Constants {
 struct Line(f64, f64);
 
 impl Line {
-    /// As the line gives it.
+    /// The value on the line.
     fn at(self, variable: f64) -> f64 {
         self.0 + self.1 * variable
     }
 
-    /// The same, zero where the line is negative.
+    /// As [`at`](Self::at), but zero where the line is negative.
     fn positive_at(self, variable: f64) -> f64 {
         let value = self.at(variable);
-        // `max` would hide a value that is missing.
+        // `max` would hide a missing value.
         if value < 0.0 { 0.0 } else { value }
     }
 }

@@ -16,7 +16,7 @@ use crate::tower::warning::{Ineffective, Site, Warning};
 #[derive(Debug)]
 struct StiffClay {
     clay: Undrained,
-    /// Whether Matlock's factor J is given, which has no effect.
+    /// Whether Matlock's factor J is given, although it has no effect.
     has_factor: bool,
 }
 

@@ -15,12 +15,12 @@ pub(super) struct Subgrade {
     pub(super) modulus_n_per_m3: f64,
     /// Whether k is given.
     is_given: bool,
-    /// Whether the friction angle is given too, which then has no effect.
+    /// Whether the friction angle is given too; then it has no effect.
     has_both: bool,
 }
 
 impl Subgrade {
-    /// Of the values of a layer.
+    /// From the values of a layer.
     pub(super) fn of(values: &mut Values<'_>) -> Result<Self, NoSprings> {
         let sand = values.sand()?;
         let given = values.optional("subgrade_modulus", sand.subgrade_modulus_n_per_m3);
@@ -42,7 +42,7 @@ impl Subgrade {
         !self.is_given
     }
 
-    /// The modulus k that is given takes the place of that by the friction angle.
+    /// Warns if k and the friction angle are given: then the friction angle has no effect.
     pub(super) fn doubt(&self, at: &dyn Fn(&'static str) -> Site, warnings: &mut Vec<Warning>) {
         if self.has_both {
             warnings.push(Warning::NoEffect {
@@ -63,8 +63,8 @@ fn by_angle_n_per_m3(angle_deg: f64, ground: &Ground) -> f64 {
 /// The table of API RP 2GEO, MN/m³ over degrees; linear between the rows.
 const TABLE: [(f64, f64); 4] = [(25.0, 5.4), (30.0, 11.0), (35.0, 22.0), (40.0, 45.0)];
 
-/// Linear in the table, and its first and last value outside. The table is for sand under water;
-/// the standard has no other.
+/// Interpolates linearly in the table; outside it uses the first or the last value. The table
+/// applies to sand under water; the standard contains no other table.
 ///
 /// Source: the table as three open programs have it (5.4, 11, 22, 45).
 fn table_mn_per_m3(angle_deg: f64) -> f64 {
@@ -102,7 +102,7 @@ fn figure_mn_per_m3(angle_deg: f64, submerged: bool) -> f64 {
     let fit = square * phi * phi + slope * phi + constant;
     // Below its minimum the parabola rises towards smaller angles, whereas the figure stays flat.
     let is_below_minimum = 2.0 * square * phi + slope < 0.0;
-    // `max` would hide a value that is missing.
+    // `max` would hide a missing value.
     match fit < LEAST_MN_PER_M3 || is_below_minimum {
         true => LEAST_MN_PER_M3,
         false => fit,

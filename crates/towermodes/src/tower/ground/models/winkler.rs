@@ -1,4 +1,4 @@
-//! Springs in proportion to Young's modulus of the soil.
+//! Springs proportional to Young's modulus of the soil.
 
 use crate::tower::ground::layer_springs::{LayerSprings, Nature};
 use crate::tower::ground::modulus::Modulus;
@@ -15,7 +15,7 @@ pub(super) struct Elastic {
 }
 
 impl Elastic {
-    /// Of the values of a layer.
+    /// From the values of a layer.
     pub(super) fn of(values: &mut Values<'_>) -> Result<Self, NoSprings> {
         if !values.is_soil() {
             return Err(NoSprings::OtherSoil);

@@ -19,7 +19,7 @@ fn at(key: &'static str) -> Place {
     Place::Ground { key }
 }
 
-/// The layer that is checked, and its number.
+/// A layer during its check, and its index.
 #[derive(Clone, Copy)]
 struct Layer<'a> {
     index: usize,
@@ -72,7 +72,7 @@ pub(in crate::tower) fn check_frame_in_ground(
     if ground.pile_diameter_m.is_some() {
         return error(at("pile_diameter"), Problem::PileWithTwoDiameters);
     }
-    // The pile that reaches deepest needs the most soil.
+    // The deepest pile needs the deepest soil.
     let tip_m = |pile: &FramePile| pile.tip_m(frame);
     let deepest = piles.iter().min_by(|a, b| tip_m(a).total_cmp(&tip_m(b)));
     match deepest {
@@ -81,7 +81,8 @@ pub(in crate::tower) fn check_frame_in_ground(
     }
 }
 
-/// Soil without axial springs lets piles sink, and one that stands alone turn.
+/// Checks that piles are supported: without axial springs of the soil, piles have no vertical
+/// stiffness, and a single pile no torsional stiffness.
 fn check_held(frame: &FrameDescription, ground: &Ground) -> Checked {
     let holds = |motions: &[usize]| {
         let motions = motions.iter();
@@ -99,7 +100,7 @@ fn check_held(frame: &FrameDescription, ground: &Ground) -> Checked {
     }
 }
 
-/// A tower on a frame begins above the ground: below it the frame has the piles.
+/// Checks that a tower on a frame begins above the ground: below it are the piles of the frame.
 fn check_above_ground(ground: &Ground, base_m: f64) -> Checked {
     let surface_m = ground.scoured_surface_m();
     match base_m < surface_m {
@@ -111,7 +112,7 @@ fn check_above_ground(ground: &Ground, base_m: f64) -> Checked {
     }
 }
 
-/// The layers down to a tip, and what their models need.
+/// Checks the layers down to a tip, and the values that their models need.
 fn check_soil(description: &TowerDescription, ground: &Ground, tip_m: f64) -> Checked {
     check_layers(ground, tip_m)?;
     let mut models = Vec::with_capacity(ground.layers.len());
@@ -124,7 +125,8 @@ fn check_soil(description: &TowerDescription, ground: &Ground, tip_m: f64) -> Ch
     check_cones(description)
 }
 
-/// A cone resistance q_t that the stress of soil and water above exceeds gives no shear modulus.
+/// Checks that each cone resistance q_t exceeds the total stress; otherwise no shear modulus
+/// follows from it.
 fn check_cones(description: &TowerDescription) -> Checked {
     match cone_below_stress(description) {
         None => Ok(()),
@@ -168,7 +170,7 @@ fn check_heights(ground: &Ground, base_m: f64, top_m: f64) -> Checked {
     error(at(key), problem)
 }
 
-/// A table of properties has no diameters, and stations have their own.
+/// Checks that a diameter is given only for a table of properties: stations contain diameters.
 fn check_diameter(description: &TowerDescription, ground: &Ground) -> Checked {
     let key = "pile_diameter";
     match (ground.pile_diameter_m, description.stations.is_empty()) {
@@ -178,7 +180,7 @@ fn check_diameter(description: &TowerDescription, ground: &Ground) -> Checked {
     }
 }
 
-/// The layers: each below the previous one, from the surface to the tip of the pile.
+/// Checks the layers: each below the previous one, from the surface to the tip of the pile.
 fn check_layers(ground: &Ground, tip_m: f64) -> Checked {
     let Some(last) = ground.layers.last() else {
         return error(at("layer"), Problem::NoLayers);
@@ -189,7 +191,7 @@ fn check_layers(ground: &Ground, tip_m: f64) -> Checked {
         let (top_m, bottom_m) = (layer.top_m, layer.bottom_m);
         coordinate(at("top"), "the height of the layer's top", top_m)?;
         coordinate(at("bottom"), "the height of the layer's bottom", bottom_m)?;
-        // First, because depths in place of heights do not join either.
+        // This check is first, because depths in place of heights would fail the next one too.
         if bottom_m >= top_m {
             return error(at("bottom"), Problem::LayerUpsideDown { top_m, bottom_m });
         }
@@ -242,7 +244,8 @@ impl Layer<'_> {
     }
 }
 
-/// Every layer above one that depends on the weight of the soil, and this one, has a unit weight.
+/// Checks that a layer that depends on the weight of the soil, and every layer above it, have a
+/// unit weight.
 fn check_weights(ground: &Ground, models: &[Models<'_>]) -> Checked {
     let needs_weight = |(layer, models): &(&GroundLayer, &Models<'_>)| {
         let modulus = layer.shear_modulus;
@@ -262,7 +265,7 @@ fn check_weights(ground: &Ground, models: &[Models<'_>]) -> Checked {
     Ok(())
 }
 
-/// Springs that follow from numbers far outside their range can be infinite.
+/// Checks that the springs are finite: from values far outside their range they can be infinite.
 pub(in crate::tower) fn check_springs_of_ground(rows: &TowerDescription, given: usize) -> Checked {
     let of_ground = rows.soil.iter().skip(given).flatten();
     check_finite(of_ground.map(|row| &row.stiffness))?;
@@ -272,7 +275,7 @@ pub(in crate::tower) fn check_springs_of_ground(rows: &TowerDescription, given: 
     })
 }
 
-/// The same of the springs of a frame.
+/// Checks that the springs of a frame are finite.
 pub(in crate::tower) fn check_springs_of_frame(frame: &FrameDescription) -> Checked {
     let soil = frame.members.iter().flat_map(|member| &member.soil);
     check_finite(soil.flat_map(|soil| &soil.rows).map(|row| &row.stiffness))

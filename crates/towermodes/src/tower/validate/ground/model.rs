@@ -1,4 +1,4 @@
-//! Whether the models of a layer are for its soil, and have the numbers that they need.
+//! Checks that the models of a layer suit its soil and have the values that they need.
 
 use super::{Checked, Layer};
 use crate::tower::error::Problem;
@@ -6,7 +6,7 @@ use crate::tower::ground::{Ground, Models, NoSprings, Refused, models_by_soil};
 use crate::tower::validate::scale::error;
 
 impl<'a> Layer<'a> {
-    /// The models of the layer, which are for its soil and have the numbers that they need.
+    /// The models of the layer, after these checks.
     pub(super) fn models(&self, ground: &'a Ground) -> Checked<Models<'a>> {
         let soil = self.own.soil.noun();
         let axial = ground.axial.map_or("", |axial| axial.key_and_name());

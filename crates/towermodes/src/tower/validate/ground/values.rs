@@ -1,4 +1,4 @@
-//! The numbers of a layer that are given, whether its model needs them or not.
+//! Checks of the given values of a layer, whether its model needs them or not.
 
 use super::{Checked, Layer};
 use crate::tower::error::{Place, Problem};
@@ -7,7 +7,7 @@ use crate::tower::validate::inputs::check_inputs;
 use crate::tower::validate::scale::{coordinate, error, length, not_negative};
 
 impl Layer<'_> {
-    /// The numbers that are given, whether the model needs them or not.
+    /// Checks the given values, whether the model needs them or not.
     pub(super) fn check_values(&self) -> Checked {
         check_inputs(self.own, |key| self.at(key))?;
         if let Some(modulus) = &self.own.shear_modulus {
@@ -26,7 +26,7 @@ impl Layer<'_> {
         }
     }
 
-    /// Rows from the top to the bottom of the layer.
+    /// Checks that rows cover the layer from top to bottom.
     fn check_table(&self, rows: &[PyRow]) -> Checked {
         let layer = self.index;
         let at = |row, key| Place::GroundRow { layer, row, key };
@@ -65,8 +65,8 @@ impl Layer<'_> {
         error(at(0, "height"), problem)
     }
 
-    /// A correlation of one soil has no meaning for another. What the soil of an elastic layer
-    /// and of a table is, only its user knows.
+    /// Checks that a correlation suits the soil. For an elastic layer and a table the soil is not
+    /// known, so every correlation is possible.
     fn check_correlation(&self, modulus: &ShearModulus) -> Checked {
         let (correlation, own, is_right) = match modulus.own_soil() {
             None => return Ok(()),
