@@ -231,7 +231,7 @@ fn a_list_too_short_says_how_many_modes_to_ask_for() {
     );
     assert_eq!(
         error.to_string(),
-        "ElastoDyn needs two side-side bending modes, and 1 of the 3 modes solved for can be taken; ask for 12 modes"
+        "ElastoDyn needs two side-side bending modes, but only 1 of the 3 computed modes can be used; request 12 modes"
     );
 }
 

@@ -153,7 +153,7 @@ fn what_verdicts_need_is_named_at_once() {
             let command: Vec<&str> = ["campbell", &path].into_iter().chain(rpm).collect();
             let output = run(&command);
             let [out, err] = texts(&output);
-            let found = err.contains("a file with the whole structure");
+            let found = err.contains("give a file that describes the whole structure");
             assert_eq!(found, needs_structure, "{err}");
             let found = err.contains("give --rpm LOWEST,HIGHEST");
             assert_eq!(found, needs_speeds, "{err}");

@@ -162,7 +162,7 @@ fn check_stands(tower: &TowerInput) -> Result<(), ReadError> {
     if tower.description.foundation.floating().is_none() {
         return Ok(());
     }
-    let message = "a floating tower cannot be without gravity: its buoyancy, the stiffness of its water plane and the weight of its mooring lines are gravity too";
+    let message = "a floating tower needs gravity: its buoyancy, the stiffness of its water plane and the weight of its mooring lines exist only with gravity";
     let kind = DiagnosticKind::Unsupported(message.to_owned());
     let hint = "omit --no-gravity (in Python: no_gravity), or use --clamped for the tower of an OpenFAST or windIO model alone";
     let mistake = Diagnostic::new(0..0, kind).with_hint(hint);

@@ -201,7 +201,7 @@ fn members_elsewhere_are_doubted() {
 fn a_structure_on_the_seabed_is_held() {
     let loose: Rows<'_> = &[("NReact", "")];
     let error = monopile(loose, &[], ["20", "default"]).expect_err("nothing holds it");
-    error.says("no reaction joint is held, so the substructure floats, but its joint 1 at z = -20 m is on the seabed, which is at z = -20 m");
+    error.says("no reaction joint is fixed, so the substructure floats, but its joint 1 at z = -20 m is on the seabed, which is at z = -20 m");
     let shown = format!("{error:?}");
     assert!(shown.contains("sub.dat"), "{shown}");
 }

@@ -265,7 +265,7 @@ fn a_root_is_held_in_one_of_three_ways() {
         let input = decks::tower(&main, SECTIONS, false);
         let error = input.tower().expect_err("nothing holds it").to_string();
         if hub == "2" {
-            error.says("nothing prevents");
+            error.says("there is no stiffness against");
         }
         let blade = with(&blade_file(), &[("1         hub_conn", &changed)]);
         let words = ["hub_conn is", "must be 1 for a blade"];

@@ -368,7 +368,7 @@ fn a_tower_file_has_the_whole_floater() {
 #[test]
 fn a_floater_needs_water_that_carries_it() {
     let dry = read(true, false).map(|_| ()).expect_err("dry").to_string();
-    dry.says_all("model.fst & nothing holds the substructure of SubDyn & CompHydro");
+    dry.says_all("model.fst & the substructure of SubDyn has no support & CompHydro");
     let mut description = given(true);
     if let Foundation::Frame(foundation) = &mut description.foundation {
         foundation.restoring = Some(towermodes::frame::Restoring::default());
@@ -412,5 +412,5 @@ fn a_floater_has_gravity() {
     let options = with!(ReadOptions, without_gravity = true);
     let refused = read_source(source(), &InMemory::default(), &options).map(|_| ());
     let refused = refused.expect_err("without gravity").to_string();
-    refused.says("a floating tower cannot be without gravity");
+    refused.says("a floating tower needs gravity");
 }

@@ -224,9 +224,9 @@ fn springs_that_no_base_has() {
 #[test]
 fn towers_that_nothing_holds() {
     let free = SPRINGS.replace("coupling = -4e8\n", "");
-    let message = "nothing prevents translation in x and translation in y";
+    let message = "there is no stiffness against translation in x and translation in y";
     refused(&free, "= 1e8", "= 0", "8:8", message, "soil");
-    let message = "nothing prevents rotation about z";
+    let message = "there is no stiffness against rotation about z";
     let hint = "type = \"floating\"";
     refused(&free, "= inf", "= 0.0", "8:8", message, hint);
     // Wires hold it laterally.

@@ -343,7 +343,7 @@ export class Explorer {
   private failed(error: unknown): void {
     if (error instanceof ProgramEnded) {
       notice("program", "The program does not answer: it has ended. Start it again with “", this.sheet.command,
-        "”. The numbers stay in the address of this page after the #: put that part behind the new address.");
+        "”. The input values are in the address of this page after the #: append that part to the new address.");
     } else notice("program", error instanceof Error ? error.message : String(error));
   }
 

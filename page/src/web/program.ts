@@ -16,7 +16,7 @@ export async function programOf(module: WebAssembly.Module, files: NamedFile[]):
       if (!(error instanceof Failed)) throw error;
       // The instance is broken, the module is not.
       solver = await Solver.open(module, files);
-      throw new Error(`The solver failed on these numbers, which is a defect of it: ${error.message}`);
+      throw new Error(`The solver failed with these values, which is a bug: ${error.message}`);
     }
   };
 }

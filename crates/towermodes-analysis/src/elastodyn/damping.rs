@@ -27,7 +27,7 @@ pub enum DampingError {
     },
     /// The ratio to write is larger than OpenFAST accepts.
     #[error(
-        "for {wanted_percent:.4} % of the tower with what it carries, {:.4} % would have to be written, and OpenFAST takes no more than 100",
+        "a damping ratio of {wanted_percent:.4} % of the tower with RNA requires {:.4} % in the file, but OpenFAST allows at most 100 %",
         Plain(*.percent)
     )]
     TooMuch {

@@ -92,7 +92,7 @@ pub enum FitError {
     },
     /// The deflection of the top is too small to scale by.
     #[error(
-        "the top of the shape hardly moves: {} beside {} at most, the base's own motion aside; ElastoDyn's shapes must be 1 there",
+        "relative to the base, the displacement at the top of the shape is {}, but the largest displacement is {}; shapes of ElastoDyn must be 1 at the top",
         Plain(*.tip), Plain(*.largest)
     )]
     TipStill {
@@ -102,7 +102,7 @@ pub enum FitError {
         largest: f64,
     },
     /// The samples lie too close together to tell the powers of x apart.
-    #[error("the samples lie too close together to tell x² to x⁶ apart")]
+    #[error("the samples are too close together to determine the coefficients of x² to x⁶")]
     Indistinct,
 }
 

@@ -75,7 +75,7 @@ pub enum ModelError {
     },
     /// The number of elements is 0 or too large.
     #[error(
-        "a tower cannot be cut into {nodes} elements; the number must be from 1 to {MAX_NODES}"
+        "a tower cannot be divided into {nodes} elements; the number must be from 1 to {MAX_NODES}"
     )]
     Nodes {
         /// The number.
@@ -97,7 +97,7 @@ pub enum ModelError {
     },
     /// The numbers overflowed, or a shape does not move.
     #[error(
-        "the masses, stiffnesses and shapes of this tower are too large, too small or zero: ElastoDyn finds no frequency of them"
+        "the masses, stiffnesses or shapes of this tower are too large, too small or zero: the equations of ElastoDyn give no frequency"
     )]
     NotFinite,
 }

@@ -35,7 +35,7 @@ impl SameTower {
 pub enum OtherTower {
     /// It is shorter than the flexible tower of the deck.
     #[error(
-        "it is {height_m:.3} m high, and the flexible tower of the deck {flexible_length_m:.3} m"
+        "its height is {height_m:.3} m, but the height of the flexible tower of the deck is {flexible_length_m:.3} m"
     )]
     TooShort {
         /// Height of the tower, m.

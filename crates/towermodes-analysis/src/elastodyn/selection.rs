@@ -44,7 +44,7 @@ pub struct PassedOver {
 pub enum SelectionError {
     /// The solution has too few bending modes.
     #[error(
-        "ElastoDyn needs two {} modes, and {found} of the {} modes solved for can be taken{}; ask for {ask_for} modes",
+        "ElastoDyn needs two {} modes, but only {found} of the {} computed modes can be used{}; request {ask_for} modes",
         plane_name(*.plane), .solved, and_passed_over(*.passed_over)
     )]
     TooFewModes {
@@ -175,6 +175,6 @@ fn plane_name(plane: Plane) -> &'static str {
 fn and_passed_over(count: usize) -> String {
     match count {
         0 => String::new(),
-        _ => format!(" ({count} more twist too much)"),
+        _ => format!(" ({count} more have too much torsion)"),
     }
 }

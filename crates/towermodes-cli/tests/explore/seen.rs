@@ -286,7 +286,7 @@ fn a_target_moves_the_sliders() {
         of.page
             .text("document.querySelector('#target-text').textContent")
     };
-    find("0.33").says_all("mass of the structure & Undo leads back");
+    find("0.33").says_all("mass of the structure & Undo restores");
     let found = of.frequencies_hz()[0];
     assert!((found - 0.33).abs() < 1e-4, "{found}");
     let state = of

@@ -232,7 +232,7 @@ pub enum CalibrationError {
     },
     /// Unknowns without a prior with which no measured frequency changes to first order.
     #[error(
-        "{} not move any measured frequency{} (at {values}); give {} a prior, do not fit it, or measure other modes",
+        "{} not change any measured frequency{} (at {values}); give {} a prior, do not fit it, or measure other modes",
         match &names[..] { [one] => format!("{one} does"), all => format!("{} do", all.join(" and ")) },
         if *.is_stationary { " to first order" } else { "" },
         if .names.len() == 1 { "it" } else { "each of these" }

@@ -42,7 +42,7 @@ impl fmt::Display for Remark {
                 let changes: Vec<String> = changes.iter().map(ToString::to_string).collect();
                 let subject = match &names[..] {
                     [one] => format!("the measurements hardly determine {one}"),
-                    _ => format!("the measurements cannot tell {} apart", listed(&names)),
+                    _ => format!("the measurements cannot distinguish {}", listed(&names)),
                 };
                 let changes = listed(&changes);
                 write!(f, "{subject}: with {changes} the measured frequencies ")?;
@@ -92,7 +92,7 @@ impl fmt::Display for Remark {
                 has_prior,
             } => write!(
                 f,
-                "{name} does not move any measured frequency: {}",
+                "{name} does not change any measured frequency: {}",
                 if *has_prior {
                     "its value and deviation are those of its prior"
                 } else {

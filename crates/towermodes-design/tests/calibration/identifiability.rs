@@ -23,7 +23,7 @@ fn lateral_and_rocking_stiffness_cannot_be_told_apart_by_one_frequency() {
     assert!(weakest.singular_value < 1e-9 * result.directions[0].singular_value);
     let said = remarks(&result).join("\n");
     let expected =
-        "the measurements cannot tell foundation.lateral and foundation.rocking apart: with ";
+        "the measurements cannot distinguish foundation.lateral and foundation.rocking: with ";
     let holds = said.contains(expected) || said.contains("hardly determine");
     assert!(holds, "{said}");
     for shares in &result.shares {
@@ -52,7 +52,7 @@ fn unknowns_without_effect_are_refused_with_their_names() {
     let error = fitted(&problem).expect_err("refused");
     assert_matches!(error, CalibrationError::NoEffect { .. });
     let text = error.to_string();
-    text.begins("`foundation.torsion` does not move any measured frequency (at ");
+    text.begins("`foundation.torsion` does not change any measured frequency (at ");
     text.says("; give it a prior, do not fit it");
 }
 
@@ -77,7 +77,7 @@ fn an_unknown_without_effect_is_not_said_to_be_at_a_bound_or_to_be_hardly_determ
     assert_eq!(
         of_torsion,
         [
-            "foundation.torsion does not move any measured frequency: its value and deviation are those of its prior"
+            "foundation.torsion does not change any measured frequency: its value and deviation are those of its prior"
         ]
     );
 }

@@ -80,7 +80,7 @@ fn where_the_symmetric_start_is_the_best_tower_the_number_is_not_called_arbitrar
     let at_rest = fit(Some([-45.0, 45.0]), hz).expect_err("no first derivative");
     assert!(
         at_rest.to_string().starts_with(
-            "`rna.center[1]` does not move any measured frequency to first order (at rna.center[1] = 0)"
+            "`rna.center[1]` does not change any measured frequency to first order (at rna.center[1] = 0)"
         ),
         "{at_rest}"
     );

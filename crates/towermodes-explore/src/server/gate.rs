@@ -47,12 +47,16 @@ impl Gate {
         let has_origin = headers.contains_key(ORIGIN);
         let is_own_origin = |origin: &str| origin.strip_prefix("http://").is_some_and(is_own);
         if has_origin && !origin.is_some_and(is_own_origin) {
-            return Err(forbidden("another page asks; only the page itself may"));
+            return Err(forbidden(
+                "the request comes from another page; only the page of this program may send requests",
+            ));
         }
         // A link on another page may not open it either: `none` is an address that was typed.
         let from = single(headers, "sec-fetch-site");
         if from.is_some_and(|from| !matches!(from, "same-origin" | "none")) {
-            return Err(forbidden("another page asks; only the page itself may"));
+            return Err(forbidden(
+                "the request comes from another page; only the page of this program may send requests",
+            ));
         }
         let rest = path.strip_prefix('/').unwrap_or(path);
         let (token, inside) = rest.split_once('/').unwrap_or((rest, ""));

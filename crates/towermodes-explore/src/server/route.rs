@@ -104,7 +104,7 @@ pub(super) async fn answer(routes: Arc<Routes>, route: Route, body: Incoming) ->
     done.unwrap_or_else(|_| {
         plain(
             StatusCode::INTERNAL_SERVER_ERROR,
-            "the program failed on these numbers; this is a defect of the program: its terminal has the message",
+            "the program failed with these values; this is a bug of the program, and its message is in the terminal",
         )
     })
 }
@@ -118,10 +118,16 @@ async fn whole(body: Incoming) -> Result<Bytes, Response<Body>> {
             StatusCode::PAYLOAD_TOO_LARGE,
             &format!("the body has more than {MOST_BYTES} bytes"),
         )),
-        Ok(Err(_)) => Err(plain(StatusCode::BAD_REQUEST, "the body is broken off")),
+        Ok(Err(_)) => Err(plain(
+            StatusCode::BAD_REQUEST,
+            "the body of the request is incomplete",
+        )),
         Err(_) => Err(plain(
             StatusCode::REQUEST_TIMEOUT,
-            &format!("the body did not come within {} s", SLOW_BODY.as_secs()),
+            &format!(
+                "the body of the request was not received within {} s",
+                SLOW_BODY.as_secs()
+            ),
         )),
     }
 }

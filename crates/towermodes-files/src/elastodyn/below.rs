@@ -342,8 +342,8 @@ fn hangs_below(span: Range<usize>) -> Diagnostic {
 
 /// The mistake of a substructure that nothing holds, not even water.
 fn nothing_holds(span: Range<usize>) -> Diagnostic {
-    let message = "nothing holds the substructure of SubDyn: it has no reaction joint that is held, and no HydroDyn file whose water carries it";
-    let hint = "hold reaction joints, give CompHydro 1 and a HydroFile for a floater, or use --clamped for the tower alone";
+    let message = "the substructure of SubDyn has no support: no reaction joint is fixed, and no HydroDyn file gives buoyancy";
+    let hint = "fix reaction joints, give CompHydro 1 and a HydroFile for a floater, or use --clamped for the tower alone";
     Diagnostic::new(span, DiagnosticKind::Unsupported(message.to_owned())).with_hint(hint)
 }
 
@@ -355,7 +355,7 @@ fn check_afloat(subdyn: &SubdynInput, water: &HydrodynInput) -> Result<(), ReadE
         return Ok(());
     };
     let message = format!(
-        "no reaction joint is held, so the substructure floats, but its joint {} at z = {} m is on the seabed, which is at z = {} m",
+        "no reaction joint is fixed, so the substructure floats, but its joint {} at z = {} m is on the seabed, which is at z = {} m",
         lowest.name,
         Exact(lowest.position_m[2]),
         Exact(-water.water.depth_m)

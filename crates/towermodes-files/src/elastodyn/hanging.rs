@@ -55,6 +55,6 @@ fn matrix(given: &SpatialMatrix) -> SpatialMatrix {
 /// The note on what the mirrored platform has.
 pub(super) fn note() -> Note {
     Note::approximation(
-        "the platform above a tower that hangs has the stiffness of its weight, its water and its mooring lines at the reference position; the weights of tower and rotor-nacelle assembly less their buoyancy add nothing to it",
+        "the platform above a hanging tower has the stiffness of its weight, its hydrostatics and its mooring lines at the reference position; the weights of tower and rotor-nacelle assembly minus their buoyancy are neglected in this stiffness",
     )
 }

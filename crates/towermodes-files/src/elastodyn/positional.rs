@@ -129,7 +129,7 @@ pub(super) fn check_no_comment(line: &Line<'_>, expected: &str) -> Result<(), Di
     }
     let start = line.start + line.text.len() - text.len();
     let kind = DiagnosticKind::misplaced(expected, "a comment");
-    let hint = "OpenFAST reads these lines by position: write comments behind the values";
+    let hint = "OpenFAST reads these lines by position: write comments after the values";
     Err(Diagnostic::new(start..start + text.trim_end().len(), kind).with_hint(hint))
 }
 

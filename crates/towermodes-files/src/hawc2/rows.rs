@@ -87,7 +87,7 @@ fn no_row(subset: &Subset<'_>, found: &Token<'_>, number: usize) -> Diagnostic {
     let expected = format!("row {number} of the {announced} of {label}");
     let kind = DiagnosticKind::misplaced(expected, quoted(found.text));
     found.wrong(kind).with_hint(format!(
-        "rows follow the line `${} {announced}` directly; does it announce too many?",
+        "rows follow the line `${} {announced}` directly; is the number of rows in this line too large?",
         subset.number
     ))
 }

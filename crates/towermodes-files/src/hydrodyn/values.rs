@@ -48,7 +48,7 @@ impl<'a> Values<'a> {
     pub(super) fn expect(&self, name: &str) -> Result<Token<'a>, Diagnostic> {
         let missing = || {
             let kind = DiagnosticKind::missing_key("the HydroDyn file", name);
-            Diagnostic::new(0..0, kind).with_hint("a value stands before its name on a line")
+            Diagnostic::new(0..0, kind).with_hint("a value is written before its name on a line")
         };
         self.token(name).ok_or_else(missing)
     }

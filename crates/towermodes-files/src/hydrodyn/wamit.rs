@@ -237,5 +237,5 @@ fn index(token: &Token<'_>) -> Result<usize, Diagnostic> {
 fn repeated(line: &Line<'_>, (i, j): (usize, usize), of: &str) -> Diagnostic {
     let what = format!("entry ({}, {}) {of}", i + 1, j + 1);
     Diagnostic::new(line.span(), DiagnosticKind::Repeated { what, times: 2 })
-        .with_hint("each entry may stand only once")
+        .with_hint("each entry may be given only once")
 }

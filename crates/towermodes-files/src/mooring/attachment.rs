@@ -52,7 +52,7 @@ pub(super) fn hold(row: &Row<'_>, column: &Column) -> Result<Hold, Diagnostic> {
             row.what(column),
             quoted(token.text)
         );
-        let hint = "use Fixed or Coupled where it cannot turn, or Free with lines that hold it";
+        let hint = "use Fixed or Coupled if it cannot rotate, or Free with lines that hold it";
         return Err(row.unsupported(column, message).with_hint(hint));
     }
     let begins_with = |starts: &[&str]| starts.iter().any(|start| word.starts_with(start));

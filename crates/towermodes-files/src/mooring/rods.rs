@@ -66,7 +66,7 @@ pub(super) fn rods(
             .get(&SEGMENTS)
             .is_some_and(|n| n.number("").is_ok_and(|n| n == 0.0))
         {
-            let message = "NumSegs of the rod is 0, by which MoorDyn gives a rod no length and no weight: it has the length between its ends here, with weight and buoyancy";
+            let message = "NumSegs of the rod is 0, with which MoorDyn neglects length and weight of a rod; here the rod has the length between its ends, with weight and buoyancy";
             found
                 .notes
                 .push(Note::compatibility(message).at(source, row.span().start));

@@ -20,7 +20,7 @@ pub static MODE_COLUMNS: &[Column<Mode>] = &[
     Column { key: "second.share", unit: "", meaning: "share of that family", value: |m| number(m.second().map(|of| of.share)) },
     Column { key: "label", unit: "", meaning: "name in words", value: |m| Text(m.label()) },
     Column { key: "frequency_hz", unit: "Hz", meaning: "natural frequency of the discretized tower, not extrapolated", value: |m| Number(m.frequency_hz) },
-    Column { key: "period_s", unit: "s", meaning: "period; infinite for a motion that nothing resists", value: |m| Number(m.period_s()) },
+    Column { key: "period_s", unit: "s", meaning: "period; infinite for a motion without stiffness", value: |m| Number(m.period_s()) },
     Column { key: "algebraic_error_hz", unit: "Hz", meaning: "bound on the error of the eigenvalue computation", value: |m| Small(m.algebraic_error_hz) },
     Column { key: "discretization_error_hz", unit: "Hz", meaning: "estimate of the discretization error", value: |m| Small(m.discretization_error_hz) },
     Column { key: "extrapolated_hz", unit: "Hz", meaning: "frequency of the beam, extrapolated from several numbers of segments", value: |m| Number(m.extrapolated_hz) },

@@ -53,7 +53,7 @@ pub(super) fn reactions(
             reactions.supports.push((index, support));
         } else {
             let message =
-                "all flags are 0 and there is no soil stiffness: nothing holds this joint";
+                "all flags are 0 and there is no soil stiffness: this joint has no support";
             let note = Note::suspicious(message).at(source, row.span().start);
             reactions.notes.push(note.clone());
             reactions.loose.push((support.joint, note));

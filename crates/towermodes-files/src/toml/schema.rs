@@ -304,7 +304,7 @@ pub static WATER: LazyLock<TableSchema> =
 
 /// The key of the inertia of a body.
 const INERTIA_OF_BODY: &[KeySchema] = keys! {
-    optional "inertia" Table "kg m2" "about the centre of mass";
+    optional "inertia" Table "kg m2" "inertia tensor about the centre of mass";
 };
 
 /// The name of a part of which there are several.
@@ -461,9 +461,9 @@ tables! {
         required "ea_n" Numbers "N" "axial stiffness EA; inf is rigid";
         required "polar_inertia_kg_m" Numbers "kg m" "inertia per length about the axis";
         optional "rotary_inertia_fore_aft_kg_m" Numbers "kg m" "inertia per length in bending";
-        optional "rotary_inertia_side_side_kg_m" Numbers "kg m" "the same, if it differs";
+        optional "rotary_inertia_side_side_kg_m" Numbers "kg m" "inertia per length in side-side bending, if it differs";
         optional "shear_stiffness_fore_aft_n" Numbers "N" "shear stiffness kappa GA";
-        optional "shear_stiffness_side_side_n" Numbers "N" "the same, if it differs";
+        optional "shear_stiffness_side_side_n" Numbers "N" "side-side shear stiffness kappa GA, if it differs";
 
     /// `inertia` of a body.
     INERTIA = "inertia":
@@ -480,15 +480,15 @@ tables! {
         required "tower_to_shaft" Number "m" "height of the shaft above the tower top, at the tower's axis";
         optional "tilt_deg" Number "degrees" "tilt of the shaft; a negative tilt lifts the hub of an upwind rotor";
         optional "blades" Number "" "number of blades, 3 by default";
-        optional "cone_deg" Number "degrees" "of the blades, positive downwind";
-        optional "pitch_deg" Number "degrees" "of the blades, positive to feather";
+        optional "cone_deg" Number "degrees" "cone angle of the blades, positive downwind";
+        optional "pitch_deg" Number "degrees" "pitch angle of the blades, positive to feather";
         optional "shaft_stiffness" Number "N m" "torsional stiffness, referred to the low-speed shaft; inf, the default, is rigid";
         optional "generator" Text "" "locked (fixed speed, the default) or free";
-        optional "generator_inertia" Number "kg m2" "about its own shaft";
+        optional "generator_inertia" Number "kg m2" "inertia of the generator about its own shaft";
         optional "gear_ratio" Number "" "generator speed divided by rotor speed; 1 by default";
         optional "yaw_stiffness" Number "N m" "torsional stiffness of the yaw drive; inf, the default, is rigid";
-        optional "yaw_bearing_mass" Number "kg" "at the tower top; it does not yaw";
-        required "nacelle" Table "" "all that yaws but does not turn";
+        optional "yaw_bearing_mass" Number "kg" "mass at the tower top that does not yaw";
+        required "nacelle" Table "" "all parts that yaw and do not rotate with the rotor";
         required "hub" Table "" "";
         required "blade" Table "" "one blade; all are equal";
 
@@ -496,32 +496,32 @@ tables! {
     NACELLE = "[turbine.nacelle]":
         required "mass" Number "kg" "";
         optional "center" Numbers "m" "centre of mass from the tower top: downwind, side-side, up";
-        optional "inertia" Table "kg m2" "about the centre of mass";
+        optional "inertia" Table "kg m2" "inertia tensor about the centre of mass";
 
     /// `[turbine.hub]`.
     HUB = "[turbine.hub]":
         required "mass" Number "kg" "";
         optional "offset" Number "m" "distance from the apex to the centre of mass of the hub along the shaft, positive downwind";
-        optional "polar_inertia" Number "kg m2" "about the shaft";
+        optional "polar_inertia" Number "kg m2" "inertia of the hub about the shaft";
         optional "transverse_inertia" Number "kg m2" "inertia about an axis normal to the shaft through the centre of mass of the hub";
 
     /// `[turbine.blade]`.
     BLADE = "[turbine.blade]":
         required "hub_radius" Number "m" "radius of the root";
         required "tip_radius" Number "m" "radius of the tip, along the blade";
-        optional "tip_mass" Number "kg" "at the tip";
+        optional "tip_mass" Number "kg" "mass at the tip";
         optional "file" Text "" "blade file of ElastoDyn, in place of the lists";
         optional "span" Numbers "" "positions of the sections, 0 at the root to 1 at the tip";
         optional "mass_kg_per_m" Numbers "kg/m" "mass per length";
         optional "ei_flap_n_m2" Numbers "N m2" "bending stiffness in flap";
         optional "ei_edge_n_m2" Numbers "N m2" "bending stiffness in edge";
-        optional "twist_deg" Numbers "degrees" "positive to feather";
+        optional "twist_deg" Numbers "degrees" "structural twist, positive to feather";
         optional "gj_n_m2" Numbers "N m2" "torsional stiffness; inf is rigid";
         optional "ea_n" Numbers "N" "axial stiffness; inf is rigid";
         optional "flap_inertia_kg_m" Numbers "kg m" "flapwise rotary inertia per length about the blade axis: integral of y^2 dm, y normal to the chord";
         optional "edge_inertia_kg_m" Numbers "kg m" "edgewise rotary inertia per length about the blade axis: integral of x^2 dm, x along the chord; at least mass times center_of_mass squared";
         optional "center_of_mass_m" Numbers "m" "offset of the centre of mass from the blade axis, positive towards the leading edge";
-        optional "tension_center_m" Numbers "m" "the same for the tension centre";
+        optional "tension_center_m" Numbers "m" "offset of the tension centre from the blade axis, positive towards the leading edge";
 
     /// `[rotor]`.
     ROTOR = "[rotor]":
@@ -541,37 +541,37 @@ tables! {
     /// `[foundation]` of type `floating`.
     FLOATING = "[foundation] of type \"floating\"":
         required "type" Text "" "type of the foundation";
-        required "mass" Number "kg" "with ballast";
+        required "mass" Number "kg" "mass including ballast";
         required "center" Numbers "m" "centre of mass: x and y from the tower axis, z in the datum of the stations";
-        required "inertia" Table "kg m2" "about the centre of mass";
+        required "inertia" Table "kg m2" "inertia tensor about the centre of mass";
         optional "added_mass_height" Number "m" "height of the reference point of the matrix";
         optional "added_mass" Matrix "kg, kg m, kg m2" "x, y, z, rotation about x, y, z";
         optional "added_mass_by_frequency" Rows "" "angular frequency in rad/s from 0 to inf, upper triangle of the matrix row by row (21 numbers)";
         optional "hydrostatic_height" Number "m" "height of the reference point of the matrix";
-        optional "hydrostatic" Matrix "N/m, N, N m" "of water plane and buoyancy";
-        optional "buoyancy" Number "N" "at the reference position, for the static balance";
-        optional "buoyancy_center" Numbers "m" "x and y from the tower axis, 0 by default";
+        optional "hydrostatic" Matrix "N/m, N, N m" "stiffness of water plane and buoyancy";
+        optional "buoyancy" Number "N" "upward force of the water at the reference position, for the static balance";
+        optional "buoyancy_center" Numbers "m" "centre of buoyancy, x and y from the tower axis, 0 by default";
         optional "at_equilibrium" Flag "" "whether mooring lines have their stiffness at the equilibrium; false by default";
         optional "mooring_height" Number "m" "height of the reference point of the matrix";
         optional "mooring" Matrix "N/m, N, N m" "x, y, z, rotation about x, y, z";
 
     /// `[mooring]`.
     MOORING = "[mooring]":
-        required "depth" Number "m" "of the seabed below still water";
+        required "depth" Number "m" "depth of the seabed below still water";
         optional "still_water" Number "m" "height of still water in the datum of the stations, 0 by default";
         optional "water_density" Number "kg/m3" "1025 by default";
         optional "gravity" Number "m/s2" "default: the value of [gravity], or 9.80665";
         required "line_type" Table "" "a chain or rope, as often as needed";
         required "point" Table "" "a point where mooring lines end, as often as needed";
         required "line" Table "" "a line, as often as needed";
-        optional "body" Table "" "a body that lines hold or that is fixed to the platform, as often as needed";
-        optional "rod" Table "" "a rod that lines hold or that is fixed to the platform, as often as needed";
+        optional "body" Table "" "a body that is held by lines or fixed to the platform, as often as needed";
+        optional "rod" Table "" "a rod that is held by lines or fixed to the platform, as often as needed";
 
     /// `[[mooring.line_type]]`.
     MOORING_LINE_TYPE = "[[mooring.line_type]]":
         required "name" Text "" "";
         required "diameter" Number "m" "outer diameter of a cylinder with the same displaced volume";
-        required "mass_per_length" Number "kg/m" "in air";
+        required "mass_per_length" Number "kg/m" "mass per length in air";
         required "axial_stiffness" Number "N" "EA";
         optional "seabed_friction" Number "" "coefficient of friction on the seabed, 0 by default";
 
@@ -584,13 +584,13 @@ tables! {
         optional "volume" Number "m3" "displaced volume of water";
         optional "body" Text "" "the body that it is on";
         optional "rod" Text "" "the rod that it is on";
-        optional "end" Text "" "of the rod: a or b";
+        optional "end" Text "" "end of the rod: a or b";
 
     /// `[[mooring.line]]`.
     MOORING_LINE = "[[mooring.line]]":
         required "name" Text "" "";
         required "line_type" Text "" "its line_type";
-        required "length" Number "m" "without tension";
+        required "length" Number "m" "length without tension";
         required "points" Any "" "the names of its two points";
 
     /// `[[mooring.body]]`.
@@ -601,7 +601,7 @@ tables! {
         optional "angles" Numbers "rad" "rotations about the body-fixed x, y and z axes, in this order";
         required "mass" Number "kg" "";
         optional "center" Numbers "m" "centre of mass from the origin of the body, in body axes";
-        optional "principal_inertia" Numbers "kg m2" "about the body axes through the centre of mass";
+        optional "principal_inertia" Numbers "kg m2" "moments of inertia about the body axes through the centre of mass";
         required "volume" Number "m3" "displaced volume of water";
 
     /// `[[mooring.rod]]`.
@@ -618,14 +618,14 @@ tables! {
         required "reference" Numbers "m" "reference point of the transition piece, where the tower stands";
         optional "interface" Any "" "the names of the joints that carry the tower";
         optional "clamped" Any "" "the names of the joints that do not move";
-        optional "weight_on_members" Flag "" "whether the weight at rest softens members, true by default";
+        optional "weight_on_members" Flag "" "whether the forces of the weight at rest change the stiffness of members, true by default";
         optional "buoyancy_on_members" Flag "" "whether buoyancy reduces this weight, false by default";
         optional "flooded" Any "" "the names of the members with water inside, up to the level of [water]";
         optional "platform" Table "" "the transition piece as a rigid body";
         optional "growth" Table "" "marine growth between two heights, as often as needed";
         optional "joint" Table "" "a joint, as often as needed";
         optional "member" Table "" "a member, as often as needed";
-        optional "support" Table "" "a joint that is held in some motions or by springs, as often as needed";
+        optional "support" Table "" "a joint with fixed motions or springs, as often as needed";
         optional "mass" Table "" "a rigid body on a joint, as often as needed";
         optional "added_mass" Table "" "inertia without weight on a joint, as often as needed";
         optional "rider" Table "" "inertia without weight on a member, as often as needed";
@@ -635,7 +635,7 @@ tables! {
     SUBSTRUCTURE_PLATFORM = "[substructure.platform]":
         required "mass" Number "kg" "";
         optional "center" Numbers "m" "centre of mass from the reference point";
-        optional "inertia" Table "kg m2" "about the centre of mass";
+        optional "inertia" Table "kg m2" "inertia tensor about the centre of mass";
 
     /// `[[substructure.joint]]`.
     SUBSTRUCTURE_JOINT = "[[substructure.joint]]":
@@ -656,9 +656,9 @@ tables! {
         optional "shear" Flag "" "whether it deforms in shear, true by default";
         optional "spin" Number "degrees" "rotation of the section about the axis";
         optional "sides" Any "m" "sides of a rectangle along its axes x and y";
-        optional "area" Number "m2" "of a section";
-        optional "shear_areas" Numbers "m2" "of a section in x and y";
-        optional "second_moments" Numbers "m4" "of a section about x and y";
+        optional "area" Number "m2" "area of a section";
+        optional "shear_areas" Numbers "m2" "shear areas of a section in x and y";
+        optional "second_moments" Numbers "m4" "second moments of area of a section about x and y";
         optional "polar_moment" Number "m4" "polar moment of a section, for its inertia about the axis";
         optional "torsion_constant" Number "m4" "of a section";
         optional "axial_stiffness" Number "N" "EA of a cable";
@@ -682,7 +682,7 @@ tables! {
     /// `[[substructure.support]]`.
     SUBSTRUCTURE_SUPPORT = "[[substructure.support]]":
         required "joint" Text "" "its name";
-        optional "fixed" Any "" "which motions are held: x, y, z, rotation about x, y, z, each true or false";
+        optional "fixed" Any "" "which motions are fixed: x, y, z, rotation about x, y, z, each true or false";
         optional "stiffness" Matrix "N/m, N, N m" "x, y, z, rotation about x, y, z";
         optional "inertia" Matrix "kg, kg m, kg m2" "of soil that moves with the joint";
 
@@ -691,7 +691,7 @@ tables! {
         required "joint" Text "" "its name";
         required "mass" Number "kg" "";
         optional "center" Numbers "m" "centre of mass from the joint";
-        optional "inertia" Table "kg m2" "about the centre of mass";
+        optional "inertia" Table "kg m2" "inertia tensor about the centre of mass";
 
     /// `[[substructure.added_mass]]`.
     SUBSTRUCTURE_ADDED_MASS = "[[substructure.added_mass]]":

@@ -226,7 +226,7 @@ fn the_weight_of_the_platform_is_a_part_of_its_stiffness() {
     let input = model.read(0).unwrap_or_else(|error| panic!("{error}"));
     let said: Vec<String> = input.notes.iter().map(ToString::to_string).collect();
     for part in [
-        "the platform above a tower that hangs has the stiffness of its weight",
+        "the platform above a hanging tower has the stiffness of its weight",
         "MHK is 2, so the turbine is in water",
     ] {
         assert!(said.iter().any(|note| note.contains(part)), "{said:?}");

@@ -66,7 +66,7 @@ fn a_matrix_is_that_of_an_ssi_file() {
 fn soil_takes_back_the_note_on_a_loose_joint() {
     let is_loose = |input: &SubdynInput| {
         let mut notes = input.notes.iter().map(ToString::to_string);
-        notes.any(|note| note.contains("nothing holds this joint"))
+        notes.any(|note| note.contains("this joint has no support"))
     };
     let mut stands = free();
     assert!(is_loose(&stands));

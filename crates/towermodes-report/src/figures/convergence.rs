@@ -144,7 +144,7 @@ fn description(convergence: &Convergence, drawn: usize) -> String {
     text.extend(
         extent(orders).map(|[low, high]| match is_spectral(convergence) {
             true => {
-                format!(" The last steps gain {low:.2} to {high:.2} decimal digits per degree.")
+                format!(" In the last steps the error decreases by {low:.2} to {high:.2} decimal digits per degree.")
             }
             false => format!(" The last observed orders are {low:.2} to {high:.2}."),
         }),

@@ -79,7 +79,7 @@ impl ParquetTable {
         match sum {
             Some(rows) if i64::try_from(rows) == Ok(said) => Ok(rows),
             _ => Err(damaged(
-                "its row groups do not have as many rows as it says",
+                "the numbers of rows of its row groups do not agree with its footer",
             )),
         }
     }
@@ -242,7 +242,9 @@ impl Wanted {
             ColumnReader::FloatColumnReader(reader) => self.of(reader, f64::from),
             ColumnReader::Int32ColumnReader(reader) => self.of(reader, f64::from),
             ColumnReader::Int64ColumnReader(reader) => self.of(reader, |value| value as f64),
-            _ => Err(damaged("a column has another type than the file says")),
+            _ => Err(damaged(
+                "a column has another type than the schema of the file states",
+            )),
         }
     }
 

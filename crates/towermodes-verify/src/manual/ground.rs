@@ -14,8 +14,7 @@ use crate::subject::Subject;
 pub(super) const CHAPTER: Chapter = Chapter {
     name: "ground",
     title: "Monopiles in soil by layers",
-    introduction: "The 5 MW tower with a point mass of 350 t on a monopile of 6 m × 60 mm, 36 m deep (60 m for PISA Cowden), whose springs follow from layers of soil. The reference \
-        is a program of its own: Timoshenko beams with polynomials of degree 9, the formula of the soil at every point of integration.",
+    introduction: "The 5 MW tower with a point mass of 350 t on a monopile of 6 m × 60 mm, 36 m deep (60 m for PISA Cowden), whose springs follow from layers of soil. The reference is an independent program: Timoshenko beams with polynomials of degree 9, with the formula of the soil evaluated at every integration point.",
 };
 
 const SURFACE_M: f64 = -20.0;

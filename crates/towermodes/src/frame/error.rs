@@ -11,7 +11,7 @@ use crate::eigen::EigenError;
 pub enum FrameSolveError {
     /// A frame that moves without resistance.
     #[error(
-        "the frame is a mechanism: {modes} {} no stiffness; the first moves joint {joint} {motion}. Hold this motion by a support or a member, or give it a stiffness",
+        "the frame is a mechanism: {modes} {} no stiffness; the first moves joint {joint} {motion}. Fix this motion by a support or a member, or give it a stiffness",
         if *.modes == 1 { "motion has" } else { "motions have" }
     )]
     Mechanism {
@@ -33,7 +33,7 @@ pub enum FrameSolveError {
     },
     /// A frame under a tower that no support resists.
     #[error(
-        "nothing holds the frame: no support resists its motion as a rigid body. Hold a joint, or give a support a stiffness"
+        "the frame is not supported: no support has a stiffness against rigid-body motions. Fix a joint, or give a support a stiffness"
     )]
     NothingHolds,
     /// A stiffness with negative eigenvalues.
@@ -47,7 +47,7 @@ pub enum FrameSolveError {
     },
     /// Hinges and rigid links in a loop without a member that deforms.
     #[error(
-        "joint {joint} is in a loop of rigid links and hinges without a member that deforms; replace a rigid link by a beam"
+        "joint {joint} is in a loop of rigid links and hinges without a flexible member; replace a rigid link by a beam"
     )]
     RigidLoop {
         /// A joint of the loop.
@@ -55,21 +55,23 @@ pub enum FrameSolveError {
     },
     /// Supports that rigid links connect.
     #[error(
-        "rigid links connect joint {joint} with another supported joint, so its support holds nothing of its own; put both supports on one joint"
+        "rigid links connect joint {joint} with another supported joint, so its support has no separate effect; put both supports on one joint"
     )]
     RigidBetweenSupports {
         /// The joint.
         joint: String,
     },
     /// A joint without stiffness of its own.
-    #[error("joint {joint} is held or does not exist, so that the frame has no stiffness there")]
+    #[error(
+        "joint {joint} is fixed or does not exist, so the frame has no stiffness at this joint"
+    )]
     HeldJoint {
         /// The joint.
         joint: String,
     },
-    /// A transition piece under a turning rotor that rigid links and hinges connect with a support.
+    /// A transition piece under a rotating rotor that rigid links and hinges connect with a support.
     #[error(
-        "rigid links or hinges connect the transition piece with a support, at joint {joint}; under a turning rotor a member that deforms must be between them: replace a rigid link by a beam, or give the support a stiffness and no fixed motion"
+        "rigid links or hinges connect the transition piece with a support, at joint {joint}; under a rotating rotor there must be a flexible member between them: replace a rigid link by a beam, or give the support a stiffness and no fixed motion"
     )]
     RigidTransition {
         /// A joint of this connection.

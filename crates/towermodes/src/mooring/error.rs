@@ -185,7 +185,7 @@ pub enum MooringError {
     },
     /// The search for the equilibrium of the free parts has not ended.
     #[error(
-        "no equilibrium of the free points and bodies was found in {steps} steps: a force of {} N is left at {item}; correct its mass and volume, or give a position nearer \
+        "no equilibrium of the free points and bodies was found in {steps} steps: a force of {} N remains at {item}; correct its mass and volume, or give a position nearer \
          to its equilibrium",
         Plain(*.force_n)
     )]

@@ -400,7 +400,7 @@ pub enum Warning {
     },
     /// Scour that leaves little of the embedment of a pile.
     #[error(
-        "{}scour of {} m leaves {} m of the {} m that are in the ground; check the scour and the height of the tip",
+        "{}scour of {} m leaves {} m of the embedded length of {} m; check the scour and the height of the tip",
         .site.before(), Plain(*.scour_m), Plain(*.left_m), Plain(*.embedded_m)
     )]
     DeepScour {

@@ -70,13 +70,13 @@ pub enum TurbineError {
         mass_kg: f64,
     },
     /// The description of the blade has a rotor speed other than 0.
-    #[error("the blade turns at {} rad/s of its own; the rotor speed of a turbine is given when the turbine is solved, so the speed of the blade must be 0", Plain(*.speed_rad_per_s))]
+    #[error("the description of the blade has a rotor speed of {} rad/s; the rotor speed of a turbine is given when the turbine is solved, so the speed in the description of the blade must be 0", Plain(*.speed_rad_per_s))]
     BladeTurns {
         /// The rotor speed in the description of the blade, rad/s.
         speed_rad_per_s: f64,
     },
     /// The centrifugal force on the body at the tip is switched off.
-    #[error("the body of {} kg at the tip of the blade is not pulled by the rotation; in a turbine it must be", Plain(*.mass_kg))]
+    #[error("the centrifugal force of the body of {} kg at the tip of the blade is omitted (tip_is_pulled = false); in a turbine it must be included", Plain(*.mass_kg))]
     TipNotPulled {
         /// Its mass, kg.
         mass_kg: f64,

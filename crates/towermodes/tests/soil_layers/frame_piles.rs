@@ -434,7 +434,7 @@ fn mistakes_about_piles_of_a_frame_are_refused_or_warned_of() {
     refused(shallow).says("-57 m");
     let mut sinking = site();
     ground_of(&mut sinking).axial = None;
-    refused(sinking).says("nothing holds the piles along their axes");
+    refused(sinking).says("the piles have no axial support");
     let mut turning = on_members(&oc3(SoilModel::Api));
     ground_of(&mut turning).axial = Some(AxialModel::Kraft);
     for layer in &mut ground_of(&mut turning).layers {
@@ -448,7 +448,7 @@ fn mistakes_about_piles_of_a_frame_are_refused_or_warned_of() {
     let mut free = below.frame.description().clone();
     free.supports.clear();
     below.frame = Frame::new(free).expect("a frame");
-    refused(turning).says("nothing holds the only pile about its axis");
+    refused(turning).says("the single pile has no support against rotation about its axis");
     let mut twice = site();
     ground_of(&mut twice).pile_diameter_m = Some(2.0);
     refused(twice).says("given twice");

@@ -568,7 +568,7 @@ fn scour_that_leaves_little_of_a_pile_is_warned_of() {
     assert_eq!(warnings(17.0), [""; 0]);
     let deep = warnings(34.0);
     assert_eq!(deep.len(), 1, "{deep:?}");
-    deep[0].says("scour of 34 m leaves 2 m of the 36 m that are in the ground");
+    deep[0].says("scour of 34 m leaves 2 m of the embedded length of 36 m");
 }
 
 /// One end of a layer in kPa, the other in Pa.

@@ -24,7 +24,7 @@ export function fromAddress(hash: string, parameters: Parameter[]): { state: Sta
     const [name, text] = nameAndText(part);
     const parameter = known.get(name);
     const entry = readNumber(text);
-    if (parameter === undefined) problems.push(`The address names “${name}”, which is no number of this page. It is not used.`);
+    if (parameter === undefined) problems.push(`The address names “${name}”, which is not an input value of this page. It is not used.`);
     else if ("problem" in entry) problems.push(`The address has “${text}” for ${name}, which is not a number. It is not used.`);
     else if (entry.value !== parameter.value) state.numbers[name] = entry.value;
   }

@@ -17,7 +17,7 @@ interface Line {
 export class ComparePanel {
   private lines: Line[] = [];
   private body = make("tbody");
-  private none = make("p", "remark", "The present tower and A have the same numbers.");
+  private none = make("p", "remark", "The present tower and A have the same input values.");
   private table: HTMLElement;
   private swap = button("Swap", () => undefined);
   private of = make("p", "remark");

@@ -293,7 +293,7 @@ export class ParameterPanel {
       setHidden(element, count === 0);
       this.openForSearch(section, count > 0);
     }
-    setText(byId("filter-text"), this.query === "" ? "" : found === 0 ? "No number has these words in its name or meaning." : `${found} found.`);
+    setText(byId("filter-text"), this.query === "" ? "" : found === 0 ? "No input value has these words in its name or meaning." : `${found} found.`);
   }
 
   /** Groups that the search opens are closed after it. */

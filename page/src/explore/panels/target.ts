@@ -79,7 +79,7 @@ export class TargetPanel {
     if (mode === null || min_hz === undefined || max_hz === undefined || this.stop !== null) return;
     const variables = source.variables();
     if (variables.length === 0) {
-      setText(byId("target-text"), "Mark the numbers that may change: the boxes are beside their names.");
+      setText(byId("target-text"), "Mark the input values that may change: the boxes are beside their names.");
       return;
     }
     const conflict = source.conflict();
@@ -119,7 +119,7 @@ export class TargetPanel {
       setText(byId("target-text"), text.replace(/^./, (letter) => letter.toUpperCase()));
       return;
     }
-    setText(byId("target-text"), `${result.sentences.join("; ")}; ${result.solves} towers solved. Undo leads back.`);
+    setText(byId("target-text"), `${result.sentences.join("; ")}; ${result.solves} towers solved. Undo restores the original tower.`);
     this.source.found({ numbers: result.numbers });
   }
 }

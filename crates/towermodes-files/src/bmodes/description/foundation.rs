@@ -136,8 +136,7 @@ fn symmetric<const N: usize>(
     let symmetric = symmetrized(matrix, name)?;
     if let Some(pair) = asymmetry(&matrix.rows) {
         let message = format!(
-            "{name} is not symmetric (row {i}, column {j} is {}, row {j}, column {i} is {}); BModes 3.00 uses it unsymmetric; \
-             here the mean of both entries is used, as a linear spring or mass is symmetric",
+            "{name} is not symmetric (row {i}, column {j} is {}, row {j}, column {i} is {}); BModes 3.00 uses the asymmetric matrix; here the mean of both entries is used, because the matrix of a linear spring or mass is symmetric",
             pair.upper,
             pair.lower,
             i = pair.row,

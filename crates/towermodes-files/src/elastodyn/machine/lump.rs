@@ -175,7 +175,7 @@ pub(crate) fn notes(
 /// The note that the moments of inertia are not those of a body, because the nacelle has only one.
 fn on_inertia(rna: &RigidBody) -> Option<Note> {
     let [least, middle, largest] = rna.inertia_kg_m2.principal_kg_m2();
-    let message = "NacYIner, about the yaw axis, is the only moment of inertia of the nacelle that ElastoDyn has and uses: with it alone the rotor-nacelle assembly has moments that no body has, which is no mistake";
+    let message = "NacYIner, about the yaw axis, is the only moment of inertia of the nacelle in ElastoDyn; therefore the moments of inertia of the rotor-nacelle assembly are not those of a real body, which is not an input error";
     (largest > least + middle).then(|| Note::new(message))
 }
 

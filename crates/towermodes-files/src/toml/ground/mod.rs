@@ -18,7 +18,7 @@ use profile::layers;
 
 pub(super) use profile::profile_files;
 
-const NO_FOUNDATION: &str = "there is no [foundation]: the tip of the pile, the lowest station, is free to move sideways and to rotate about x and y";
+const NO_FOUNDATION: &str = "there is no [foundation]: the tip of the pile, the lowest station, is free to translate in x and y and to rotate about x and y";
 const RIGID_AXIS: &str = "there is no [foundation] and no axial model in [ground]: the tip of the pile, the lowest station, is free to translate in x and y and to rotate about x and y; translation in z and rotation about z are fixed";
 
 const MODULUS_BY_EDITION: &str = "the modulus of sand follows API RP 2GEO; edition = \"rp-2a\" in [ground] selects API RP 2A, whose modulus is up to 38 % smaller";

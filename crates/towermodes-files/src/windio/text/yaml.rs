@@ -143,7 +143,7 @@ impl Tree {
             (Value::Map(_), None) => {
                 let key = node.key(text)?;
                 if !open.keys.insert(key.clone()) && key != MERGE {
-                    return Err(format!("the key `{key}` stands twice in the same map"));
+                    return Err(format!("the key `{key}` occurs twice in the same map"));
                 }
                 open.waiting = Some(key);
             }

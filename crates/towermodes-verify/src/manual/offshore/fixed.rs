@@ -27,14 +27,11 @@ const HEAVY: Effects = Effects {
 };
 
 /// Why digits of modes to the side are left out.
-pub(super) const SIDEWAYS: &str = "Digits of side-side modes that differ are left out: the source couples roll and yaw by the weight of the eccentric rotor-nacelle \
-    assembly as if the tower below it carried no bending moment. The case \"eccentric RNA, g = 9.81\" of this manual has two independent solutions with that moment.";
-const ON_ARM: &str = "A spring undoes what the source leaves out: the weight of the tower turns over on the stiff 2 m between the reference point of the transition \
-    piece and the base of the tower; without the spring the first frequency is lower by 5e-5. Digits of side-side modes that differ are left out, as for the monopile.";
-const ON_LINKS: &str = "A spring undoes what the source leaves out: the weights of tower and transition piece turn over from the interface joints, 2 m below the reference \
-    point, to where they act; without the spring the first frequency is lower by 1e-4. Digits that differ are left out: the spring has no term for the horizontal forces of the legs.";
-const ABOVE: &str = "Digits that differ are left out: both programs have Ritz values, which lie above the exact ones, and those of this program are lower.";
-const UNDER_WEIGHT: &str = "Digits that differ are left out. Under weight a vertical member has the frequencies of the tower's own elements to 1e-11 (tests of the library).";
+pub(super) const SIDEWAYS: &str = "Differing digits of side-side modes are omitted: in the source the weight of the eccentric rotor-nacelle assembly couples roll and yaw, but its bending moment in the tower is neglected. The case \"eccentric RNA, g = 9.81\" of this manual has two independent solutions with that moment.";
+const ON_ARM: &str = "An additional spring compensates for an effect that the source neglects: the P-Delta effect of the weight of the tower over the rigid 2 m between the reference point of the transition piece and the base of the tower. Without the spring the first frequency is lower by 5e-5. Differing digits of side-side modes are omitted, as for the monopile.";
+const ON_LINKS: &str = "An additional spring compensates for an effect that the source neglects: the P-Delta effect of the weights of tower and transition piece between the interface joints, 2 m below the reference point, and the points where the weights act. Without the spring the first frequency is lower by 1e-4. Differing digits are omitted: the spring has no term for the horizontal forces of the legs.";
+const ABOVE: &str = "Differing digits are omitted: both programs compute Ritz values, which are above the exact values, and those of this program are lower.";
+const UNDER_WEIGHT: &str = "Differing digits are omitted. With its weight a vertical member has the frequencies of the tower's own elements to 1e-11 (tests of the library).";
 
 pub(super) fn cases() -> Vec<Case> {
     let pile = |what: &str, effects, remark, values| {

@@ -8,8 +8,7 @@ use crate::expected::{Expected, Quantity};
 use crate::subject::Subject;
 use crate::towers::offshore::{hywind_turbine, oc4_semi_turbine, volturnus_turbine};
 
-const REMARK: &str = "A spring undoes what the source leaves out: the weight of the tower turns over on the stretch between still water and the base of the \
-    tower, which lowers roll and pitch by 2 to 6 %. Digits of side-side modes that differ are left out, as for the OC3 monopile.";
+const REMARK: &str = "An additional spring compensates for an effect that the source neglects: the P-Delta effect of the weight of the tower between still water level and the base of the tower, which lowers roll and pitch by 2 to 6 %. Differing digits of side-side modes are omitted, as for the OC3 monopile.";
 
 pub(super) fn cases() -> Vec<Case> {
     vec![

@@ -29,7 +29,7 @@ pub(super) fn cases() -> Vec<Case> {
     cases
 }
 
-const ABOVE: &str = "Digits that differ are left out: both programs have Ritz values, which lie above the exact ones, and those of this program are lower.";
+const ABOVE: &str = "Differing digits are omitted: both programs compute Ritz values, which are above the exact values, and those of this program are lower.";
 
 /// A frame with its expected values as text; empty for none.
 struct Values {
@@ -400,7 +400,7 @@ fn reduced() -> Vec<Case> {
     let rows = rows.into_iter().map(|(name, frame, digits, allowance)| {
         let subject = Subject::Frame(Box::new(frame), None);
         let name = format!("{name}, stiffness at its top");
-        let remark = "The motions inside follow without inertia (Guyan 1965). For the mast the source has the stiffness without tension in the cables.";
+        let remark = "The internal motions are condensed statically (Guyan 1965). For the mast the source uses the stiffness without tension in the cables.";
         case(name, remark, subject, stiffness(digits), allowance)
     });
     rows.collect()

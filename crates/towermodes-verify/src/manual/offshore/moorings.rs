@@ -81,7 +81,7 @@ fn floaters() -> Vec<Case> {
         ),
         of(
             "IEA-22 semi-submersible",
-            "The anchors are at 200 m, as in the file, not on the bed of its water at 300 m.",
+            "The anchors are at 200 m, as in the file, not on the seabed at 300 m.",
             iea_22(200.0, 4.3234e9),
             "128824.7571 128824.6504 95230.23451 486737829.2 486737570.6 482915066.9 1738807.983 -9278385.575",
         ),
@@ -180,7 +180,7 @@ fn with_free_parts() -> Vec<Case> {
     clumps.expected.extend(place(Hanging::Point(2), at));
     let mut bridles = of(
         "bridles",
-        "The source has a vertical force of -5839329.3288 N. It is left out: the parts that are off the seabed weigh 0.56 N less in water.",
+        "The source has a vertical force of -5839329.3288 N. It is omitted: here the weight in water of the parts above the seabed is smaller by 0.56 N.",
         delta(),
         "540352.73536 540354.20507 88699.634909 3493073162.0 3493058945.7 466624282.24 -40109035.363 -",
     );

@@ -126,7 +126,7 @@ impl Problem {
             }
             Self::ModelOfOtherSoil { suited, .. } => suited,
             Self::AxialOfOtherSoil { .. } => {
-                "the t-z curves of API are for sand and clay; axial = \"kraft\" or \"randolph-wroth\" takes every soil: by its shear modulus, rock by youngs_modulus and poissons_ratio"
+                "the t-z curves of API are for sand and clay; axial = \"kraft\" or \"randolph-wroth\" can be used for every soil, with its shear modulus, and for rock, with youngs_modulus and poissons_ratio"
             }
             Self::CorrelationOfOtherSoil { .. } => {
                 "sand: rix-stokoe, robertson-cabal, void_ratio; clay: mayne-rix, robertson-cabal; or give shear_modulus or shear_wave_velocity"

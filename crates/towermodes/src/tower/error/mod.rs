@@ -207,7 +207,7 @@ pub enum Problem {
         eigenvalue: f64,
     },
     /// A tower with motions that nothing resists.
-    #[error("the tower is not supported: nothing prevents {motions}")]
+    #[error("the tower is not supported: there is no stiffness against {motions}")]
     Free {
         /// The motions without stiffness.
         motions: FreeMotions,
@@ -441,12 +441,12 @@ pub enum Problem {
     },
     /// Piles of a frame that nothing holds vertically.
     #[error(
-        "nothing holds the piles along their axes: [ground] has no axial springs, and no support holds them in z"
+        "the piles have no axial support: [ground] has no axial springs, and no support fixes them in z"
     )]
     PilesSink,
     /// A single pile under a frame that nothing prevents from rotating about its axis.
     #[error(
-        "nothing holds the only pile about its axis: the springs along it have no torsion, and no support has"
+        "the single pile has no support against rotation about its axis: neither the springs along it nor a support have a torsional stiffness"
     )]
     PileTurns,
     /// A member in the ground without outer diameter.

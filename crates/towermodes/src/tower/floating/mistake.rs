@@ -57,7 +57,7 @@ pub enum EquilibriumError {
         tilt_deg: f64,
     },
     /// A force or moment remains at the end of the search.
-    #[error("no equilibrium of the floating tower was found: {} N or N m are left in {motion}; if nothing holds the platform against this motion, give mooring lines or their matrix", Rounded(*.left))]
+    #[error("no equilibrium of the floating tower was found: a force or moment of {} N or N m remains in {motion}; if the platform has no stiffness against this motion, give mooring lines or their matrix", Rounded(*.left))]
     NotHeld {
         /// The motion.
         motion: &'static str,

@@ -148,7 +148,7 @@ pub enum FrameProblem {
     },
     /// A support of a joint with a hinge.
     #[error(
-        "a pin, universal or ball joint cannot be supported; make the joint welded, and hold only its translations for a pinned foot: fixed = [\"x\", \"y\", \"z\"]"
+        "a pin, universal or ball joint cannot be supported; make the joint welded, and fix only its translations for a pinned foot: fixed = [\"x\", \"y\", \"z\"]"
     )]
     SupportOnHinge,
     /// A joint that must be welded.
@@ -164,7 +164,7 @@ pub enum FrameProblem {
     SupportedTwice,
     /// A support and the transition piece on one joint.
     #[error(
-        "joint {joint} is supported and belongs to the transition piece, which moves; remove one of both"
+        "joint {joint} is supported and belongs to the transition piece, which moves; remove one of the two"
     )]
     SupportedAndMoved {
         /// Name of the joint.

@@ -126,13 +126,13 @@ pub struct Scour {
     #[input(Input::new("scour.general", " m", Limit::Depth, "the depth of general scour")
         .or(0.0)
         .quiet()
-        .note("depth by which the whole surface goes down"))]
+        .note("depth by which the whole surface is lowered"))]
     pub general_m: f64,
     /// Depth of the hole of local scour around the pile below the lowered surface, m.
     #[input(Input::new("scour.local", " m", Limit::Depth, "the depth of local scour")
         .or(0.0)
         .quiet()
-        .note("depth of the hole around the pile below that"))]
+        .note("depth of the hole around the pile below the lowered surface"))]
     pub local_m: f64,
 }
 

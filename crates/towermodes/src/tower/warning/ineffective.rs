@@ -89,10 +89,10 @@ impl fmt::Display for Ineffective {
                 "this layer is below the tip of the pile, so it has no effect"
             }
             Self::AngleBesideModulus => {
-                "subgrade_modulus takes the place of the friction angle, which has no effect; keep one of the two"
+                "subgrade_modulus replaces the friction angle, which has no effect; keep one of the two"
             }
             Self::FactorOfMatlock => {
-                "the strength factor J is of Matlock's resistance and has no effect on reese-stiff-clay, which has its own formula for the resistance"
+                "the strength factor J belongs to Matlock's resistance and has no effect with reese-stiff-clay, which has its own formula for the resistance"
             }
             Self::AddedMassOfZeros => "all masses of this table are zero, so it has no effect",
             Self::FloodedBesideFrame => {
