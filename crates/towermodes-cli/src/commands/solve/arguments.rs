@@ -333,7 +333,7 @@ impl SolveArguments {
             (true, false) => Interface::Held,
             (true, true) => {
                 return Err(
-                    "--clamped holds the interface joints, but the file has none (NInterf is 0)",
+                    "--clamped fixes the interface joints, but the file has none (NInterf is 0)",
                 );
             }
         };

@@ -155,7 +155,7 @@ fn of_substructure(
     let mut mechanism = solved.mechanism();
     let is_free = interface == Interface::Free && !input.interface_joints.is_empty();
     for warning in mechanism.iter_mut().filter(|_| is_free) {
-        warning.message += "; --clamped holds the interface joints";
+        warning.message += "; --clamped fixes the interface joints";
     }
     notes.extend(fewer.into_iter().chain(mechanism));
     let mut result = Vec::new();
