@@ -80,8 +80,8 @@ pub struct DesignedFrequency {
     pub error_hz: f64,
     /// The share of the family of its name in the energy of the mode.
     pub share: f64,
-    /// Where the mode has less than 60 % of its energy in the type of motion that its name states, the other modes
-    /// with at least a quarter of this motion: the limits are theirs too.
+    /// If the mode has less than 60 % of its energy in the type of motion that its name states:
+    /// the other modes with at least a quarter of this motion, to which the limits also apply.
     pub others: Vec<DesignedOther>,
 }
 
