@@ -1,4 +1,5 @@
-//! Which modes at one speed continue the modes at another, by their modal assurance criteria (MAC).
+//! Assignment of the modes at one speed to the modes at another speed, by their modal assurance
+//! criteria (MAC).
 
 /// A mode with at least this MAC is the same mode.
 const SAME: f64 = 0.5;
@@ -64,7 +65,8 @@ impl Assignment {
         }
     }
 
-    /// How much larger the MAC of a followed mode with a mode is than that with any other.
+    /// Difference between the MAC of a followed mode with a mode and its largest MAC with any other
+    /// mode.
     pub(crate) fn lead(&self, row: usize, column: usize) -> f64 {
         let macs = &self.mac[row];
         let rivals = macs.iter().enumerate().filter(|(i, _)| *i != column);
@@ -72,7 +74,7 @@ impl Assignment {
         macs[column] - rival
     }
 
-    /// How much larger the MAC of a followed mode with one mode is than with another.
+    /// Difference between the MAC of a followed mode with one mode and with another.
     pub(crate) fn lead_over(&self, row: usize, column: usize, other: usize) -> f64 {
         self.mac[row][column] - self.mac[row][other]
     }

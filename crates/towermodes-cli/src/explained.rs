@@ -1,4 +1,4 @@
-//! What may explain an error: the notes on the input and the warnings about the tower.
+//! Possible explanations of an error: the notes on the input and the warnings about the tower.
 
 use towermodes::Tower;
 use towermodes_files::TowerInput;

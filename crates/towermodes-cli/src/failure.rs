@@ -33,13 +33,13 @@ const FAILED: u8 = 1;
 #[derive(Debug)]
 pub(crate) struct Failure {
     cause: Cause,
-    /// What the user can do about it.
+    /// A suggestion for the user.
     hint: Option<Cow<'static, str>>,
     /// The exit code of the program.
     code: u8,
 }
 
-/// What is wrong.
+/// The error.
 #[derive(Debug)]
 enum Cause {
     /// A file, often at some of its lines.
@@ -71,19 +71,19 @@ impl Failure {
         Self::failed(format!("{name}: {error}"))
     }
 
-    /// The same with a hint.
+    /// The failure with a hint.
     pub(crate) fn hint(self, hint: impl Into<Option<&'static str>>) -> Self {
         let hint = hint.into().map(Cow::Borrowed);
         Self { hint, ..self }
     }
 
-    /// The same with a hint that is made for the case.
+    /// The failure with a hint that is made for the case.
     pub(crate) fn hint_of(self, hint: String) -> Self {
         let hint = Some(Cow::Owned(hint));
         Self { hint, ..self }
     }
 
-    /// The same with an exit code.
+    /// The failure with an exit code.
     pub(crate) fn code(self, code: u8) -> Self {
         Self { code, ..self }
     }
@@ -212,7 +212,7 @@ impl From<SensitivityError> for Failure {
     }
 }
 
-/// Where the names of numbers are listed.
+/// Where the names of input values are listed.
 const NAMES: &str = "`towermodes parameters FILE` lists the names of all input values";
 
 impl From<ParameterError> for Failure {
@@ -348,7 +348,7 @@ impl From<TableError> for Failure {
 }
 
 impl Failure {
-    /// The same with the option of `sweep` that is a remedy.
+    /// The failure with the option of `sweep` that is a remedy.
     fn with_remedy(self, remedy: Option<Remedy>) -> Self {
         match remedy {
             Some(Remedy::IgnoreColumn { name }) => self.hint_of(format!(
@@ -360,7 +360,7 @@ impl Failure {
     }
 }
 
-/// What helps where `sweep` and `design` cannot solve a tower: they have fewer options.
+/// Suggestions if `sweep` and `design` cannot solve a tower: they have fewer options.
 fn hint_for_sweep(error: &SolveError) -> Option<&'static str> {
     match error {
         SolveError::TooManyModes { .. } => Some("increase --segments or reduce --modes"),

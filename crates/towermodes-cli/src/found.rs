@@ -1,5 +1,5 @@
-//! What commands that find numbers of a tower have in common: a tower file and a file that says
-//! what is to be found; the tower with the numbers found as a file.
+//! Common parts of the commands that compute input values of a tower: a tower file, a file with the
+//! task, and an output file for the tower with the computed values.
 
 use std::path::Path;
 

@@ -41,7 +41,7 @@ pub(crate) fn tower_input(arguments: &InputArguments) -> Result<TowerInput, Fail
     Ok(input)
 }
 
-/// The same for any path, without a check of the options.
+/// As above, for any path, without a check of the options.
 pub(crate) fn input_of(file: &Path, reading: &ReadingArguments) -> Result<TowerInput, Failure> {
     match input(file, reading)? {
         Input::Tower(tower) => Ok(*tower),

@@ -1,4 +1,4 @@
-//! What commands have in common that read a tower, compute something and show it: the checks of
+//! Common parts of the commands that read a tower, compute something and show it: the checks of
 //! options and files, the formats, the messages, the output and the exit code.
 
 use towermodes::{Tower, Warning};
@@ -13,7 +13,7 @@ use crate::output::{check_not_input, check_not_inputs, deliver};
 
 /// A command that reads a tower, computes something and shows it.
 pub(crate) trait Analysis {
-    /// What the options ask for.
+    /// The request of the options.
     type Plan;
 
     /// The file that is read, and the result.

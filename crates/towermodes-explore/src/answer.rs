@@ -34,12 +34,12 @@ pub struct Answer {
     pub resonance: Option<Resonance>,
     /// The tower with its surroundings and the shapes of its modes.
     pub scene: AnimationData,
-    /// How long it took.
+    /// Its duration.
     #[serde(flatten)]
     pub time: Timed,
 }
 
-/// How long an answer took, ms.
+/// Duration of an answer, ms.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Timed {
     /// The solution alone.

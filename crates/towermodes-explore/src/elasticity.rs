@@ -1,4 +1,4 @@
-//! What moves a frequency: its elasticities.
+//! The elasticities of a frequency.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -55,7 +55,7 @@ pub struct Elasticities {
     pub reasons: BTreeMap<String, NoElasticity>,
     /// The names that are wanted and not yet answered.
     pub left: Vec<String>,
-    /// How long it took, ms.
+    /// Duration, ms.
     pub answer_ms: f64,
 }
 

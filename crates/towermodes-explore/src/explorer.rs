@@ -21,7 +21,7 @@ pub type Wanted<'a> = &'a dyn Fn() -> bool;
 /// Heights of the shapes: as many as the page draws.
 pub const POINTS: usize = 41;
 
-/// What an explorer needs to know.
+/// The data of an explorer.
 pub struct Exploration {
     /// The tower as its file describes it, before any number is changed.
     pub input: TowerInput,
@@ -50,7 +50,7 @@ pub struct Exploration {
 }
 
 impl Exploration {
-    /// What an explorer needs to know where only the file says how the tower is solved.
+    /// The data of an explorer if only the file determines how the tower is solved.
     pub fn of_file(input: TowerInput, file: String, report: Reporter, clock: fn() -> f64) -> Self {
         let options = Options {
             points: POINTS,

@@ -74,7 +74,7 @@ impl Linked {
         &self.numbers
     }
 
-    /// What a slider moves, in a few words: "height of the joint and of point mass 1".
+    /// The input values of a slider in a few words: "height of the joint and of point mass 1".
     pub(crate) fn meaning(&self, leader: Parameter) -> String {
         let moved = self.moved_by(leader);
         let [_, others @ ..] = &moved[..] else {

@@ -8,7 +8,7 @@ use super::refusal::Refusal;
 use super::take::{TakeError, Taken};
 use super::turbine::WhirlQuestion;
 
-/// What a page can ask.
+/// The requests of a page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Question {
     /// The numbers of the tower.

@@ -13,12 +13,12 @@ pub struct Refusal {
     pub refused: Refused,
 }
 
-/// What is wrong, what would be right, and where.
+/// The error, a suggestion, and the place.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Refused {
-    /// What is wrong.
+    /// The error.
     pub message: String,
-    /// What would be right, if that is known.
+    /// The suggestion, if there is one.
     pub hint: Option<String>,
     /// The names of the numbers concerned; none if the whole tower is.
     pub parameters: Vec<String>,
@@ -66,7 +66,7 @@ impl Refusal {
     }
 }
 
-/// What to change on a page, which has no options of a command line.
+/// Suggestion on a page, which has no command-line options.
 fn remedy_here(error: &SolveError) -> Option<&'static str> {
     match error {
         SolveError::Buckles { .. } => {

@@ -20,7 +20,7 @@ pub struct Reproduction {
     pub shell: String,
     /// A script for Python.
     pub python: String,
-    /// What the tower file of the state lacks of the old file, in sentences.
+    /// Data of the old file that the tower file of the state does not contain, in sentences.
     pub left_out: Vec<String>,
 }
 
@@ -41,7 +41,7 @@ impl Explorer {
         Reproduction::new(self, state)
     }
 
-    /// What the tower file of a state lacks; nothing of a tower that cannot be.
+    /// Data that the tower file of a state does not contain; none for an impossible tower.
     fn left_out(&self, state: &State) -> Vec<String> {
         let file = &self.exploration.input;
         let changed = state.apply(file);

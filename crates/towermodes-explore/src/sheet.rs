@@ -85,7 +85,7 @@ impl Explorer {
 pub struct Group {
     /// Its name in the tower file: `rna`, `stations[]`.
     pub name: String,
-    /// What it is, in a few words.
+    /// Its meaning in a few words.
     pub title: String,
     /// The names of its columns if it is a list: `stations[*].wall`.
     pub columns: Vec<String>,
@@ -108,7 +108,8 @@ pub struct SheetParameter {
     pub follows: Option<usize>,
     /// Its name within the group: `wall`, `3: wall`; rows count from 1, as in messages.
     pub label: String,
-    /// What it is, in a few words; of a slider that moves several numbers, what all of them are.
+    /// Its meaning in a few words; for a slider that moves several input values, the meaning of
+    /// all.
     pub meaning: String,
     /// Its unit; empty without one.
     pub unit: &'static str,
@@ -118,7 +119,7 @@ pub struct SheetParameter {
     pub low: f64,
     /// The upper end of its slider.
     pub high: f64,
-    /// What of a station it is, if it can be dragged in the view.
+    /// The dimension of a station that can be dragged in the view, if it is one.
     pub drag: Option<Dragged>,
 }
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use towermodes_files::{Setting, SettingError, TowerInput};
 
-/// What sets the numbers, in notes and errors.
+/// The origin of the input values, in notes and errors.
 const PAGE: &str = "the page";
 
 /// The numbers that differ from the file, by the names that they have in the tower file. All

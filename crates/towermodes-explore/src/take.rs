@@ -21,7 +21,7 @@ pub struct Take {
     /// The changed numbers.
     #[serde(flatten)]
     pub state: State,
-    /// What is asked for.
+    /// The requested file.
     pub what: What,
     /// The format of a picture.
     #[serde(default)]
@@ -144,7 +144,7 @@ fn head(of: &Exploration, file: &Rewritten) -> String {
     lines.map(|line| format!("# {line}\n")).collect()
 }
 
-/// What a tower file lacks of the file that it is made from, in sentences.
+/// Data of the original file that a tower file does not contain, in sentences.
 pub(crate) fn left_out(input: &TowerInput, file: &Rewritten) -> Vec<String> {
     let Some(reason) = &file.anew else {
         return Vec::new();

@@ -24,7 +24,7 @@ pub struct TargetQuestion {
     pub min_hz: Option<f64>,
     /// Its highest frequency, Hz; none for no limit.
     pub max_hz: Option<f64>,
-    /// What may change, with its bounds.
+    /// The input values that may change, with their bounds.
     pub variables: Vec<TargetVariable>,
 }
 
@@ -47,7 +47,7 @@ pub struct Found {
     pub state: State,
     /// Frequency and mass before and after the search, and its limits, in sentences.
     pub sentences: Vec<String>,
-    /// How many towers were solved.
+    /// Number of solved towers.
     pub solves: usize,
 }
 

@@ -42,7 +42,7 @@ pub struct Coupled {
     pub proof: String,
     /// The number of rotor speeds at which the turbine was solved.
     pub speeds: usize,
-    /// How long it took, ms.
+    /// Duration, ms.
     pub answer_ms: f64,
 }
 
@@ -53,7 +53,7 @@ pub struct Whirl {
     pub modes: Vec<WhirlMode>,
     /// Their shapes.
     pub scene: WhirlAnimation,
-    /// How long it took, ms.
+    /// Duration, ms.
     pub answer_ms: f64,
 }
 

@@ -24,9 +24,9 @@ use crate::study::Placed;
 /// A design as a file describes it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DesignStudy {
-    /// What is chosen.
+    /// The design variables.
     pub variables: Vec<DesignVariable>,
-    /// What is to be reached.
+    /// The frequency targets.
     pub frequencies: Vec<DesignFrequency>,
     /// The lowest and highest ratio of diameter to wall thickness.
     pub diameter_to_wall: Option<[f64; 2]>,
@@ -51,13 +51,13 @@ pub struct DesignVariable {
     pub between: [f64; 2],
     /// Values are multiples of it.
     pub step: Option<f64>,
-    /// Which of its numbers have values of their own.
+    /// Which of its input values are separate variables.
     pub each: DesignEach,
     /// Whether no number may exceed the one below it.
     pub is_falling: bool,
 }
 
-/// Which numbers of an entry have values of their own.
+/// Which input values of an entry are separate variables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum DesignEach {
     /// One value for all.
@@ -92,7 +92,7 @@ pub enum DesignBand {
     Multiples([usize; 2], Option<f64>),
 }
 
-/// What a study chooses in one tower.
+/// The variables and limits of a study for one tower.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DesignChoices {
     /// The changes with their bounds and steps.
@@ -104,7 +104,7 @@ pub struct DesignChoices {
 /// One value that a study chooses.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DesignChoice {
-    /// What it changes.
+    /// The change by the variable.
     pub change: Change,
     /// The entry of [`DesignStudy::variables`] that it belongs to.
     pub entry: usize,

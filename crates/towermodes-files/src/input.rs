@@ -58,7 +58,7 @@ pub struct TowerInput {
     pub format: FileFormat,
     /// The content of the files; it may be changed before it is checked.
     pub description: TowerDescription,
-    /// What the file prescribes for the solution.
+    /// Options that the file prescribes for the solution.
     pub prescribed: Prescribed,
     /// Number of blades, if the files give it; they may give it without the rotor speed.
     pub blades: Option<usize>,
@@ -150,7 +150,7 @@ impl TowerInput {
         Tower::new(self.description.clone()).map_err(|error| self.tower_mistake(&error))
     }
 
-    /// What no tower can have, at its place.
+    /// An error of the tower, at its place in the file.
     pub(crate) fn tower_mistake(&self, error: &TowerError) -> ReadError {
         let is_toml = self.format == FileFormat::Toml;
         let (file, mut diagnostic) = self.places.mistake(error, is_toml, self.sources.len());
@@ -281,13 +281,13 @@ impl TowerInput {
         self.sources.iter().map(|source| source.name.as_str())
     }
 
-    /// The same with their texts.
+    /// As above, with their texts.
     pub fn sources(&self) -> &[Source] {
         &self.sources
     }
 }
 
-/// What a tower file of ElastoDyn says of the modes and not of the tower.
+/// Values of a tower file of ElastoDyn that describe the modes and not the tower.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ModalValues {
     /// Structural damping of the first and second mode, percent of critical.
@@ -308,7 +308,7 @@ pub struct OutLayout {
     pub mid_node_twist: bool,
 }
 
-/// How files are read where they leave a choice.
+/// Options for reading files that leave a choice.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReadOptions {
     /// Whether a BModes deck is understood as BModes 3.00 does, its faults included.
@@ -321,12 +321,12 @@ pub struct ReadOptions {
     /// Whether the rotor-nacelle assembly is left out; files that only describe it are not needed
     /// then.
     pub without_rna: bool,
-    /// Which part of a turbine.
+    /// The part of a turbine.
     pub part: TowerPart,
-    /// Which set and which subset in it of a structural file of HAWC2, by their numbers; the first
-    /// of the file by default.
+    /// The set and the subset in it of a structural file of HAWC2, by their numbers; the first ones
+    /// by default.
     pub hawc2_subset: Option<(usize, usize)>,
-    /// How the rotor of an ElastoDyn model is held on its shaft.
+    /// The state of the rotor of an ElastoDyn model: parked or free.
     pub rotor: RotorLock,
     /// Whether gravity is left out, even if the file has it.
     pub without_gravity: bool,
@@ -342,8 +342,8 @@ pub struct ReadOptions {
     pub whole_members: bool,
 }
 
-/// How a rotor is held on its shaft, which decides how much inertia of rotor and generator acts on
-/// the nacelle about the shaft.
+/// The state of a rotor, which determines the inertia of rotor and generator that acts on the
+/// nacelle about the shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RotorLock {
     /// It moves with the nacelle, as with a brake on the shaft.
@@ -371,7 +371,7 @@ impl Default for ReadOptions {
     }
 }
 
-/// Which part of a turbine is read from a file that has several.
+/// The part of a turbine that is read from a file with several parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum TowerPart {
     /// The tower, on its monopile if there is one.

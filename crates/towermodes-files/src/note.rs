@@ -9,7 +9,7 @@ use crate::source::Source;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NoteKind {
-    /// How the file was read or written.
+    /// Information on reading or writing.
     Information,
     /// A value that the file does not give, or a choice that it leaves open.
     Assumption,

@@ -1,9 +1,9 @@
-//! How a file prescribes to solve its tower.
+//! Options of the solution that a file prescribes.
 
 use towermodes::{Method, Options};
 
-/// What a file prescribes for the solution of its tower: a BModes deck its method, its elements and
-/// its number of modes; other files nothing.
+/// Options that a file prescribes for the solution of its tower: a BModes deck its method, its
+/// elements and its number of modes; other files none.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Prescribed {
     /// The method that the file is made for, if any.

@@ -45,9 +45,9 @@ pub enum SettingError {
     NotNumber {
         /// The name.
         name: String,
-        /// What is in place of a number.
+        /// The text in place of a number.
         found: String,
-        /// What to write.
+        /// The suggestion.
         remedy: String,
     },
     /// The value is infinite or NaN, or larger than any number in double precision.
@@ -129,7 +129,7 @@ impl FromStr for Setting {
     }
 }
 
-/// What to write in place of a text that is no number.
+/// Suggestion for a text that is not a number.
 fn remedy(value: &str) -> String {
     let decimal = value.replacen(',', ".", 1);
     let whole = value.replace(',', "");

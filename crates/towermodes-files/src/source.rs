@@ -67,7 +67,7 @@ pub enum FileError {
         name: String,
         /// The system that stores the file: `Git LFS` or `git-annex`.
         system: &'static str,
-        /// How to get the file.
+        /// How the user can get the file.
         remedy: &'static str,
     },
     /// It is a web page, as saved from a repository viewer.

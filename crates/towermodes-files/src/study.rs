@@ -30,11 +30,11 @@ use crate::source::Source;
 pub struct SweepStudy {
     /// The file with the tower that is varied, relative to the study.
     pub base: Placed<String>,
-    /// How the base is read where its format leaves a choice.
+    /// Options for reading the base, if its format leaves a choice.
     pub reading: ReadOptions,
     /// The values of each row.
     pub rows: SweepRows,
-    /// What is computed and written for each row.
+    /// The results that are computed and written for each row.
     pub results: SweepResults,
     /// The study's own file, for messages.
     pub source: Source,
@@ -65,7 +65,7 @@ pub enum SweepRows {
     },
 }
 
-/// What is computed and written for each row.
+/// The results that are computed and written for each row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SweepResults {
     /// The modes that have columns.

@@ -1,4 +1,4 @@
-//! What a reader found of the turbine on a tower.
+//! The turbine data that a reader found.
 
 use towermodes::turbine::{Turbine, TurbineDescription, TurbineError};
 use towermodes::{BladeSection, Drivetrain, Inertia, RigidBody, Rna};

@@ -18,7 +18,7 @@ pub const DEFAULT_SWEEP_SEGMENTS: usize = 20;
 pub struct Base {
     /// The tower.
     pub description: TowerDescription,
-    /// What its file prescribes.
+    /// Options that its file prescribes.
     pub prescribed: Prescribed,
 }
 

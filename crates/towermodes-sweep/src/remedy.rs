@@ -4,7 +4,7 @@
 use crate::slice::SliceError;
 use crate::table::{TableError, TableProblem};
 
-/// What the user can do about an error of a sweep.
+/// A suggestion for an error of a sweep.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Remedy {
     /// Leave out a column of the table.
@@ -17,7 +17,7 @@ pub enum Remedy {
 }
 
 impl TableError {
-    /// What the user can do about it, besides what the message says.
+    /// A suggestion in addition to the message.
     pub fn remedy(&self) -> Option<Remedy> {
         match &*self.problem {
             TableProblem::Unknown { name, .. } => Some(Remedy::IgnoreColumn { name: name.clone() }),
@@ -27,7 +27,7 @@ impl TableError {
 }
 
 impl SliceError {
-    /// What the user can do about it, besides what the message says.
+    /// A suggestion in addition to the message.
     pub fn remedy(&self) -> Option<Remedy> {
         match self {
             Self::NoParquet => Some(Remedy::Csv),

@@ -40,7 +40,7 @@ pub const MOST_MODES: usize = 64;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sweep {
     base: TowerDescription,
-    /// What is unusual about the base itself.
+    /// Warnings about the base tower.
     base_warnings: Vec<Warning>,
     changes: Vec<Change>,
     modes: Vec<ModeName>,

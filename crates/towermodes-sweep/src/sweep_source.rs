@@ -1,4 +1,4 @@
-//! Where the values of all rows of a sweep come from: a table in a file, or a sample.
+//! The source of the values of all rows of a sweep: a table in a file, or a sample.
 
 use std::ops::Range;
 
@@ -9,16 +9,16 @@ use crate::source::SourceBlock;
 use crate::sweep::Sweep;
 use crate::table::{Table, TableError};
 
-/// Where the values of the rows of a sweep come from.
+/// The source of the values of the rows of a sweep.
 #[derive(Debug)]
 pub enum SweepSource {
     /// A table in a file.
     Table(Box<Table>),
     /// A sample.
     Sampled {
-        /// How it is drawn.
+        /// The sampling.
         sampling: Sampling,
-        /// What draws it.
+        /// The generator of its values.
         draw: Draw,
     },
 }

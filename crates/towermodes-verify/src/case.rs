@@ -19,8 +19,8 @@ pub struct Case {
     pub name: String,
     /// The source of the expected values.
     pub source: &'static str,
-    /// What a reader of its values should know, such as which digits of the source are left out;
-    /// empty for nothing.
+    /// A remark for readers of the values, for example on omitted digits of the source; empty if
+    /// there is none.
     pub remark: &'static str,
     /// The structure.
     pub subject: Subject,
@@ -124,13 +124,13 @@ impl Run {
         }
     }
 
-    /// The same for an Euler-Bernoulli beam.
+    /// The case for an Euler-Bernoulli beam.
     pub fn without_rotary_inertia(mut self) -> Self {
         self.options.rotary_inertia = false;
         self
     }
 
-    /// The same with another allowance.
+    /// The case with another allowance.
     pub fn allowing(mut self, allowance: f64) -> Self {
         self.allowance = allowance;
         self

@@ -12,7 +12,7 @@ pub struct Row {
     pub case: String,
     /// The source of the expected value.
     pub source: &'static str,
-    /// What a reader of the values should know; empty for nothing.
+    /// A remark for readers of the values; empty if there is none.
     pub remark: &'static str,
     /// The name of the quantity: "bending 2".
     pub what: String,
@@ -194,7 +194,7 @@ impl Verification {
     }
 }
 
-/// How many rows have a verdict.
+/// Number of rows with this verdict.
 fn count(rows: &[Row], verdict: Verdict) -> usize {
     rows.iter().filter(|row| row.verdict() == verdict).count()
 }

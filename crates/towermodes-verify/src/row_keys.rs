@@ -16,8 +16,8 @@ struct RowKeys {
     case: String,
     /// The source of the expected value.
     source: &'static str,
-    /// What a reader of the values should know, such as which digits of the source are left out;
-    /// empty for nothing.
+    /// A remark for readers of the values, for example on omitted digits of the source; empty if
+    /// there is none.
     remark: &'static str,
     /// The method with its segments.
     method: String,

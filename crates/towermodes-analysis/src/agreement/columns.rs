@@ -86,7 +86,7 @@ impl Integral {
         }
     }
 
-    /// Of a part of one piece, about a height z₀.
+    /// The properties of a part of one piece, about a height z₀.
     fn of_piece(piece: &Piece, part: HeightRange, reference_m: f64) -> Self {
         let (middle, half) = (0.5 * (part.base_m + part.top_m), 0.5 * part.length_m());
         let mut sum = Self::default();
@@ -116,7 +116,7 @@ pub(super) struct Columns<'a> {
 }
 
 impl<'a> Columns<'a> {
-    /// Those of a tower and its point masses, with moments about a height.
+    /// The columns of a tower and its point masses, with moments about a height.
     pub(super) fn new(tower: &'a Tower, point_masses: &'a [PointMass], reference_m: f64) -> Self {
         let pieces = tower.pieces();
         let mut sums = vec![Integral::default(); pieces.len()];

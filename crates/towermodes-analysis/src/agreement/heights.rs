@@ -96,8 +96,8 @@ impl Heights<'_> {
         )
     }
 
-    /// Where the largest difference can be: means over windows have kinks where a window begins or
-    /// ends at a station.
+    /// Heights where the largest difference can be: means over windows have kinks where a window
+    /// begins or ends at a station.
     fn searched_m(&self, stations_m: &[f64]) -> Vec<f64> {
         let half_m = 0.5 * self.window_m();
         let HeightRange { base_m, top_m } = self.overlap;

@@ -1,4 +1,4 @@
-//! What stands on the compared towers and what carries them: rotor-nacelle assembly, platform,
+//! Comparison of the bodies on the towers and of their supports: rotor-nacelle assembly, platform,
 //! moorings, substructure, water.
 
 use super::compared::{AgreementLimits, Compared};
@@ -26,7 +26,7 @@ pub struct ComparedPart {
     pub verdict: Verdict,
 }
 
-/// Which limit applies to a quantity.
+/// The limit that applies to a quantity.
 #[derive(Debug, Clone, Copy)]
 enum Limit {
     Mass,

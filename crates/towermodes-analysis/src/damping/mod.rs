@@ -36,9 +36,9 @@ pub enum DampingError {
 pub struct ModalDamping {
     /// The modes by frequency.
     pub modes: Vec<ModeDamping>,
-    /// What the aerodynamic damping follows from; none without data of the rotor or its speed.
+    /// The data of the aerodynamic damping; none without data of the rotor or its speed.
     pub rotor: Option<RotorAerodynamics>,
-    /// What is not included, has no effect, or is probably a mistake.
+    /// Remarks: effects that are not included, data without effect, probable mistakes.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub remarks: Vec<DampingRemark>,
 }
@@ -58,7 +58,7 @@ pub struct ModeDamping {
     pub label: String,
     /// Its frequency, extrapolated, Hz.
     pub frequency_hz: f64,
-    /// What each part of the tower contributes: materials, substructure, foundation, soil, guy
+    /// The contribution of each part of the tower: materials, substructure, foundation, soil, guy
     /// wires, water.
     pub parts: Vec<PartDamping>,
     /// The fractions of its energy, also of what dissipates nothing: self-weight and masses.

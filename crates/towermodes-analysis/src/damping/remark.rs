@@ -1,4 +1,4 @@
-//! What is not included in the damping of modes, has no effect, or is probably a mistake.
+//! Remarks on the damping: effects that are not included, data without effect, probable mistakes.
 
 use std::fmt;
 
@@ -13,7 +13,8 @@ const UNUSUAL: f64 = 0.2;
 /// A part with less than this fraction of the energy of every mode needs no loss factor.
 const NEGLIGIBLE: f64 = 1e-4;
 
-/// What is not included in the damping of modes, has no effect, or is probably a mistake.
+/// A remark on the damping: an effect that is not included, data without effect, or a probable
+/// mistake.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum DampingRemark {

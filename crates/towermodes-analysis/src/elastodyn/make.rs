@@ -27,7 +27,7 @@ pub enum Damping {
     Kept(Planes<[f64; 2]>),
 }
 
-/// How a tower becomes a tower of ElastoDyn.
+/// Options for the ElastoDyn file of a tower.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MakeOptions {
     /// Height at which the flexible tower begins, m; by default the base of the tower.
@@ -72,15 +72,16 @@ pub struct MadeTower {
     pub model: TowerModel,
     /// The rounded shapes with the damping ratios to write; all tuners are 1.
     pub modes: Planes<PlaneModes>,
-    /// What ElastoDyn computes from model and modes.
+    /// The quantities that ElastoDyn computes from model and modes.
     pub quantities: Planes<Generalized>,
     /// The number of point masses that are distributed over an element each.
     pub spread_masses: usize,
-    /// How the tower changes because it has so few rows; none if by no more than a thousandth.
+    /// The change of the tower because of the small number of rows; none if it is not more than a
+    /// thousandth.
     pub coarseness: Option<Coarseness>,
 }
 
-/// How few rows change a tower.
+/// The change of a tower by a small number of rows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coarseness {
     /// The number of rows that an accurate tower needs.
@@ -183,7 +184,7 @@ fn model(
     })
 }
 
-/// How the requested rows change the tower, if by more than a thousandth of its mass or
+/// The change of the tower by the requested rows, if it is more than a thousandth of its mass or
 /// flexibility.
 fn coarseness(
     tower: &Tower,

@@ -84,7 +84,7 @@ pub enum ModelError {
     /// The tower has fewer than 2 rows.
     #[error("a tower needs at least 2 rows of properties, not {rows}")]
     Rows {
-        /// How many there are.
+        /// Number of rows.
         rows: usize,
     },
     /// The heights of the rows do not rise from 0 to 1.

@@ -1,5 +1,5 @@
-//! How far two ElastoDyn tower models differ in mass and flexibility, and whether a deck is of a
-//! tower.
+//! Differences of two ElastoDyn tower models in mass and flexibility, and the check that a deck
+//! belongs to a tower.
 
 use std::fmt;
 
@@ -40,7 +40,7 @@ impl fmt::Display for ModelDifference {
 }
 
 impl TowerModel {
-    /// How far another model differs from this one: other/this − 1 of the mass with concentrated
+    /// Differences of another model from this one: other/this − 1 of the mass with concentrated
     /// masses, and of the flexibility ∫ (1 − x)²/EI dx by the trapezoidal rule over the rows.
     pub fn difference_from(&self, other: &Self) -> ModelDifference {
         let relative = |a: f64, b: f64| b / a - 1.0;

@@ -19,7 +19,7 @@ const ROUNDING_M: f64 = 1e-3;
 pub struct SameTower {
     /// The height at which the flexible tower of the deck begins, in the datum of the tower, m.
     pub from_m: f64,
-    /// How far the tower differs from the deck.
+    /// The difference between the tower and the deck.
     pub difference: ModelDifference,
 }
 

@@ -47,9 +47,10 @@ pub struct ValidatedShape {
     /// deflection of the mode. The shape is scaled by the factor that makes it least: shapes that
     /// are 1 at a top that hardly moves would differ by any amount.
     pub rms: f64,
-    /// The same for the best polynomial.
+    /// Rms error of the best polynomial.
     pub best_rms: f64,
-    /// The same for the best combination of both shapes of the plane: ElastoDyn superposes them.
+    /// Rms error of the best combination of both shapes of the plane, because ElastoDyn superposes
+    /// them.
     pub rms_of_both: f64,
     /// The ratio of `rms` and `best_rms`.
     pub rms_ratio: f64,
@@ -58,7 +59,7 @@ pub struct ValidatedShape {
     /// Frequency that ElastoDyn computes from the shape, for the tower without its rotor-nacelle
     /// assembly, Hz.
     pub implied_hz: f64,
-    /// The same for the best polynomial.
+    /// Implied frequency with the best polynomial, Hz.
     pub best_implied_hz: f64,
     /// The verdict on the shape.
     pub verdict: Verdict,

@@ -62,7 +62,7 @@ pub enum ShapesError {
     /// A mode cannot be fitted by a polynomial.
     #[error("the {label} cannot be fitted: {error}")]
     Fit {
-        /// Which mode.
+        /// Label of the mode.
         label: String,
         /// Why not.
         error: FitError,
@@ -70,7 +70,7 @@ pub enum ShapesError {
     /// The polynomial cannot be rounded.
     #[error("the {label} cannot be printed: {error}")]
     Rounding {
-        /// Which mode.
+        /// Label of the mode.
         label: String,
         /// Why not.
         error: RoundingError,
@@ -78,7 +78,7 @@ pub enum ShapesError {
     /// The flexible tower begins outside the tower.
     #[error("the flexible tower begins at {} m, but the tower reaches from {} m to {} m", Plain(*.from_m), Plain(*.base_m), Plain(*.top_m))]
     Outside {
-        /// Where it would begin, m.
+        /// Height where the flexible tower would begin, m.
         from_m: f64,
         /// Base of the tower, m.
         base_m: f64,

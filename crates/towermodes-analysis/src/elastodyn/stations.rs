@@ -55,7 +55,7 @@ pub enum RowsError {
     /// The flexible tower begins outside the tower.
     #[error("the flexible tower begins at {} m, but the tower reaches from {} m to {} m", Plain(*.from_m), Plain(*.base_m), Plain(*.top_m))]
     Outside {
-        /// Where it would begin, m.
+        /// Height where the flexible tower would begin, m.
         from_m: f64,
         /// Base of the tower, m.
         base_m: f64,

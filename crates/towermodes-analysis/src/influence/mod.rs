@@ -1,4 +1,5 @@
-//! Which numbers of a tower its frequencies depend on, and what their tolerances do.
+//! The influence of the input values of a tower on its frequencies, and the effect of their
+//! tolerances.
 //!
 //! The influence of a number on a mode is its elasticity: percent of the frequency per percent of
 //! the number. Heights are counted from an arbitrary datum, so their percent is one of the height
@@ -16,7 +17,7 @@ use towermodes::{
 /// knows.
 pub const NEGLIGIBLE: f64 = 1e-4;
 
-/// What the percent of an influence is of.
+/// The reference of the percent of an influence.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -35,15 +36,15 @@ pub enum Basis {
 pub struct Influence {
     /// The name of the number or the change.
     pub name: String,
-    /// What the change does with its value.
+    /// The operation of the change on its value.
     pub operation: Operation,
     /// The value on the tower as it is: of the number, 1 for a factor, 0 for an addition.
     pub value: f64,
     /// Its unit.
     pub unit: &'static str,
-    /// What a percent is of.
+    /// The reference of the percent.
     pub basis: Basis,
-    /// What the derivative is multiplied by for the change by one hundred percent, in the unit.
+    /// The factor on the derivative for a change by one hundred percent, in the unit of the change.
     whole: f64,
     /// The frequency of each mode, extrapolated, Hz.
     frequencies_hz: Vec<f64>,
@@ -69,13 +70,13 @@ impl Influence {
         Some(100.0 * derivative.hz_per_unit / self.frequencies_hz[mode])
     }
 
-    /// What a tolerance does to a mode, by its place in the list: percent of its frequency, without
-    /// its sign.
+    /// The effect of a tolerance on a mode, by its index in the list: percent of its frequency,
+    /// without sign.
     pub fn percent(&self, tolerance: Tolerance, mode: usize) -> Option<f64> {
         Some(100.0 * self.effect_hz(tolerance, mode)? / self.frequencies_hz[mode])
     }
 
-    /// What a tolerance does to a mode, by its place in the list: Hz, without its sign.
+    /// The effect of a tolerance on a mode, by its index in the list: Hz, without sign.
     pub fn effect_hz(&self, tolerance: Tolerance, mode: usize) -> Option<f64> {
         let derivative = self.derivatives.get(mode)?.as_ref().ok()?;
         let amount = match tolerance {
@@ -215,7 +216,7 @@ pub fn influences(
     })
 }
 
-/// What a percent is of, and how much one hundred percent are, in the unit of the change.
+/// The reference of a percent, and the value of one hundred percent in the unit of the change.
 fn basis(change: &Change, value: f64, height_m: f64) -> (Basis, f64) {
     let is_height = change.parameters().iter().all(|one| one.is_height());
     match change.operation() {

@@ -62,8 +62,8 @@ impl Tolerances {
         self.of_others.filter(|_| !is_height)
     }
 
-    /// What all tolerances do together to a mode, by its place in the list: the root of the sum of
-    /// squares, Hz, for numbers that are independent of each other.
+    /// The combined effect of all tolerances on a mode, by its index in the list: the root sum of
+    /// squares, Hz, for independent inputs.
     pub fn together_hz(
         &self,
         influences: &Influences,

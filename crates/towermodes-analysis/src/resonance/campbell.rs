@@ -77,7 +77,7 @@ pub enum Excited {
         family: Family,
         /// Its order in the family, from 1.
         order: usize,
-        /// What it is of.
+        /// Class of the mode.
         class: ModeClass,
     },
     /// A mode of a rotating blade, followed from speed to speed. Family and order are those at
@@ -94,7 +94,7 @@ pub enum Excited {
         name: TurbineModeName,
         /// The index of the curve that has the name there.
         curve: usize,
-        /// What it is of; see [`CurvePoint::class`](crate::whirl::CurvePoint::class).
+        /// Class of the mode; see [`CurvePoint::class`](crate::whirl::CurvePoint::class).
         class: ModeClass,
     },
 }
@@ -121,7 +121,7 @@ impl FrequencyLine {
         self.class() == ModeClass::Blades
     }
 
-    /// What its mode is of.
+    /// Class of its mode.
     pub fn class(&self) -> ModeClass {
         match self.of {
             Excited::Tower { class, .. } | Excited::Turbine { class, .. } => class,

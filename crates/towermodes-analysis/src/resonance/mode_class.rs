@@ -1,4 +1,4 @@
-//! What a mode is of, by its energy.
+//! Class of a mode: the component with most of its energy.
 
 use towermodes::Mode;
 use towermodes::modes::Family;
@@ -7,8 +7,8 @@ use towermodes::modes::Family;
 /// the rotor excites, has less than a quarter.
 const LOCAL: f64 = 0.75;
 
-/// What a mode is of, by the shares of its energy. It decides how excitations by the rotor are
-/// judged.
+/// Class of a mode, by the shares of its energy. It determines the verdicts on excitations by the
+/// rotor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -29,7 +29,7 @@ pub enum ModeClass {
 }
 
 impl ModeClass {
-    /// Of a mode of a tower.
+    /// The class of a mode of a tower.
     pub fn of(mode: &Mode) -> Self {
         let platform = Family::RIGID.map(|family| mode.shares.of(family));
         let platform = platform.iter().sum();

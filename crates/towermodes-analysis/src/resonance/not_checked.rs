@@ -1,4 +1,4 @@
-//! What a diagram must know before it can judge: the operating speeds, and the whole structure.
+//! Data that a diagram needs for verdicts: the operating speeds, and the whole structure.
 
 use std::fmt;
 
@@ -103,7 +103,7 @@ pub fn unknown_speeds(blades: usize, solution: &Solution, tip_radius_m: Option<f
 /// that differs by this much is another platform.
 const MOST_OUT_OF_BALANCE: f64 = 0.1;
 
-/// What is unknown about a tower and its rotor.
+/// The data that are missing for a tower and its rotor.
 pub(crate) fn not_checked(tower: &Tower, rotor: &Rotor, speeds_are_known: bool) -> Vec<NotChecked> {
     let parts = tower.missing_parts().cloned();
     let speeds = match speeds_are_known {

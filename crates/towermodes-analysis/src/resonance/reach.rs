@@ -1,4 +1,5 @@
-//! How high the excitations of a rotor reach, and whether the list of modes reaches as high.
+//! The highest frequency of the excitations of a rotor, and the check that the list of modes
+//! extends to it.
 
 use super::campbell::{Campbell, CampbellOptions, is_strong};
 use crate::verdict::Verdict;

@@ -60,7 +60,7 @@ pub enum Remark {
         lowest_rpm: f64,
         /// The highest, rpm.
         highest_rpm: f64,
-        /// How many of the speeds at which the turbine was solved.
+        /// Number of these rotor speeds.
         speeds: usize,
         /// The most modes that grow at one of them.
         growing: usize,
@@ -72,7 +72,7 @@ pub enum Remark {
         lowest_rpm: f64,
         /// The highest, rpm.
         highest_rpm: f64,
-        /// How many of the speeds at which the turbine was solved.
+        /// Number of these rotor speeds.
         speeds: usize,
         /// The intervals of frequency in which counts do not exclude two more modes, Hz.
         unproven_hz: Vec<[f64; 2]>,

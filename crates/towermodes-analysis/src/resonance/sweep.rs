@@ -19,7 +19,8 @@ const PLACES: usize = 30;
 /// increases.
 const MORE_MODES: usize = 4;
 
-/// How often the number of modes is doubled at a speed at which a followed mode is missing.
+/// Largest number of times that the number of modes is doubled at a speed at which a followed mode
+/// is missing.
 const DOUBLINGS: usize = 3;
 
 /// Equally spaced speeds from standstill to beyond the highest, with both ends of the operating

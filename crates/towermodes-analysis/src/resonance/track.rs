@@ -79,7 +79,7 @@ impl Tracks {
         modes.any(|(index, mode)| mode.lost.is_none() && assignment.found(index).is_err())
     }
 
-    /// Which mode at this speed continues which followed mode.
+    /// The assignment of the modes at this speed to the followed modes.
     pub(super) fn assign(&self, seen: &[Seen]) -> Assignment {
         let is_followed = |mode: usize| self.modes[mode].lost.is_none();
         Assignment::greedy(self.macs(seen), is_followed)

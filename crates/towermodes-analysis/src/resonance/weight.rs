@@ -1,4 +1,4 @@
-//! What the weight would change in the first frequencies of a tower described without gravity.
+//! The effect of the weight on the first frequencies of a tower described without gravity.
 
 use std::fmt;
 

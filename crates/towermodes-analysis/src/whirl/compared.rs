@@ -1,4 +1,5 @@
-//! What the flexible rotor changes: coupled modes of the tower against those with a rigid rotor.
+//! The effect of the flexible rotor: coupled modes of the tower compared with those with a rigid
+//! rotor.
 
 use towermodes::modes::Family;
 use towermodes::turbine::{TurbineModeName, TurbinePart};

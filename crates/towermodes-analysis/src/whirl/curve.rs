@@ -20,8 +20,8 @@ pub struct CoupledCurve {
     /// Its points by rising rotor speed. Modes that leave the frequencies of the diagram have no
     /// points there.
     pub points: Vec<CurvePoint>,
-    /// Of a backward whirl the index of the curve of the forward whirl with the same motion and
-    /// order, and the reverse; none if it has no such curve.
+    /// For a backward whirl the index of the curve of the forward whirl with the same motion and
+    /// order, and the reverse; none if there is no such curve.
     pub partner: Option<usize>,
     /// The end of a curve that was lost: no mode at the next speed has a similar shape.
     pub lost: Option<LineEnd>,
@@ -79,7 +79,7 @@ impl CurvePoint {
         [self.rotor_speed_rpm, self.frequency.frequency_hz]
     }
 
-    /// What the mode does to the nacelle if it is a whirl of which both waves are alike.
+    /// The motion of the nacelle (tilt or yaw) in a whirl whose waves are alike.
     pub fn nodding(&self) -> Option<Nodding> {
         self.energy.nodding_of(self.name.part)
     }
@@ -92,9 +92,10 @@ impl CurvePoint {
         self.share + other_wave.map_or(0.0, |(_, share)| share) < SHARED
     }
 
-    /// What it is of: the blades, if its name is one of theirs, unless the part that names it has
-    /// less than 60 % of its energy and the tower at least 25 %. So both modes are judged as modes
-    /// of the tower where the tower shares two. Of the others the shares of the energy decide.
+    /// Class of the mode: the blades if its name is one of theirs, unless less than 60 % of its
+    /// energy is in the part that names it and at least 25 % is in the tower. So if the tower
+    /// shares two modes, both have verdicts like modes of the tower. For the other modes the shares
+    /// of the energy determine the class.
     pub fn class(&self) -> ModeClass {
         let energy = &self.energy;
         let is_of_blades = matches!(self.name.part, TurbinePart::Blades(..));

@@ -30,7 +30,7 @@ pub struct CoupledCampbell<S = TurbineModes> {
     /// The names of all modes in the diagram: tower and drivetrain by mean frequency, then the
     /// blades.
     pub names: Vec<TurbineModeName>,
-    /// Where curves cross or veer, by rotor speed.
+    /// Crossings and veerings of the curves, by rotor speed.
     pub meetings: Vec<Meeting>,
 }
 
@@ -188,7 +188,7 @@ fn ends_rpm(rotor: &Rotor, options: &CoupledOptions) -> Result<Vec<f64>, Coupled
     Ok(ends.chain([rotor.lowest_rpm, rotor.highest_rpm]).collect())
 }
 
-/// The same with a function that solves at a rotor speed (rpm) up to a frequency (Hz), given the
+/// As above, with a function that solves at a rotor speed (rpm) up to a frequency (Hz), given the
 /// modes at another speed.
 pub(super) fn diagram<S: Solved>(
     rotor: &Rotor,

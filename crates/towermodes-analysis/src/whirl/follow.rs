@@ -85,7 +85,7 @@ pub(super) fn tracks<S: Solved>(speeds: &[SolvedSpeed<S>]) -> Vec<Track> {
     tracks
 }
 
-/// Which modes at a speed continue the tracks.
+/// The assignment of the modes at a speed to the tracks.
 ///
 /// A track is compared by the shape at the last speed where it was continued without doubt. Between
 /// two modes that exchange their shapes within one step it so keeps its shape. But two modes that

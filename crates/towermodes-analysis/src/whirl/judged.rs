@@ -1,4 +1,4 @@
-//! What the excitations are judged against: each name, along the curves that have it.
+//! The modes that are compared with the excitations: each name, along the curves that have it.
 
 use towermodes::modes::Family;
 use towermodes::tower::Rotor;

@@ -1,4 +1,4 @@
-//! Where curves cross, and where they veer.
+//! Crossings and veerings of curves.
 
 use super::follow::Track;
 use super::solved::{Solved, SolvedSpeed};
@@ -24,7 +24,7 @@ pub struct Meeting {
     pub least_distance_hz: f64,
 }
 
-/// How two curves meet.
+/// The kind of meeting of two curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MeetingKind {
     /// They swap their order, and each mode keeps its shape: they hardly act on each other.
@@ -93,7 +93,7 @@ fn beside<S: Solved>(speeds: &[SolvedSpeed<S>], [a, b]: [&Track; 2]) -> Vec<Besi
     both.map(at).collect()
 }
 
-/// Where the order changes, by linear interpolation.
+/// Speeds where the order changes, by linear interpolation.
 fn crossings(curves: [usize; 2], both: &[Beside]) -> Vec<Meeting> {
     let apart: Vec<&Beside> = both.iter().filter(|at| at.distance_hz != 0.0).collect();
     let steps = apart.windows(2);
@@ -113,7 +113,8 @@ fn crossings(curves: [usize; 2], both: &[Beside]) -> Vec<Meeting> {
     swaps.map(crossing).collect()
 }
 
-/// Where two curves are closest without a change of their order, if they exchange their shapes.
+/// Speeds where two curves are closest without a change of their order, if they exchange their
+/// shapes.
 fn veerings<S: Solved>(
     curves: [usize; 2],
     both: &[Beside],

@@ -166,7 +166,7 @@ pub(super) fn check_modes(
     })
 }
 
-/// How far above the limit of a diagram modes are sought.
+/// The range above the limit of a diagram in which modes are computed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Headroom {
     /// The longest step of the rotor speed, Hz.
@@ -238,9 +238,9 @@ pub enum CoupledError {
         "the number of blades is given as {rotor}, but the turbine has {turbine} blades; give {turbine}, or omit the number"
     )]
     Blades {
-        /// That of the rotor.
+        /// Number of blades of the rotor.
         rotor: usize,
-        /// That of the turbine.
+        /// Number of blades of the turbine.
         turbine: usize,
     },
     /// More modes than can be followed.
@@ -269,12 +269,12 @@ pub enum CoupledError {
     /// Too many speeds.
     #[error("{speeds} rotor speeds are given; at most {MOST_SPEEDS} are possible")]
     Speeds {
-        /// How many.
+        /// Number of speeds.
         speeds: usize,
     },
 }
 
-/// What makes a diagram with fewer modes.
+/// Suggestion for a diagram with fewer modes.
 fn remedy(possible_hz: f64) -> String {
     match possible_hz > 0.0 {
         true => format!("give a limit below {} Hz", four_digits(possible_hz)),

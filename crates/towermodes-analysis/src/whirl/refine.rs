@@ -8,7 +8,7 @@ use super::solved::{Solved, SolvedSpeed};
 /// A step is divided down to this fraction of the mean step: two curves that exchange their shapes
 /// within less are taken for curves that cross.
 const FINEST: f64 = 1.0 / 32.0;
-/// How often steps are divided.
+/// Largest number of divisions of a step.
 const ROUNDS: usize = 8;
 
 /// Solves at rotor speeds, and where the modes of neighbours are ambiguous or swap their order at
@@ -78,8 +78,8 @@ fn finest_rpm(speeds_rpm: &[f64]) -> f64 {
     }
 }
 
-/// Where a step is to be divided: in the middle if modes are ambiguous, where two frequencies are
-/// expected to be equal if modes swap their order.
+/// The speed at which a step is divided: the middle if modes are ambiguous; if modes change their
+/// order, the speed where two frequencies are expected to be equal.
 fn division_rpm<S: Solved>(
     low: &SolvedSpeed<S>,
     high: &SolvedSpeed<S>,
@@ -91,7 +91,7 @@ fn division_rpm<S: Solved>(
         return None;
     }
     let (from, to) = (&low.modes, &high.modes);
-    // What is missing at a speed cannot be followed there.
+    // A missing mode cannot be followed.
     if !(from.is_complete() && to.is_complete()) {
         return None;
     }

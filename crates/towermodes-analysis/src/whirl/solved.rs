@@ -15,9 +15,9 @@ pub struct SolvedSpeed<S = TurbineModes> {
     pub modes: S,
 }
 
-/// What following needs to know of the modes at a speed.
+/// The data of the modes at a speed that are needed to follow them.
 pub(super) trait Solved {
-    /// How many modes there are.
+    /// Number of modes.
     fn count(&self) -> usize;
 
     /// Whether no mode is missing.

@@ -7,7 +7,7 @@ use clap::Args;
 
 use super::output::{TextFormat, file_of};
 
-/// What is printed, and where the tower is written.
+/// The format of the printed result, and the file of the tower.
 #[derive(Debug, Args)]
 pub(crate) struct FoundArguments {
     /// Format of the printed result

@@ -1,4 +1,4 @@
-//! What is written, and where.
+//! The format and the file of the output.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! How a tower is solved: from the command line, else from the file, else the default.
+//! Options of the solution: from the command line, otherwise from the file, otherwise the default.
 
 use clap::{Arg, Args};
 use towermodes::GAUSS_HINGE_POSITION;
@@ -52,7 +52,7 @@ impl SolverArguments {
         self.model.options(input, self.method, self.segments)
     }
 
-    /// The same without mode shapes.
+    /// The same options without mode shapes.
     ///
     /// # Errors
     /// As [`options`](Self::options).

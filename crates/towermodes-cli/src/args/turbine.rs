@@ -10,7 +10,7 @@ const TURBINE: &str = "Turbine with flexible blades";
 /// The largest number of rotor speeds.
 const MOST_SPEEDS: usize = 1000;
 
-/// How the generator is held.
+/// The state of the generator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum GeneratorState {
     /// Fixed generator speed; the shaft can twist between generator and hub
@@ -19,7 +19,7 @@ enum GeneratorState {
     Free,
 }
 
-/// How a turbine with flexible blades is solved.
+/// Options of the solution of a turbine with flexible blades.
 #[derive(Debug, Args)]
 pub(crate) struct TurbineArguments {
     /// Analyse the tower (rigid rotor-nacelle assembly) and one blade separately

@@ -98,7 +98,7 @@ fn unchanged(path: &Path, given: &ReadingArguments) -> Result<TowerInput, Failur
     input_of(path, &reading)
 }
 
-/// What the explorer needs to know.
+/// The data for the explorer.
 fn exploration(
     file: TowerInput,
     path: &Path,

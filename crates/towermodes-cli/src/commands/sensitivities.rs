@@ -64,7 +64,7 @@ pub(crate) struct SensitivitiesArguments {
 /// Modes in the table by default: more columns do not fit into a terminal.
 const MODES: usize = 4;
 
-/// What is asked for.
+/// The request of the command.
 pub(crate) struct Plan {
     options: Options,
     /// None for every number.
@@ -113,7 +113,7 @@ impl Analysis for SensitivitiesArguments {
             let figure = figures::tornado(description, &influences, tolerances);
             deliver_picture(figure, tower, file)?;
         }
-        // What is asked for by name is listed, whatever it does.
+        // A value that is requested by name is listed, whatever its effect.
         let all = self.all || !self.names.is_empty();
         let answer = Answer::of(
             format,

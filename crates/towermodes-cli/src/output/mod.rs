@@ -29,7 +29,7 @@ pub(crate) fn deliver(result: &[u8], output: Option<&Path>) -> Result<(), Failur
     }
 }
 
-/// The same for binary data, which go to standard output unchanged.
+/// As above, for binary data, which are written to standard output unchanged.
 pub(crate) fn deliver_bytes(result: &[u8], output: Option<&Path>) -> Result<(), Failure> {
     write(result, output, std::io::stdout().lock())
 }
@@ -128,7 +128,7 @@ pub(crate) fn check_not_input(input: &Path, output: Option<&Path>) -> Result<(),
     }
 }
 
-/// The same for all files of an input.
+/// As above, for all files of an input.
 pub(crate) fn check_not_inputs<'a>(
     mut files: impl Iterator<Item = &'a str>,
     output: Option<&Path>,

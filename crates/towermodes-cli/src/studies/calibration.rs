@@ -10,7 +10,7 @@ use towermodes_files::{
     FittedNumber, FittedShare, MeasuredFile, MeasuredMode, NamedUnknown, ReadError, TowerInput,
 };
 
-/// What to do where there are too few measurements.
+/// Suggestion if there are too few measurements.
 const NO_PRIOR: &str = "give it { prior = [mean, standard deviation] }, or fit fewer inputs";
 
 /// The problem of a file for its tower: with the unknowns of the file, or with those that are

@@ -29,7 +29,7 @@ pub enum StudyError {
     Window(ReadError),
 }
 
-/// How the towers of a study are solved.
+/// The options for the towers of a design file.
 pub fn options(study: &DesignStudy, input: &TowerInput) -> Options {
     Options {
         method: study.method.or(input.prescribed.method).unwrap_or_default(),
@@ -121,7 +121,7 @@ fn mistake(span: Range<usize>, sentence: String, study: &DesignStudy) -> ReadErr
     ReadError::mistakes(&study.source, vec![mistake])
 }
 
-/// What a user must know about a result.
+/// Warnings about a result.
 pub fn warnings(found: &Design) -> Vec<String> {
     let mut warnings = Vec::new();
     if !found.is_stationary() {

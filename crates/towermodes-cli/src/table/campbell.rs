@@ -115,7 +115,7 @@ fn unresisted(campbell: &Campbell) -> Option<String> {
     (!free.is_empty()).then(|| format!("not checked (no stiffness): {}", free.join(", ")))
 }
 
-/// What the last line says of gravity.
+/// The words on gravity in the last line.
 pub(super) fn weight(tower: &Tower) -> &'static str {
     match tower.gravity_m_per_s2() {
         0.0 => " | without gravity",
@@ -148,7 +148,7 @@ fn summary(campbell: &Campbell, has_blade: bool) -> String {
     }
 }
 
-/// The same, with why there are no blade modes, if there are none.
+/// As above, with the reason if there are no blade modes.
 pub(super) fn summary_or(campbell: &Campbell, without_blades: &str) -> String {
     let [pass, warn, fail] = verdict_counts(campbell);
     let mut lines = campbell.lines.iter();

@@ -87,7 +87,7 @@ fn modes(coupled: &CoupledCampbell) -> String {
     wide_table(&header.collect::<Vec<_>>(), &rows)
 }
 
-/// What the mode of a name is of, at the speeds of the table: "tower", "substructure, tower".
+/// Class of the mode with a name, at the speeds of the table: "tower", "substructure, tower".
 fn class_of(coupled: &CoupledCampbell, name: TurbineModeName) -> String {
     let speeds = columns_rpm(coupled).into_iter();
     let points = speeds.filter_map(|rpm| coupled.at_rpm(name, rpm));
@@ -96,8 +96,8 @@ fn class_of(coupled: &CoupledCampbell, name: TurbineModeName) -> String {
     classes.join(", ")
 }
 
-/// Of the names in the table of modes the speeds at which less than 60 % of the energy is in the
-/// name, with the part that has the most besides.
+/// For the names in the table of modes, the speeds at which the mode has less than 60 % of its
+/// energy in the part of its name, with the part that has most of the rest.
 fn shared(coupled: &CoupledCampbell) -> String {
     let percent = |share: f64| format!("{:.0} %", 100.0 * share);
     let of_name = |name: &TurbineModeName| {

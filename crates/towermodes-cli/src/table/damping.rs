@@ -38,7 +38,7 @@ pub fn damping(tower: &Tower, damping: &ModalDamping) -> String {
     text
 }
 
-/// What the damping by the rotor follows from.
+/// The data of the damping by the rotor.
 fn rotor(rotor: &RotorAerodynamics) -> String {
     format!(
         "rotor: chord moment {} m3 per blade, lift slope {} per rad, air {} kg/m3; fore-aft motion in attached flow at constant speed; the hub moves as the tower top; the rotor adds no side-side damping in this model",

@@ -66,7 +66,7 @@ fn results(found: &Design) -> String {
     }
 }
 
-/// What the rows of other modes are.
+/// Explanation of the rows of other modes.
 const ALSO_BOUND: &str = "also limited: a mode that shares the motion of the mode above; the limit holds for both modes. In parentheses: percent of the energy of the mode in the motion of the mode above.";
 
 /// The rows of the mode with the name of a goal, and of those that share its motion.
@@ -118,7 +118,7 @@ fn limits(problem: &DesignProblem, found: &Design) -> String {
     text_table(header, rows, [1])
 }
 
-/// What is known of the minimum without steps, and what was searched with them.
+/// Conditions of the minimum without steps, and the combinations of steps that were searched.
 fn in_steps(steps: &Steps, mass_kg: f64, conditions: &str) -> String {
     let least = steps.without_steps_kg;
     let loss = mass_kg - least;
@@ -136,7 +136,7 @@ fn in_steps(steps: &Steps, mass_kg: f64, conditions: &str) -> String {
     )
 }
 
-/// How good the minimum is.
+/// The quality of the minimum.
 fn conclusion(found: &Design) -> String {
     // Below this it is rounding.
     let residual = match found.kkt_residual < 1e-9 {

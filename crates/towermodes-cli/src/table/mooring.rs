@@ -60,7 +60,7 @@ fn lines(solved: &SolvedMooring<'_>) -> String {
     text_table(header, rows, [0, 3, 4, 5, 6, 7])
 }
 
-/// What is at an end of a line: "anchor 1", "platform 4".
+/// The point at an end of a line: "anchor 1", "platform 4".
 fn end(description: &MooringDescription, point: usize) -> String {
     let number = point + 1;
     match description.points[point].attachment {
@@ -72,7 +72,7 @@ fn end(description: &MooringDescription, point: usize) -> String {
     }
 }
 
-/// Where lines alone hold a point.
+/// Positions of the points that are held only by lines.
 fn free_points(solved: &SolvedMooring<'_>) -> Vec<String> {
     let points = solved.mooring.description().points.iter();
     let points = (1..).zip(points.zip(&solved.state.points_m));

@@ -1,4 +1,4 @@
-//! What the numbers of a tower do to its frequencies, as text.
+//! The influence of the input values of a tower on its frequencies, as text.
 
 use towermodes::number::{Plain, digits, four_digits};
 use towermodes::{NoDerivative, Operation, TowerDescription};

@@ -73,7 +73,7 @@ fn missing((file, name): (&SolvedFile<'_>, String)) -> Option<String> {
     Some(format!("\n{}\n", wrapped(&format!("{name}: {missing}"))))
 }
 
-/// What stands below the frequencies.
+/// The footnotes below the frequencies.
 const ABOUT: [&str; 7] = [
     "",
     "tower mass, t",
@@ -137,7 +137,8 @@ fn about(file: &SolvedFile<'_>) -> [String; 7] {
     ]
 }
 
-/// Where the list is complete: if it ends inside a pair of one frequency, one mode more is below.
+/// The end of the complete list: if the list ends inside a pair of equal frequencies, one more mode
+/// is below.
 fn complete_below(solution: &Solution) -> String {
     let below_hz = four_digits(solution.certificate.below_hz);
     match solution.certificate.count > solution.modes.len() {

@@ -42,7 +42,7 @@ pub enum CalibrationError {
     NotPositive {
         /// The measurement, from 0.
         index: usize,
-        /// Which of its numbers.
+        /// The name of its wrong value.
         what: &'static str,
         /// The number.
         value: f64,
@@ -182,9 +182,9 @@ pub enum CalibrationError {
     NoStart {
         /// The unknown.
         change: String,
-        /// What the tower has.
+        /// The values of the tower.
         found: String,
-        /// What to do.
+        /// Suggestion.
         remedy: &'static str,
     },
     /// The tower is not solved or has no derivatives.
@@ -206,7 +206,7 @@ pub enum CalibrationError {
         index: usize,
         /// The mode.
         mode: ModeName,
-        /// How many modes were computed.
+        /// Number of computed modes.
         computed: usize,
         /// The names of the lowest.
         there: String,

@@ -33,7 +33,7 @@ const LONGEST_STEP: f64 = 1.5;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Found {
     pub(super) point: Point,
-    /// Which unknowns are not at a bound.
+    /// For each unknown, whether it is not at a bound.
     pub(super) is_free: Vec<bool>,
     /// Whether some measured frequency changes with each unknown, if not to first order.
     pub(super) has_effect: Vec<bool>,

@@ -35,7 +35,8 @@ pub use result::{Calibration, Direction, Explained, Fitted};
 
 use towermodes::Solver;
 
-/// How often the measurements are paired again with the modes of the fitted tower.
+/// Largest number of times that the measurements are paired again with the modes of the fitted
+/// tower.
 const MOST_PAIRINGS: usize = 4;
 
 /// Fits numbers of a tower to measured frequencies.

@@ -1,4 +1,4 @@
-//! Which mode of the tower a measurement is of.
+//! Assignment of the measurements to the modes of the tower.
 
 use towermodes::modes::SharedMotion;
 use towermodes::{Mode, ModeName, Options, Solution, Solver, Tower, TowerDescription};
@@ -20,7 +20,7 @@ const NEAR_DEVIATIONS: f64 = 2.0;
 pub(super) struct Pairing {
     pub(super) names: Vec<ModeName>,
     pub(super) ambiguities: Vec<Option<Ambiguity>>,
-    /// How many modes must be computed.
+    /// Number of modes that must be computed.
     pub(super) modes: usize,
     /// Whether the modes of the fitted tower are paired in the same way.
     pub(super) is_stable: bool,

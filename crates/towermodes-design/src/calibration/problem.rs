@@ -1,4 +1,4 @@
-//! What is asked: measurements, unknowns, priors.
+//! The problem: measurements, unknowns, priors.
 
 use std::collections::HashSet;
 
@@ -22,7 +22,7 @@ pub struct Problem {
 pub struct Unknown {
     /// Which input values this unknown changes.
     pub change: Change,
-    /// What is known of the value without the measurements.
+    /// The prior: knowledge of the value without the measurements.
     pub prior: Option<Prior>,
     /// The lowest and the highest value.
     pub bounds: Option<[f64; 2]>,

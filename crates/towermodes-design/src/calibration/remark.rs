@@ -1,4 +1,4 @@
-//! What the result of a fit says in words.
+//! Remarks on the result of a fit, in words.
 
 use towermodes::ModeName;
 use towermodes::modes::SharedMotion;
@@ -140,7 +140,7 @@ pub struct UnknownChange {
 }
 
 impl Calibration {
-    /// What the result says in words, the most important first.
+    /// The remarks on the result, the most important first.
     pub fn remarks(&self) -> Vec<Remark> {
         let mut remarks = Vec::new();
         remarks.extend(self.of_pairing());

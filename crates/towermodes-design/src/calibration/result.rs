@@ -1,4 +1,4 @@
-//! What comes out of a fit.
+//! The result of a fit.
 
 use towermodes::modes::SharedMotion;
 use towermodes::{ModeName, TowerDescription};
@@ -23,7 +23,8 @@ pub struct Calibration {
     /// prior in the order of the unknowns that have one; the sum is 1. Where a measurement has a
     /// large share, it decides the unknown. Empty for an unknown at a bound.
     pub shares: Vec<Vec<f64>>,
-    /// What the measurements alone say about combinations of the unknowns, the best known first.
+    /// Combinations of the unknowns and their accuracy by the measurements alone, the most accurate
+    /// first.
     pub directions: Vec<Direction>,
     /// Sum of the squared residuals of measurements and priors, in standard deviations.
     pub chi_square: f64,
@@ -60,7 +61,7 @@ pub struct Fitted {
     pub interval: Option<[f64; 2]>,
     /// Whether the number was fitted by its logarithm.
     pub is_logarithm: bool,
-    /// What was known of it.
+    /// The prior of the value.
     pub prior: Option<Prior>,
     /// The residual of its prior in standard deviations, if it has one.
     pub prior_residual: Option<f64>,
@@ -81,7 +82,7 @@ pub struct Explained {
     pub deviation_hz: f64,
     /// The frequency of the tower as it was, Hz.
     pub before_hz: f64,
-    /// That of the fitted tower, Hz.
+    /// Frequency of the fitted tower, Hz.
     pub fitted_hz: f64,
     /// (fitted − measured)/deviation.
     pub residual: f64,

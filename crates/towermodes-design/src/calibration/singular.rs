@@ -17,8 +17,8 @@ const ORTHOGONAL: f64 = 1e-15;
 const MOST_SWEEPS: usize = 60;
 
 impl Singular {
-    /// Of a matrix given by its columns, by one-sided Jacobi rotations, which give also small
-    /// singular values accurately (Hestenes 1958; Demmel & Veselić 1992).
+    /// The decomposition of a matrix given by its columns, by one-sided Jacobi rotations, which
+    /// give also small singular values accurately (Hestenes 1958; Demmel & Veselić 1992).
     pub(super) fn of(mut columns: Vec<Vec<f64>>) -> Self {
         let n = columns.len();
         let mut right: Vec<Vec<f64>> = (0..n)

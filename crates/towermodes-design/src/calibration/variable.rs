@@ -12,7 +12,7 @@ pub(super) struct Variable {
     pub(super) change: Change,
     /// Whether the coordinate is the logarithm of the value.
     pub(super) is_logarithm: bool,
-    /// Where the iteration starts.
+    /// Start of the iteration.
     pub(super) start: f64,
     /// The value on the tower as it is; none if the change has none.
     pub(super) present: Option<f64>,
@@ -50,7 +50,7 @@ pub(super) fn apply(variables: &[Variable], x: &[f64], description: &mut TowerDe
     }
 }
 
-/// The same with values of eight digits, which a file can show.
+/// As above, with values of eight digits, which a file can contain.
 pub(super) fn apply_rounded(variables: &[Variable], x: &[f64], description: &mut TowerDescription) {
     for (variable, x) in variables.iter().zip(x) {
         let value = variable.value(*x);

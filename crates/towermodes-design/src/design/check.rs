@@ -1,4 +1,4 @@
-//! What contradicts itself in a problem, or would find nothing on its tower.
+//! Checks of a problem: contradictions, and goals that cannot be found on its tower.
 
 use std::collections::HashMap;
 

@@ -73,8 +73,8 @@ pub(super) fn original(towers: &mut Towers<'_>) -> Option<Solution> {
     towers.solution(&tower, options, |_| true).ok()
 }
 
-/// How a tower is solved by `solve`: with its default number of segments, if that is finer than the
-/// one of the design.
+/// The options of `solve` for a tower: its default number of segments, if this is finer than that
+/// of the design.
 fn options(towers: &Towers<'_>) -> Options {
     let own = towers.options;
     Options {
@@ -120,8 +120,8 @@ pub(super) fn confirmed(
     })
 }
 
-/// What a solution has of a goal, and the lowest and the highest frequency that it binds; none if
-/// the mode, or another one that it binds, may be above the list.
+/// The modes of a solution to which a goal applies: the lowest and the highest of their
+/// frequencies; none if one of these modes may be above the list.
 fn reached(
     goal: &Goal,
     after: &Solution,

@@ -98,7 +98,7 @@ pub enum DesignError {
     /// A limit of the shape is not a positive number, or its two numbers cross.
     #[error("the limit {what} is {low} to {high}, but must be positive, the first lower")]
     Limit {
-        /// What is limited.
+        /// Name of the limit.
         what: &'static str,
         /// The lower limit.
         low: f64,
@@ -110,7 +110,7 @@ pub enum DesignError {
     NoMode {
         /// The mode.
         mode: ModeName,
-        /// How many were computed.
+        /// Number of computed modes.
         modes: usize,
     },
     /// A frequency has no derivative.

@@ -12,14 +12,14 @@ pub enum Limit {
     Bound {
         /// The variable.
         variable: usize,
-        /// Which bound.
+        /// The lower or the upper bound.
         side: Side,
     },
     /// An end of the band of a frequency, by the place of its goal in the list.
     Frequency {
         /// The goal.
         goal: usize,
-        /// Which end.
+        /// The lower or the upper end.
         side: Side,
     },
     /// A number must not exceed the one below it.
@@ -33,7 +33,7 @@ pub enum Limit {
     DiameterToWall {
         /// The station, from 0.
         station: usize,
-        /// Which end of the range.
+        /// The lower or the upper end of the range.
         side: Side,
     },
     /// The angle of the cone between a station and the next one above.
@@ -116,7 +116,7 @@ pub(super) fn rows(problem: &DesignProblem, base: &TowerDescription) -> Vec<Row>
     rows
 }
 
-/// By how much the variables can change a row: its natural unit.
+/// The change of a row by the variables: its natural unit.
 fn range(row: &Row, problem: &DesignProblem, base: &TowerDescription) -> f64 {
     let variables = problem.variables.iter();
     let changes = variables.map(|one| row.derivative(one, base).abs() * one.unit(base));

@@ -35,7 +35,7 @@ pub(super) struct Minimum {
     pub(super) mass: f64,
     /// The largest limit that may be violated, positive if it is.
     pub(super) violation: f64,
-    /// How well the conditions of a minimum hold.
+    /// The residuals of the conditions of a minimum.
     pub(super) optimality: Optimality,
 }
 
@@ -85,7 +85,7 @@ pub(super) fn from_near(
     run_once(towers, start, (free, Least::Mass), most_solves)
 }
 
-/// What is known of the point where a run ended.
+/// The optimality of the point where a run ended.
 fn judged(
     towers: &mut Towers<'_>,
     scaled: Vec<f64>,

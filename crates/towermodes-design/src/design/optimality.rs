@@ -12,11 +12,10 @@ use super::towers::{Point, Slopes, Towers};
 
 /// A limit nearer than this, scaled, is active.
 const ACTIVE: f64 = 1e-6;
-/// The same of a bound. The optimizer ends on bounds exactly, and a unit may be ten times the
-/// value.
+/// The tolerance for a bound.
 const ACTIVE_BOUND: f64 = 1e-8;
 
-/// What is minimized.
+/// The quantity that is minimized.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Least {
     /// The mass, within all limits.

@@ -1,4 +1,4 @@
-//! What is to be designed.
+//! The design problem.
 
 use towermodes::{Change, ModeName, Operation, Parameter, TowerDescription};
 
@@ -9,7 +9,7 @@ const LARGEST_UNIT: f64 = 10.0;
 /// A design variable: one input value, or several that are changed together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variable {
-    /// What its value changes.
+    /// The change by its value.
     pub change: Change,
     /// Its lowest value.
     pub low: f64,
@@ -45,7 +45,7 @@ pub enum Side {
 /// [`Tower::structure_mass_kg`](towermodes::Tower::structure_mass_kg).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DesignProblem {
-    /// What is chosen. No two variables may change the same number.
+    /// The design variables. No two variables may change the same input value.
     pub variables: Vec<Variable>,
     /// The bands of frequencies.
     pub goals: Vec<Goal>,

@@ -38,11 +38,11 @@ pub struct Design {
     /// |∇m + Σ λᵢ ∇gᵢ| / |∇m| at the minimum without steps, with each variable relative to its
     /// range: 0 at an exact one (Karush 1939; Kuhn & Tucker 1951).
     pub kkt_residual: f64,
-    /// How many towers were solved.
+    /// Number of solved towers.
     pub solves: usize,
 }
 
-/// What is known of a tower in steps.
+/// Results for a tower with steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Steps {
     /// The mass of the minimum before its values are rounded to steps, kg.
@@ -60,7 +60,7 @@ pub struct ActiveLimit {
     /// The mass that is saved per unit by which the limit is relaxed, kg per unit: per Hz, per unit
     /// of the variable, per unit of the ratio, per degree, per m of a difference.
     pub kg_per_unit: f64,
-    /// The same per percent of the limit; none for a limit that is 0.
+    /// Change of the mass per percent of the limit, kg; none for a limit that is 0.
     pub kg_per_percent: Option<f64>,
 }
 
@@ -313,7 +313,7 @@ fn moved_within(
     Ok(None)
 }
 
-/// What stands in the way, at the nearest tower.
+/// The limits that prevent a solution, at the nearest tower.
 fn infeasible(towers: &mut Towers<'_>, nearest: &Minimum) -> DesignError {
     let problem = towers.problem;
     let tower = towers.tower(&nearest.scaled);

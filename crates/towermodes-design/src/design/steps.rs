@@ -65,7 +65,7 @@ impl Towers<'_> {
         self.problem.variables[variable].step.unwrap_or(1.0)
     }
 
-    /// How many steps a scaled value is.
+    /// The number of steps of a scaled value.
     fn steps(&self, variable: usize, scaled: f64) -> f64 {
         let low = self.problem.variables[variable].low;
         (low + scaled * self.units[variable]) / self.step(variable)

@@ -25,8 +25,8 @@ pub(super) struct Point {
     pub(super) limits: Vec<f64>,
     /// The derivatives of both, if they were requested.
     pub(super) slopes: Option<Slopes>,
-    /// Of the modes that each goal binds the one with the lowest frequency, and the one with the
-    /// highest.
+    /// For each goal, the modes with the lowest and with the highest frequency among those to which
+    /// it applies.
     pub(super) ends: Vec<[End; 2]>,
     /// The frequency of the mode that has the name of each goal, Hz.
     pub(super) named_hz: Vec<f64>,
@@ -73,7 +73,7 @@ pub(super) struct Towers<'d> {
     pub(super) highest: Vec<f64>,
     /// Mass of the start, kg.
     pub(super) mass_kg: f64,
-    /// How many towers were solved.
+    /// Number of solved towers.
     pub(super) solves: usize,
     modes: usize,
     last: Option<(Vec<f64>, Rc<Point>)>,

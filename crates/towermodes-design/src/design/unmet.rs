@@ -28,7 +28,7 @@ pub struct Conflict {
     pub limit: Limit,
     /// The limit in words: "fore-aft 1 at least 0.3 Hz".
     pub wanted: String,
-    /// How near the nearest tower comes, in words: "0.284 Hz".
+    /// The value of the nearest tower in words: "0.284 Hz".
     pub nearest: String,
 }
 

@@ -1,4 +1,4 @@
-//! What each address answers.
+//! The answers of each address.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -27,7 +27,7 @@ pub(super) struct Routes {
     files: Vec<PageFile>,
 }
 
-/// Where a request leads.
+/// The target of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Route {
     /// To a file of the page, by its index.
@@ -45,7 +45,7 @@ impl Routes {
         }
     }
 
-    /// Where a request leads, or why it is refused.
+    /// The target of a request, or the reason why it is refused.
     pub(super) fn find(&self, head: &Parts) -> Result<Route, Refused> {
         let path = self.gate.inside(&head.headers, head.uri.path())?;
         let file = self.files.iter().position(|file| file.name == path);

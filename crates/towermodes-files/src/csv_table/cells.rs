@@ -56,7 +56,7 @@ impl<'a> Records<'a> {
         records
     }
 
-    /// What separates columns.
+    /// The separator of columns.
     pub(crate) fn delimiter(&self) -> char {
         self.delimiter
     }

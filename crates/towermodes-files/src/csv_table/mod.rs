@@ -14,7 +14,7 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 /// Largest number of mistakes that are collected; further ones have the same cause.
 pub(crate) const MAX_MISTAKES: usize = 20;
 
-/// How many cells the rows of a table have.
+/// Number of cells in the rows of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Width {
     /// The number of columns.

@@ -3,7 +3,7 @@
 use super::cells::Cell;
 use crate::diagnostic::{Diagnostic, DiagnosticKind, line_and_column, quoted};
 
-/// How the numbers of a table are written.
+/// The format of the numbers of a table.
 #[derive(Debug)]
 pub(crate) struct Numbers<'a> {
     text: &'a str,

@@ -22,7 +22,7 @@ pub enum DiagnosticKind {
     Syntax {
         /// The grammar.
         format: &'static str,
-        /// What the parser found.
+        /// The reason by the parser.
         reason: String,
     },
     /// The file has no content.
@@ -31,13 +31,13 @@ pub enum DiagnosticKind {
     /// The file ends too early.
     #[error("the file ends where {expected} is expected")]
     EndOfFile {
-        /// What should follow.
+        /// Content that is expected next.
         expected: String,
     },
     /// The file is of another kind than is needed.
     #[error("this is {found}")]
     WrongFile {
-        /// What the file is, as a phrase such as `a blade file of ElastoDyn`.
+        /// The kind of the file, as a phrase such as `a blade file of ElastoDyn`.
         found: String,
     },
     /// A file that this file names cannot be read.
@@ -75,7 +75,7 @@ pub enum DiagnosticKind {
     /// Something other than a key that must be there.
     #[error("{what} is missing")]
     Missing {
-        /// What is missing.
+        /// Name of the missing content.
         what: String,
     },
     /// A value of another type.
@@ -85,15 +85,15 @@ pub enum DiagnosticKind {
         what: String,
         /// The type that is expected, such as `a number`.
         expected: String,
-        /// What is there instead.
+        /// Content in its place.
         found: String,
     },
     /// A line that belongs to another place.
     #[error("expected {expected} here, found {found}")]
     Misplaced {
-        /// What should be here.
+        /// Expected content.
         expected: String,
-        /// What is here.
+        /// Content of the file.
         found: String,
     },
     /// A number outside its range.
@@ -159,9 +159,9 @@ pub enum DiagnosticKind {
     /// Something that may occur only once, or twice for a step.
     #[error("{what} occurs {times} times")]
     Repeated {
-        /// What occurs too often.
+        /// Name of the content that occurs too often.
         what: String,
-        /// How often it has occurred up to here.
+        /// Number of occurrences so far.
         times: usize,
     },
     /// A name that nothing in the file has.
@@ -177,7 +177,7 @@ pub enum DiagnosticKind {
     Comma {
         /// The quantity.
         what: String,
-        /// What follows the comma.
+        /// Content after the comma.
         rest: String,
     },
     /// A value that is left out between commas or by a `/`: Fortran would keep an undefined one.
@@ -185,7 +185,7 @@ pub enum DiagnosticKind {
     NoValue {
         /// The quantity.
         what: String,
-        /// What leaves it out.
+        /// Reason why it is omitted.
         reason: &'static str,
     },
     /// Values that contradict each other.

@@ -1,5 +1,5 @@
-//! What is below the tower of a model of OpenFAST: the substructure in the file of SubDyn that the
-//! `.fst` file names, or the floating platform with its water and its mooring lines.
+//! The structure below the tower of a model of OpenFAST: the substructure in the SubDyn file to
+//! which the `.fst` file refers, or the floating platform with its water and its mooring lines.
 
 use std::ops::Range;
 
@@ -24,7 +24,7 @@ use crate::resolver::{FileResolver, folder_of, found_elsewhere};
 use crate::source::Source;
 use crate::subdyn::{Interface, SoildynInput, SubdynInput, read_soildyn, read_subdyn};
 
-/// What is below the tower.
+/// The structure below the tower.
 #[derive(Debug, Default)]
 pub(super) struct Below {
     /// The foundation; clamped if the files of nothing below the tower are there.
@@ -172,7 +172,7 @@ impl<'a> Model<'a> {
         Ok(below)
     }
 
-    /// What holds a substructure that floats: its water and its mooring lines.
+    /// The restoring stiffness of a floating substructure: water and mooring lines.
     fn restoring(
         &self,
         foundation: &FrameFoundation,
@@ -209,7 +209,7 @@ impl<'a> Model<'a> {
             ..Below::default()
         };
         let site = self.site(&water);
-        // What no other file has is that of HydroDyn.
+        // Values that no other file contains are those of HydroDyn.
         below
             .places
             .push((Place::Foundation { key: TABLE }, 0, 0..0));

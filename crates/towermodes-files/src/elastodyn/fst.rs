@@ -176,7 +176,7 @@ struct Module {
     files: &'static [&'static str],
     /// The part that it models, with its verb.
     what: &'static str,
-    /// The same as a part of the structure.
+    /// The same component as a missing part of the structure.
     part: MissingPart,
     /// Values of the switch for programs whose files are not read.
     other_programs: &'static [(i64, &'static str)],

@@ -20,9 +20,9 @@ pub(super) const AREA: usize = 15;
 pub(super) const PITCH: usize = 16;
 pub(super) const ELASTIC_CENTRE: [usize; 2] = [17, 18];
 
-/// How many columns there are.
+/// Number of columns.
 pub(super) const COLUMNS: usize = 19;
-/// How many a row has that gives the section as a full matrix of stiffness.
+/// Number of columns of a row with a full stiffness matrix.
 const FULL_MATRIX_COLUMNS: usize = 30;
 
 /// The name of each column, its unit with a blank before it, and the range of its values.

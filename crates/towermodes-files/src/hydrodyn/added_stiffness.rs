@@ -9,7 +9,7 @@ use crate::note::Note;
 use crate::records::{Line, Lines};
 use crate::source::Source;
 
-/// What a user adds.
+/// The added stiffness given by a user.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Added {
     pub(super) stiffness: SpatialMatrix,

@@ -1,5 +1,5 @@
-//! What holds a frame that floats: the rigid platform of the same masses, and its water planes on
-//! the joints near them.
+//! The restoring stiffness of a floating frame: the rigid platform of the same masses, and its
+//! water planes on the joints near them.
 
 use towermodes::frame::{FrameFoundation, Restoring};
 use towermodes::space::SpatialMatrix;
@@ -12,8 +12,8 @@ use super::water_plane;
 use crate::note::Note;
 
 impl HydrodynInput {
-    /// What holds a frame that floats in this water, under gravity (m/s²), without moorings. The
-    /// structure is the mass of the frame without water, and its centre.
+    /// The restoring stiffness of a floating frame in this water, under gravity (m/s²), without
+    /// moorings. `structure` is the mass of the frame without water, and its centre.
     pub(crate) fn restoring(
         &self,
         foundation: &FrameFoundation,

@@ -25,7 +25,7 @@ pub(super) struct Coefficients {
 /// The model of a member.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Model {
-    /// The same everywhere.
+    /// Equal coefficients for all members and depths.
     Simple(Four),
     /// By depth.
     Depth,

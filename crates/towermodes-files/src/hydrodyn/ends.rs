@@ -12,7 +12,7 @@ use super::spatial::{Tensor, Vector, norm};
 use super::strip::StripMember;
 use super::water::SeaWater;
 
-/// What moves with a joint of strip members.
+/// The mass that moves with a joint of strip members.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StripEnd {
     /// The number of the joint in the file.

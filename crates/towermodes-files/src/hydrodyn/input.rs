@@ -1,4 +1,4 @@
-//! What a file of HydroDyn describes.
+//! The content of a HydroDyn file.
 
 use towermodes::RigidBody;
 use towermodes::space::SpatialMatrix;
@@ -48,7 +48,7 @@ impl HydrodynInput {
         strip_inertia::added_mass(&self.members, &self.ends, density)
     }
 
-    /// What fills members (FillGroups), as one rigid body.
+    /// The filling of members (FillGroups), as one rigid body.
     pub fn filling(&self) -> RigidBody {
         strip_inertia::filling(&self.members)
     }

@@ -89,7 +89,7 @@ pub fn read_hydrodyn(
     })
 }
 
-/// What the main file says.
+/// The values of the main file.
 struct Found {
     water: SeaWater,
     added: added_stiffness::Added,

@@ -22,7 +22,7 @@ pub struct StripMember {
 /// A stretch of a member; values at both ends, linear between them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
-    /// Where it begins and ends, as fractions of the member's length from its first end.
+    /// Its ends, as fractions of the member's length from its first end.
     pub range: [f64; 2],
     /// Outer radius without growth, m.
     pub outer_radius_m: [f64; 2],

@@ -130,7 +130,7 @@ fn body_of(
     bodies
 }
 
-/// What fills the members, as one rigid body.
+/// The filling of the members, as one rigid body.
 pub(super) fn filling(members: &[StripMember]) -> RigidBody {
     RigidBody::combined(&body_of(members, Stretch::filling_ring))
 }

@@ -27,7 +27,7 @@ pub(super) struct Table<'a> {
 pub(super) struct Row<'a> {
     line: Line<'a>,
     pub(super) tokens: Vec<Token<'a>>,
-    /// What it is in messages.
+    /// Its name in messages.
     name: String,
 }
 

@@ -47,7 +47,7 @@ impl Entries {
     }
 }
 
-/// What a file has.
+/// The content of a file.
 pub(super) struct Read<T> {
     pub(super) content: T,
     /// Whether the file has only the entries on and above the diagonal.

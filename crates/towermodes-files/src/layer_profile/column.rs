@@ -9,10 +9,10 @@ use super::unit::{Dimension, Factor, units};
 use crate::csv_table::Cell;
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 
-/// What a column holds.
+/// The content of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Content {
-    /// In the datum of the stations, upwards.
+    /// Height in the datum of the stations, upwards.
     Height,
     /// Below the surface of the ground before scour.
     Depth,
@@ -80,7 +80,7 @@ pub(super) struct Column {
     pub(super) content: Content,
     /// Its name in messages.
     pub(super) name: &'static str,
-    /// Which column it is.
+    /// Index of the column.
     pub(super) index: usize,
     pub(super) unit: Factor,
 }
@@ -165,7 +165,7 @@ fn unit_of(
     }
 }
 
-/// What would be right in place of a name that is not known.
+/// Suggestion for an unknown name.
 fn unknown(name: &str) -> String {
     let inputs = GroundLayer::every_input(&LayerSoil::blanks());
     let single = inputs.iter().filter(|(_, given)| given.is_number());

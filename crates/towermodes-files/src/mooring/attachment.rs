@@ -1,4 +1,4 @@
-//! What holds a point, a body or a rod, and what a line ends at, as words.
+//! The support of a point, a body or a rod, and the end of a line, as words of the file.
 
 use towermodes::mooring::{Carrier, RodEnd};
 
@@ -7,7 +7,7 @@ use super::row::Row;
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 use crate::records::Token;
 
-/// What holds a part.
+/// The support of a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Hold {
     Fixed,
@@ -17,7 +17,7 @@ pub(super) enum Hold {
     Body(usize),
 }
 
-/// What a line ends at, by its number from 1.
+/// The end of a line, by its number from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum End {
     Point(usize),
@@ -87,7 +87,7 @@ fn of_farm(row: &Row<'_>, column: &Column, token: &Token<'_>) -> Diagnostic {
     row.unsupported(column, message).with_hint(hint)
 }
 
-/// What holds a body or a rod.
+/// The support of a body or a rod.
 pub(super) fn carrier(row: &Row<'_>, column: &Column) -> Result<Carrier, Diagnostic> {
     match hold(row, column)? {
         Hold::Fixed => Ok(Carrier::Fixed),

@@ -1,4 +1,4 @@
-//! What a file of a mooring system describes.
+//! The content of a file of a mooring system.
 
 use std::ops::Range;
 
@@ -92,7 +92,7 @@ impl MooringInput {
         ReadError::mistake(&self.source, mistake)
     }
 
-    /// What is possible but probably a mistake, at its line of the file.
+    /// Probable mistakes, each at its line of the file.
     pub fn warnings(&self, mooring: &Mooring, state: &MooringState) -> Vec<Note> {
         let warnings = mooring.warnings(state).into_iter();
         let notes = warnings.map(|warning| {

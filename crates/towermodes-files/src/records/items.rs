@@ -15,7 +15,7 @@ const MAX_TOKENS: usize = 2 * MAX_COUNT;
 pub(crate) struct Item<'a> {
     /// The value.
     pub(crate) token: Token<'a>,
-    /// How often it is repeated: `3*0.0` is three zeros.
+    /// Number of repetitions: `3*0.0` is three zeros.
     pub(crate) repeats: usize,
     /// Commas since the value before it, or since the record's start.
     pub(crate) commas: usize,
@@ -69,7 +69,7 @@ impl<'a> Items<'a> {
         self.next > 0 && is_number && self.gap_before(self.next) == ","
     }
 
-    /// How many numbers are still to come before anything else.
+    /// Number of values before other content.
     pub(crate) fn numbers_left(&self) -> usize {
         let rest = self.tokens[self.next.min(self.tokens.len())..].iter();
         rest.take_while(|token| token.is_number()).count()

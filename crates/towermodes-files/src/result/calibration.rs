@@ -32,7 +32,8 @@ pub struct CalibrationDocument {
     pub is_pairing_stable: bool,
     /// Whether the certificate of the fitted tower proves that no mode is missing.
     pub certified: bool,
-    /// What the measurements decide and what they do not, and doubts about the fit, in words.
+    /// Remarks in words: inputs that the measurements determine or do not determine, and doubts
+    /// about the fit.
     pub remarks: Vec<String>,
     /// Warnings and notes of the reader.
     pub warnings: Vec<String>,
@@ -68,7 +69,7 @@ pub struct FittedNumber {
     pub decided_by: Vec<FittedShare>,
 }
 
-/// What one measurement or prior contributes to the variance of a fitted number.
+/// The contribution of one measurement or prior to the variance of a fitted value.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FittedShare {
@@ -106,8 +107,8 @@ pub struct FittedFrequency {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FittedDirection {
-    /// By how many standard deviations the measurements change together when the numbers change by
-    /// the parts: a singular value of the weighted Jacobian.
+    /// Number of standard deviations by which the measurements change together if the values change
+    /// by these parts: a singular value of the weighted Jacobian.
     pub singular_value: f64,
     /// The change of each number, together of length 1: of the logarithm of positive numbers (0.1
     /// is about 10 %), in the unit of `scales` of others.

@@ -92,7 +92,7 @@ pub(super) fn not_checked(campbell: &Campbell) -> Vec<String> {
 struct LineJson<'a> {
     /// `tower` or `blade`.
     of: &'static str,
-    /// What its mode is of, by its energy. Modes of the `substructure` are not judged.
+    /// Class of the mode, by its energy. Modes of the class `substructure` have no verdict.
     class: ModeClass,
     /// Its number in the list of the tower's modes, from 1; null for a blade.
     number: Option<usize>,

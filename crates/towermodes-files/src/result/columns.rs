@@ -12,7 +12,7 @@ pub struct Column<R: 'static> {
     pub key: &'static str,
     /// Its unit; empty for pure numbers and texts.
     pub unit: &'static str,
-    /// What it is.
+    /// Its meaning.
     pub meaning: &'static str,
     /// Its value in a record.
     pub value: fn(&R) -> Cell,

@@ -55,7 +55,7 @@ pub(super) struct CoupledCampbellDocument<'a> {
     margins: Vec<MarginJson<'a>>,
     /// The stiffness class of the first fore-aft and of the first side-side bending mode.
     classes: Vec<ClassJson>,
-    /// Where curves cross or veer, by rotor speed.
+    /// Crossings and veerings of the curves, by rotor speed.
     meetings: Vec<MeetingJson>,
     /// The modes of the tower with its machine as a rigid body, against the coupled modes of the
     /// same name.
@@ -75,18 +75,18 @@ struct SpeedJson {
     /// Whether eigenvalue counts prove that no mode below the limit is missing and that no mode is
     /// unstable.
     is_complete: bool,
-    /// How many modes of negative energy there are if none is unstable; they may lie above the
-    /// limit.
+    /// Number of modes of negative energy if no mode is unstable; they may lie above the limit.
     negative_energy_expected: usize,
-    /// How many were found.
+    /// Number of modes of negative energy that were found.
     negative_energy_found: usize,
     /// Intervals of frequency, Hz, in which counts do not exclude two more modes, one of positive
     /// and one of negative energy. There are none if the list is complete.
     unproven_hz: Vec<[f64; 2]>,
-    /// How many modes grow without limit, at least; 0 if none does, or if this is not known.
+    /// Lowest number of unstable modes, whose amplitude grows without limit; 0 if there is none, or
+    /// if this is not known.
     growing: usize,
-    /// How many motions are slower than 1e-5 rad/s (1.6e-6 Hz), beside the rotation of a free
-    /// shaft; they are not among the modes.
+    /// Number of motions slower than 1e-5 rad/s (1.6e-6 Hz), without the rotation of a free shaft;
+    /// they are not among the modes.
     unresisted: usize,
 }
 
@@ -103,7 +103,7 @@ struct CurveJson {
     order: usize,
     /// Its names by rising rotor speed.
     names: Vec<NameRangeJson>,
-    /// Of a backward whirl the index of the curve of the forward whirl, and the reverse; null
+    /// For a backward whirl the index of the curve of the forward whirl, and the reverse; null
     /// otherwise.
     partner: Option<usize>,
     /// The largest estimated error of its frequencies, Hz.
@@ -157,7 +157,7 @@ struct PointJson {
     /// The estimated error of the mesh, Hz; null where it is not known: between the ends of the
     /// diagram and of the operating range.
     error_hz: Option<f64>,
-    /// How many modes have this frequency.
+    /// Number of modes with this frequency.
     multiplicity: usize,
     /// Whether the energy of the mode in the fixed frame is negative: damping makes it grow.
     has_negative_energy: bool,
@@ -172,7 +172,7 @@ struct PointJson {
     /// Whether it is judged as a mode of the tower: its name is not one of the blades, or it shares
     /// its energy with the tower.
     counts_as_tower: bool,
-    /// What it is of, by its energy. Modes of the `substructure` are not judged.
+    /// Class of the mode, by its energy. Modes of the class `substructure` have no verdict.
     class: ModeClass,
     /// Fractions of its elastic energy.
     energy: EnergyJson,

@@ -12,7 +12,7 @@ use super::{ResultError, write_result_json};
 pub struct DesignDocument {
     /// The name of the tower; may be empty.
     pub tower: String,
-    /// What was chosen.
+    /// The design variables.
     pub variables: Vec<DesignedVariable>,
     /// Mass of the original tower with outfitting and point masses, without RNA, and of the members
     /// of a substructure, kg.
@@ -36,7 +36,7 @@ pub struct DesignDocument {
     pub steps_are_searched: Option<bool>,
     /// Whether the certificate of the tower found proves that no mode is missing.
     pub certified: bool,
-    /// How many towers were solved.
+    /// Number of solved towers.
     pub solves: usize,
     /// Warnings and notes of the reader.
     pub warnings: Vec<String>,
@@ -105,7 +105,7 @@ pub struct DesignedLimit {
     pub limit: String,
     /// Mass that is saved per unit by which it is relaxed, kg per unit.
     pub kg_per_unit: f64,
-    /// The same per percent of the limit, kg; null for a limit that is 0.
+    /// Change of the mass per percent of the limit, kg; null for a limit that is 0.
     pub kg_per_percent: Option<f64>,
 }
 

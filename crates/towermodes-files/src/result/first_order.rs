@@ -64,7 +64,7 @@ pub struct ScatteredMode {
     pub deviation_hz: Option<f64>,
     /// The difference of the mean by curvature, to second order, Hz; null if not known.
     pub mean_shift_hz: Option<f64>,
-    /// What each input does, in the order of the inputs; empty if there is no scatter.
+    /// The effect of each input, in the order of the inputs; empty if there is no scatter.
     pub inputs: Vec<InputEffect>,
     /// The probabilities of violated margins; empty without the rotor speed.
     pub margins: Vec<MarginProbability>,
@@ -72,7 +72,7 @@ pub struct ScatteredMode {
     pub no_scatter: Option<String>,
 }
 
-/// What an input does to a frequency.
+/// The effect of an input on a frequency.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct InputEffect {

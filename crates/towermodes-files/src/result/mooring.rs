@@ -71,7 +71,7 @@ pub(super) struct MooringDocument<'a> {
     lines: Vec<LineAtRest>,
     /// Positions of the points, m: x, y, z (up from still water).
     points_m: &'a [[f64; 3]],
-    /// What was assumed, left out or is probably a mistake.
+    /// Assumptions, omitted data and probable mistakes.
     warnings: Vec<String>,
 }
 

@@ -24,7 +24,7 @@ pub(super) struct SensitivitiesDocument<'a> {
     warnings: Vec<String>,
 }
 
-/// What the numbers of a tower do to its frequencies.
+/// The influence of the input values of a tower on its frequencies.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct InfluencesJson<'a> {
@@ -43,7 +43,7 @@ struct ModeJson<'a> {
     label: &'a str,
     /// Its frequency, extrapolated, Hz.
     frequency_hz: f64,
-    /// What all tolerances do together, Hz: the root of the sum of squares; null without
+    /// The combined effect of all tolerances, Hz: the root of the sum of squares; null without
     /// tolerances.
     tolerances_hz: Option<f64>,
 }
@@ -58,16 +58,16 @@ struct NumberJson<'a> {
     value: f64,
     /// Its unit; empty for a number without a unit.
     unit: &'static str,
-    /// What a percent is of.
+    /// The reference of the percent.
     percent_of: Basis,
     /// Derivative of the mass of the tower and of the members of a substructure with respect to the
     /// value, kg per unit; null if the tower cannot be changed in both directions.
     mass_kg_per_unit: Option<f64>,
-    /// What the number does to each mode, in the order of the modes.
+    /// The effect of the input value on each mode, in the order of the modes.
     modes: Vec<InfluenceJson>,
 }
 
-/// What a number does to a mode.
+/// The effect of an input value on a mode.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct InfluenceJson {
@@ -77,7 +77,7 @@ struct InfluenceJson {
     error_hz_per_unit: Option<f64>,
     /// Percent of the frequency per percent of the number; null for a number that is zero.
     percent_per_percent: Option<f64>,
-    /// What the tolerance of the number does, Hz; null without a tolerance.
+    /// The effect of the tolerance of the input value, Hz; null without a tolerance.
     tolerance_hz: Option<f64>,
     /// Why there is no derivative; null if there is one.
     no_derivative: Option<String>,
@@ -97,7 +97,7 @@ fn influence(number: &Influence, mode: usize, tolerance: Option<Tolerance>) -> I
 }
 
 impl<'a> InfluencesJson<'a> {
-    /// Of the tower of an input.
+    /// For the tower of an input.
     pub(super) fn of(
         description: &TowerDescription,
         influences: &'a Influences,

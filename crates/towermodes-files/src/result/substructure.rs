@@ -67,7 +67,7 @@ impl LargestMotion {
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct SubstructureDocument<'a> {
-    /// How members are made into elements: `spectral`, beams whose degree rises until the
+    /// The element type of the members: `spectral`, beams whose degree increases until the
     /// frequencies have converged, or `subdyn`, the element of SubDyn with the divisions of the
     /// file.
     method: &'static str,
@@ -95,7 +95,7 @@ struct SubstructureSummary<'a> {
     clamped: bool,
     /// Mass of members, masses on joints and soil mass at the supports, kg.
     mass_kg: f64,
-    /// The same by what it is.
+    /// The mass by substance.
     masses: FrameMasses,
     /// Number of members.
     members: usize,
@@ -208,7 +208,7 @@ impl SolvedSubstructure<'_> {
         Some(Note::suspicious(mechanism.to_string()))
     }
 
-    /// How members are made into elements.
+    /// The element type of the members.
     pub fn method(&self) -> &'static str {
         match self.solution.degree {
             Some(_) => "spectral",

@@ -1,4 +1,4 @@
-//! How the varied numbers of a sweep depend on each other, as plain data with the rules for it.
+//! The dependence of the varied inputs of a sweep, as plain data with their rules.
 
 use std::collections::HashSet;
 use std::fmt;

@@ -1,4 +1,4 @@
-//! How the rows of a sweep are drawn, as plain data with the rules for its numbers; the crate
+//! The sampling of the rows of a sweep, as plain data with the rules for its values; the crate
 //! `towermodes-sweep` draws the values.
 
 mod correlation;
@@ -8,7 +8,7 @@ pub use correlation::{Correlation, CorrelationError, MAX_CORRELATED};
 use thiserror::Error;
 use towermodes::number::Plain;
 
-/// How the rows of a sweep are drawn: each row is a function of the seed and its number alone.
+/// The sampling of the rows of a sweep: each row is a function only of the seed and its number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sampling {
     /// The kind.
@@ -19,7 +19,7 @@ pub struct Sampling {
     pub seed: u64,
     /// The changes and their distributions.
     pub vary: Vec<Varied>,
-    /// Which of them depend on each other; empty if all are independent.
+    /// The pairs of dependent inputs; empty if all are independent.
     pub correlations: Vec<Correlation>,
 }
 
@@ -345,7 +345,7 @@ impl From<(usize, CorrelationError)> for SamplingError {
     }
 }
 
-/// What a distribution in a grid lacks.
+/// The message for a distribution without levels in a grid.
 fn no_levels(distribution: &str) -> String {
     match distribution {
         "uniform" => "is uniform without levels; in a grid add levels = n, n at least 2".to_owned(),

@@ -12,7 +12,7 @@ pub(super) const EXAMPLE: &str = "write a header such as `bottom_m, top_m, botto
 pub(super) struct Length {
     /// Its name in messages.
     pub(super) what: &'static str,
-    /// Which column it is.
+    /// Index of the column.
     pub(super) index: usize,
     pub(super) unit: Unit,
 }
@@ -36,7 +36,7 @@ pub(super) struct Stations {
     pub(super) material: Option<usize>,
 }
 
-/// What the rows of a table are.
+/// The kind of the rows of a table.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Layout {
     Cans(Cans),

@@ -1,4 +1,4 @@
-//! What a file of SubDyn describes: a frame, and the joints of its transition piece.
+//! The content of a SubDyn file: a frame, and the joints of its transition piece.
 
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use crate::note::Note;
 use crate::places::{Rows, of_rows};
 use crate::source::Source;
 
-/// How the interface joints of a substructure are held.
+/// The support of the interface joints of a substructure.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Interface {
     /// Each moves for itself, without a transition piece: the "full" frequencies in the summary of
@@ -92,7 +92,7 @@ impl SubdynInput {
         )
     }
 
-    /// What no frame can have, at its line.
+    /// An error of the frame, at its line.
     fn mistake(&self, error: FrameError) -> ReadError {
         let span = self.row(error.place.part()).unwrap_or(0..0);
         let kind = DiagnosticKind::Frame(Box::new(error));
@@ -100,7 +100,7 @@ impl SubdynInput {
         ReadError::mistake(&self.sources[0], mistake)
     }
 
-    /// What is possible in this frame but probably a mistake, at its line of the file.
+    /// Probable mistakes in this frame, each at its line of the file.
     pub fn warnings(&self, frame: &Frame) -> Vec<Note> {
         let warnings = frame.warnings().into_iter();
         let notes = warnings.map(|warning| {

@@ -52,7 +52,7 @@ pub fn read_subdyn(source: Source, files: &dyn FileResolver) -> Result<SubdynInp
     Ok(input)
 }
 
-/// What the main file says.
+/// The values of the main file.
 struct Found {
     title: String,
     settings: settings::Settings,

@@ -14,7 +14,7 @@ const MOST: usize = 64;
 pub(super) struct Row<'a> {
     line: Line<'a>,
     tokens: Vec<Token<'a>>,
-    /// What it is in messages.
+    /// Its name in messages.
     name: String,
 }
 
@@ -24,7 +24,7 @@ impl<'a> Row<'a> {
         Self { line, tokens, name }
     }
 
-    /// How many numbers it begins with.
+    /// Number of values at its beginning.
     pub(super) fn numbers(&self) -> usize {
         self.tokens.iter().take_while(|t| t.is_number()).count()
     }
@@ -123,7 +123,7 @@ impl<'a> Row<'a> {
 /// The numbers of the rows of a table, by which other tables refer to them.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Ids {
-    /// What a row is: `joint`.
+    /// Name of a row: `joint`.
     what: &'static str,
     indices: HashMap<i64, usize>,
 }

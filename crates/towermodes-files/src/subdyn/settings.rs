@@ -11,7 +11,7 @@ const FIRST_LINES: usize = 100;
 /// No member is divided into more parts.
 const MOST_PARTS: i64 = 1000;
 
-/// How SubDyn makes elements of members.
+/// The settings for the elements of members in SubDyn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Settings {
     /// Whether beams deform by shear (`FEMMod` 3).

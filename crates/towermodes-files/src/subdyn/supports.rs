@@ -19,7 +19,7 @@ const INTERFACES: [&str; 6] = [
 /// The column of the file of soil stiffness.
 const SOIL_FILE: usize = 7;
 
-/// What the reaction joints are.
+/// The reaction joints.
 #[derive(Debug, Default)]
 pub(super) struct Reactions {
     /// The supports, each with the index of its row; joints that nothing holds have none.

@@ -9,9 +9,9 @@ const ALONG: usize = 12;
 
 /// Lines at rest.
 pub(crate) struct LinesAtRest<'a> {
-    /// What the user gave.
+    /// The given mooring lines.
     pub of: &'a MooringLines,
-    /// Where everything is.
+    /// The state of the mooring system.
     pub state: MooringState,
     /// The lines in the order of the description.
     pub lines: Vec<LineAtRest>,
@@ -61,7 +61,7 @@ pub(crate) fn lines_at_rest(platform: &FloatingPlatform) -> Option<LinesAtRest<'
     })
 }
 
-/// What holds the end of a line.
+/// The support of the end of a line.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Held {
     Ground,

@@ -18,7 +18,7 @@ const DEEPEST: f64 = 4.0;
 /// A tower with its RNA, its foundation and its surroundings.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Parts<'a> {
-    /// What the user gave.
+    /// The given description.
     pub description: &'a TowerDescription,
     /// The tower of it.
     pub tower: &'a Tower,
@@ -174,7 +174,7 @@ fn are_rigid(springs: &FoundationSprings) -> bool {
 /// A floating platform with the tower on it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Platform<'a> {
-    /// What the user gave.
+    /// The given platform.
     pub of: &'a FloatingPlatform,
     tower: &'a Tower,
 }
@@ -208,17 +208,17 @@ impl Platform<'_> {
 /// axis, heights from its top.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct RnaForm {
-    /// Where the nacelle begins, upwind.
+    /// Upwind end of the nacelle.
     pub front: f64,
-    /// Where it ends.
+    /// Downwind end of the nacelle.
     pub back: f64,
     /// Its height.
     pub height: f64,
-    /// How far the hub reaches before it.
+    /// Length of the hub upwind of the nacelle.
     pub nose_length: f64,
     /// Half the height of the hub.
     pub nose_radius: f64,
-    /// Where the blades are.
+    /// Position of the blades.
     pub blades_at: f64,
 }
 

@@ -1,5 +1,5 @@
-//! What pictures need of a frame: the outlines of its members, its places in water and ground, its
-//! motion in a mode.
+//! The data of a frame for pictures: the outlines of its members, its position in water and ground,
+//! its motion in a mode.
 
 use towermodes::Mode;
 use towermodes::frame::{
@@ -18,7 +18,7 @@ const LEVEL_M: f64 = 1e-6;
 /// A frame under a tower.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Substructure<'a> {
-    /// What the user gave.
+    /// The given frame.
     pub of: &'a FrameFoundation,
 }
 

@@ -49,7 +49,7 @@ pub struct TurbineResults {
     pub turbine: Turbine,
     /// Its frequencies against the rotor speed.
     pub coupled: CoupledCampbell,
-    /// What the flexible rotor makes of the modes of the tower.
+    /// The tower modes with rigid and with flexible rotor.
     pub against: Vec<AgainstRigid>,
 }
 

@@ -1,8 +1,8 @@
-//! What to change where a tower cannot be solved.
+//! Suggestions if a tower cannot be solved.
 
 use towermodes::{EigenError, Family, SolveError};
 
-/// What to change so that a tower can be solved, for errors that say it.
+/// A suggestion so that a tower can be solved, for errors that have one.
 pub fn remedy(error: &SolveError) -> Option<&'static str> {
     match error {
         SolveError::TooManyModes { .. } => {

@@ -1,4 +1,4 @@
-//! What a coupled Campbell diagram proves and leaves out, in words.
+//! The proof of a coupled Campbell diagram and the effects that it does not include, in words.
 
 use towermodes::number::four_digits;
 use towermodes::tower::Rpm;
@@ -9,7 +9,7 @@ use super::text::{counted, listed};
 /// Each sentence names at most this many rotor speeds.
 const NAMED: usize = 4;
 
-/// What the coupled modes of a turbine leave out.
+/// The effects that the coupled modes of a turbine do not include.
 pub const STRUCTURE_ONLY: &str =
     "Structure only: no aerodynamics, no controller, constant rotor speed.";
 

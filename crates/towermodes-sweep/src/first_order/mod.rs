@@ -110,7 +110,7 @@ pub enum NoScatter {
     /// The tower at the means lacks the mode.
     #[error("the tower at the mean values has no such mode: {sentence}")]
     NoMode {
-        /// What is wrong with the tower.
+        /// The error of the tower, as a sentence.
         sentence: String,
     },
     /// A frequency has no derivative.
@@ -141,7 +141,7 @@ pub enum FirstOrderError {
     /// The tower at the means is none, or is not solved.
     #[error("the tower at the mean values: {sentence}")]
     Means {
-        /// What is wrong with it.
+        /// The error, as a sentence.
         sentence: String,
     },
     /// The tower at the means has no derivatives.

@@ -10,7 +10,7 @@ use std::collections::TryReserveError;
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct FailedRows {
     rows: Vec<u64>,
-    /// Where the sentence of each row ends in the text of all; it begins where the last one ends.
+    /// End of the sentence of each row in the text of all; it begins at the end of the one before.
     ends: Vec<u64>,
     text: String,
 }

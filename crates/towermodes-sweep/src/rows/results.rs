@@ -30,7 +30,7 @@ pub struct Results {
     /// one motion, below 0.6 where modes share it, so that the name may go to another mode in the
     /// next row; rows × modes.
     pub share: Vec<f64>,
-    /// What failed or is missing.
+    /// The failed rows and missing modes.
     pub failures: FailedRows,
     /// Rows that were solved here with input that is probably a mistake; files do not have them.
     pub warnings: RowRemarks,

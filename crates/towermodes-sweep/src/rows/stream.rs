@@ -79,7 +79,7 @@ pub(crate) fn stream<'a, P: Send, E: From<RunError> + Send>(
     }
 }
 
-/// What the threads share.
+/// Data shared by the threads.
 struct Run<'r, 'a, B, F, T, P, E> {
     sweep: &'r Sweep,
     /// The row behind the last one.
@@ -221,7 +221,7 @@ impl<P> Drop for Over<'_, P> {
     }
 }
 
-/// What one thread needs to solve rows.
+/// Data of one thread for solving rows.
 struct Rows<'a> {
     sweep: &'a Sweep,
     solver: RowSolver<'a>,

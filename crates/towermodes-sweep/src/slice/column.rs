@@ -17,7 +17,7 @@ pub(super) enum Column {
     ErrorHz(usize),
     /// The share of its family in its energy.
     Share(usize),
-    /// What failed.
+    /// The error of the row, as a sentence.
     Sentence,
 }
 

@@ -1,4 +1,4 @@
-//! What can go wrong with slices.
+//! Errors of slices.
 
 use std::io;
 use std::ops::Range;
@@ -69,7 +69,7 @@ pub enum SliceError {
     OtherSweep {
         /// The file.
         path: PathBuf,
-        /// What differs.
+        /// The differences.
         differences: Vec<String>,
     },
     /// Two slices with the same rows.
@@ -87,7 +87,7 @@ pub enum SliceError {
         path: PathBuf,
         /// The rows that it should have.
         rows: Range<u64>,
-        /// What is wrong.
+        /// The error in words.
         detail: String,
     },
 }

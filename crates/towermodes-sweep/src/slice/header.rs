@@ -1,4 +1,4 @@
-//! Which sweep a slice is of, and which of its rows it has.
+//! The header of a slice: its sweep, and its range of rows.
 
 use std::fmt::{self, Write};
 use std::ops::Range;
@@ -11,8 +11,8 @@ use crate::digest::Digest;
 use crate::sweep::Sweep;
 use crate::sweep_source::SweepSource;
 
-/// Which sweep a slice is of, and which of its rows it has. Its text is one line:
-/// `towermodes 1.0.0 sweep, tower 01…, values 23…, options 45…, rows 0..2000 of 2000`.
+/// The sweep to which a slice belongs, and its range of rows. Its text is one line: `towermodes
+/// 1.0.0 sweep, tower 01…, values 23…, options 45…, rows 0..2000 of 2000`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Header {
     sweep: Identity,

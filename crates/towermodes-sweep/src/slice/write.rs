@@ -90,7 +90,7 @@ pub fn rows_within(asked: Range<u64>, count: u64) -> Result<Range<u64>, SliceErr
     }
 }
 
-/// What a run has solved.
+/// The counts and remarks of a run.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Solved {
     /// Number of rows.

@@ -94,11 +94,12 @@ pub struct ModeSummary {
     pub frequency_hz: Option<Statistics>,
     /// Its largest error, Hz.
     pub largest_error_hz: f64,
-    /// How often an excitation is too near, by multiple of the rotor speed.
+    /// Number of rows with an excitation within the required distance, by multiple of the rotor
+    /// speed.
     pub margins: Vec<MarginSummary>,
 }
 
-/// How often an excitation is nearer to a mode than the required distance.
+/// How many rows have an excitation within the required distance of a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MarginSummary {
     /// The multiple n of the rotor speed.

@@ -1,4 +1,4 @@
-//! What is wrong with a table.
+//! Errors of a table.
 
 use std::fmt;
 
@@ -11,7 +11,7 @@ use super::lines::{MAX_CELL_LINES, MAX_LINE_BYTES};
 /// The largest number of columns.
 pub(super) const MOST_COLUMNS: usize = 10_000;
 
-/// What is wrong with a table, and in which.
+/// An error of a table, with the name of the table.
 #[derive(Debug, Error)]
 #[error("{name}: {problem}")]
 pub struct TableError {
@@ -31,7 +31,7 @@ impl TableError {
     }
 }
 
-/// What is wrong with a table.
+/// The error of a table.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum TableProblem {
@@ -46,7 +46,7 @@ pub enum TableProblem {
     /// It is something else.
     #[error("is {kind}, not a table in CSV or Parquet; {remedy}")]
     OtherFormat {
-        /// What it is.
+        /// The kind of the file.
         kind: &'static str,
         /// How to make a table of it.
         remedy: &'static str,
@@ -109,7 +109,7 @@ pub enum TableProblem {
         name: String,
         /// The column, from 1.
         column: usize,
-        /// How many other columns are unknown too.
+        /// Number of other unknown columns.
         others: usize,
         /// Why it is no number of the base.
         error: ParameterError,
@@ -188,7 +188,7 @@ pub enum TableProblem {
         place: RowPlace,
         /// The name of the column.
         column: String,
-        /// What is wrong.
+        /// The error of the cell.
         error: CellError,
     },
     /// A column of another type.
@@ -214,7 +214,7 @@ pub enum TableProblem {
     /// A Parquet file that is damaged.
     #[error("the Parquet file is damaged: {detail}")]
     Damaged {
-        /// What the reader found.
+        /// The error found by the reader.
         detail: String,
     },
 }
@@ -227,7 +227,7 @@ fn and_others(count: usize) -> String {
     }
 }
 
-/// Where a row is in a table.
+/// The position of a row in a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RowPlace {
     /// In a text: the line, from 1.

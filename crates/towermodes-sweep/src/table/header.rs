@@ -7,7 +7,7 @@ use towermodes::{Change, TowerDescription};
 use super::error::{MOST_COLUMNS, TableProblem};
 use crate::first::first;
 
-/// What the columns of a table change.
+/// The changes by the columns of a table.
 #[derive(Debug)]
 pub(super) struct Header {
     /// The names of all columns.

@@ -27,7 +27,7 @@ pub(super) struct Lines<R> {
     last_empty: Option<u64>,
     /// The first empty line that is before another one.
     pub(super) empty_line: Option<u64>,
-    /// What is wrong; the rows before it are read first.
+    /// The error; the rows before it are read first.
     wrong: Option<Wrong>,
 }
 

@@ -26,11 +26,12 @@ pub(crate) struct Coupled {
     pub(crate) warnings: Vec<Warning>,
 }
 
-/// Which diagram is shown.
+/// The diagram that is shown.
 pub(crate) enum Diagram {
-    /// That of the whole turbine.
+    /// The diagram of the whole turbine.
     Turbine(Box<Turbine>),
-    /// That of the tower with a rigid rotor, with a note on why, if a user could expect the other.
+    /// The diagram of the tower with a rigid rotor, with a note on the reason if a user could
+    /// expect the other.
     Tower(Vec<Note>),
 }
 

@@ -26,11 +26,11 @@ use crate::progress::{Progress, solve};
 use crate::recipe::{Analysis, Answer};
 use crate::table;
 
-/// Which diagram is shown.
+/// The diagram that is shown.
 pub(crate) enum Plan {
-    /// That of the whole turbine.
+    /// The diagram of the whole turbine.
     Turbine(Box<Turbine>),
-    /// That of the tower with a rigid rotor.
+    /// The diagram of the tower with a rigid rotor.
     Tower {
         options: Options,
         /// Why the rotor is rigid, if a user could expect the other diagram.
@@ -325,7 +325,7 @@ fn pairs(count: usize) -> String {
     }
 }
 
-/// What is needed for verdicts, for each reason why there are none.
+/// Suggestions for each reason why there are no verdicts.
 fn for_verdicts(reasons: &[NotChecked], format: FileFormat) -> String {
     const WHOLE: &str = "give a file that describes the whole structure; `towermodes convert --to toml` writes the data of this file as a tower file, to which you can add the missing parts";
     let speeds = match format {

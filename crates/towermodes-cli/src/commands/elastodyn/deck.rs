@@ -95,8 +95,8 @@ fn read_deck(arguments: &DeckArguments) -> Result<ElastoDynDeck, Failure> {
     read_elastodyn(source, &beside, &options).map_err(Failure::from)
 }
 
-/// Where the flexible tower of the deck begins in another description, m, if that is of the same
-/// tower.
+/// The height in another description at which the flexible tower of the deck begins, m, if it
+/// describes the same tower.
 fn flexible_base(deck: &ElastoDynDeck, tower: &Tower, from: &Path) -> Result<f64, Failure> {
     let name = from.display();
     let model = deck

@@ -174,7 +174,7 @@ impl PlotArguments {
         Ok(())
     }
 
-    /// How the picture is written.
+    /// The file format of the picture.
     ///
     /// # Errors
     /// The message if the file extension is unknown or contradicts an option.

@@ -161,7 +161,7 @@ impl SweepArguments {
         self.threads.unwrap_or_else(available)
     }
 
-    /// What is computed and written: these options, else those of a study.
+    /// The requested results: these options, otherwise those of a study.
     pub(crate) fn results(&self, study: SweepResults) -> SweepResults {
         SweepResults {
             modes: self.modes.clone().unwrap_or(study.modes),

@@ -1,4 +1,4 @@
-//! What is swept: the base, the changes, the modes, the values.
+//! The planned sweep: the base, the changes, the modes, the values.
 
 use std::ops::Range;
 use std::path::Path;

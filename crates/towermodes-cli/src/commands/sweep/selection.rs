@@ -1,4 +1,4 @@
-//! Which rows of a sweep the picture shows, if there are too many.
+//! Selection of the rows of a sweep for the picture, if there are too many.
 
 /// A random selection of rows, the same for each run.
 ///

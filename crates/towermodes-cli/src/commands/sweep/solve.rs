@@ -59,7 +59,7 @@ fn account(rows: &Range<u64>, all: u64) -> String {
     }
 }
 
-/// How many rows have no complete result, and the first of them.
+/// Number of rows without complete result, and the first of them.
 fn failures(solved: &Solved) -> Option<String> {
     let (row, sentence) = solved.first_failure.as_ref()?;
     let (count, rows) = (solved.failed, counted(solved.rows, "row"));

@@ -34,7 +34,7 @@ impl Asymmetry {
     }
 }
 
-/// Where a matrix is least symmetric, if it is not.
+/// The pair of entries with the largest asymmetry, if the matrix is not symmetric.
 pub(super) fn asymmetry<const N: usize>(matrix: &[[f64; N]; N]) -> Option<Asymmetry> {
     let pairs = (0..N).flat_map(|row| (row + 1..N).map(move |column| (row, column)));
     let differences = pairs.map(|(row, column)| Asymmetry {

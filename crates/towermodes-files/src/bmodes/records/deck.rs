@@ -46,7 +46,7 @@ pub(crate) enum Beam {
     Tower,
 }
 
-/// How the root or base is held.
+/// The support of the root or base.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum HubConnection {
     /// 1: clamped.
@@ -58,7 +58,7 @@ pub(crate) enum HubConnection {
 }
 
 impl HubConnection {
-    /// That of a number from 1 to 3.
+    /// The support with a number from 1 to 3.
     pub(super) fn of_number(number: f64) -> Self {
         match number {
             1.0 => Self::Clamped,

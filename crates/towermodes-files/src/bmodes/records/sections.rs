@@ -166,7 +166,7 @@ fn unreadable(mistake: Diagnostic, token: &Token<'_>) -> Diagnostic {
     }
 }
 
-/// How many numbers a line begins with.
+/// Number of values at the beginning of a line.
 fn columns(line: &Line<'_>) -> usize {
     let tokens = line.tokens().take(COLUMNS.len());
     tokens.take_while(|token| token.is_number()).count()

@@ -4,7 +4,7 @@ use towermodes::Tower;
 
 use super::error::BmodesWriteError;
 
-/// How the base is held: `hub_conn`.
+/// The support of the base: `hub_conn`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Hub {
     /// Clamped.
@@ -16,8 +16,8 @@ pub(crate) enum Hub {
 }
 
 impl Hub {
-    /// How many elements BModes 3.00 takes: its solver has at most 1000 unknowns, nine for each
-    /// element and those of the base.
+    /// Largest number of elements of BModes 3.00: its solver has at most 1000 unknowns, nine for
+    /// each element and those of the base.
     pub(super) fn most_elements(self) -> usize {
         match self {
             Self::Clamped => 111,

@@ -33,7 +33,7 @@ pub(super) fn borders(
     divided(&ends, wanted.min(most).max(spans))
 }
 
-/// Where elements must end by this need, as fractions of the length.
+/// Positions where elements must end for this need, as fractions of the length.
 fn ends(layout: &Layout, need: Need) -> Vec<f64> {
     let needed = layout.cuts.iter().filter(|cut| cut.need >= need);
     needed.map(|cut| layout.fraction(cut.height_m)).collect()

@@ -1,5 +1,5 @@
-//! Where a deck cuts a tower: the heights between which everything is smooth, and those that
-//! elements must end at.
+//! Borders of a deck along a tower: heights between which all properties are smooth, and heights at
+//! which elements must end.
 
 use towermodes::number::Rounded;
 use towermodes::tower::Piece;
@@ -26,7 +26,7 @@ impl Cut {
     }
 }
 
-/// How much an element must end at a cut.
+/// The necessity of an element boundary at a border.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Need {
     /// Something bends: elements take their sections at their middles anyway.
@@ -50,7 +50,7 @@ pub(super) struct PerMetre {
 pub(super) struct Layout {
     pub(super) base_m: f64,
     pub(super) top_m: f64,
-    /// From the base to the top.
+    /// The borders, from the base to the top.
     pub(super) cuts: Vec<Cut>,
     /// Point masses and guy wires; distributed ones begin and end at cuts.
     pub(super) attached: Attached,

@@ -51,7 +51,7 @@ pub struct BmodesFiles {
     pub deck: String,
     /// The section file, which the main file names.
     pub sections: String,
-    /// How the deck differs from the tower.
+    /// Notes on the differences between deck and tower.
     pub notes: Vec<Note>,
 }
 

@@ -61,11 +61,11 @@ impl DeckSection {
 /// Values of the sections that were made up or left out.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct MadeUp {
-    /// Where GJ is infinite.
+    /// Whether GJ is infinite.
     pub(super) twist: bool,
-    /// Where EA is infinite.
+    /// Whether EA is infinite.
     pub(super) stretch: bool,
-    /// Where there is no polar inertia.
+    /// Whether there is no polar inertia.
     pub(super) polar_inertia: bool,
     /// The largest difference of rotary inertia and half the polar one, as a fraction of the
     /// latter.

@@ -32,7 +32,7 @@ const BY_DLL: i64 = 5;
 /// Gearbox ratios that differ by more than this fraction are different.
 const SAME_RATIO: f64 = 1e-3;
 
-/// What the files say about the operating speeds.
+/// The operating speeds by the files.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum OperatingSpeeds {
     /// They are known.
@@ -46,7 +46,7 @@ pub(crate) enum OperatingSpeeds {
 pub(crate) struct Controlled {
     /// The lowest and the highest, rpm.
     pub(crate) rpm: [f64; 2],
-    /// Where they come from.
+    /// Notes on their source.
     pub(crate) notes: Vec<Note>,
     /// The file of the controller.
     pub(crate) source: Source,
@@ -92,7 +92,7 @@ fn controller_file(fst: &Source, files: &dyn FileResolver) -> Result<Source, Not
     in_servodyn(&servo, folder, files)
 }
 
-/// The same from the file of ServoDyn in a folder.
+/// As above, from the file of ServoDyn in a folder.
 fn in_servodyn(servo: &Source, folder: &str, files: &dyn FileResolver) -> Result<Source, Note> {
     match switch(servo, "VSContrl") {
         Some((BY_DLL, _)) => {}
@@ -160,8 +160,8 @@ fn controlled(source: Source, main: &MainFile) -> Result<Controlled, Note> {
     })
 }
 
-/// How many times as fast as the rotor the generator turns. The rotor of the model turns by the
-/// ratio of ElastoDyn; the controller may believe another one.
+/// The ratio of generator speed to rotor speed. The rotor of the model has the ratio of ElastoDyn;
+/// the controller may use another one.
 fn gear_ratio(source: &Source, main: &MainFile, notes: &mut Vec<Note>) -> Result<f64, Note> {
     let of_model = main.gearbox_ratio.abs();
     let of_controller = entry(source, GEARBOX);

@@ -55,7 +55,7 @@ fn rotor(main: &MainFile, blades: &[BladeMasses]) -> RigidBody {
     RigidBody::combined(&bodies)
 }
 
-/// Where the blades' axes meet, m along the shaft from the yaw axis.
+/// Position where the blades' axes intersect, m along the shaft from the yaw axis.
 fn apex_on_shaft_m(main: &MainFile) -> f64 {
     main.overhang_m - main.undersling_m
 }
@@ -179,7 +179,7 @@ fn on_inertia(rna: &RigidBody) -> Option<Note> {
     (largest > least + middle).then(|| Note::new(message))
 }
 
-/// How the rotor is held, with the inertia that the nacelle feels.
+/// The state of the rotor, with the inertia that acts on the nacelle.
 fn rotor_message(shaft: &Shaft, lock: RotorLock) -> String {
     let [locked, felt] = [RotorLock::Locked, lock].map(|lock| match shaft.felt_by_nacelle(lock) {
         0.0 => "0 kg m2".to_owned(),

@@ -14,7 +14,7 @@ const YAW_SPRING: Record = record(
     NON_NEGATIVE,
 );
 
-/// What is known of the yaw spring.
+/// The data of the yaw spring.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum YawSpring {
     /// Its stiffness, N m/rad.

@@ -34,14 +34,14 @@ const BALANCED: f64 = 1e-6;
 pub(crate) struct Shaft {
     /// Of hub, blades and tip masses, J_r.
     pub(crate) rotor: f64,
-    /// Of the generator about its own, fast shaft, J_g.
+    /// Inertia of the generator about its own, high-speed shaft, J_g.
     pub(crate) generator: f64,
-    /// How many times as fast as the rotor the generator turns, q.
+    /// Ratio of generator speed to rotor speed, q.
     pub(crate) ratio: f64,
 }
 
 impl Shaft {
-    /// That of a model whose rotor is this body, the shaft being the x axis.
+    /// The shaft of a model whose rotor is this body, with the shaft along the x axis.
     pub(crate) fn of(main: &MainFile, rotor: &RigidBody) -> Self {
         Self {
             rotor: rotor.tensor_about([0.0; 3])[0][0],

@@ -15,7 +15,7 @@ use crate::note::Note;
 use crate::source::Source;
 use crate::turbine::{MOST_SECTIONS, TurbineReading, blade_borders};
 
-/// What the turbine of a model is made from.
+/// The parts of the turbine of a model.
 pub(crate) struct Parts<'a> {
     pub(crate) main: &'a MainFile,
     /// The main file.

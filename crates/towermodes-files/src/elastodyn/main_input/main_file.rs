@@ -19,7 +19,7 @@ pub struct MainFile {
     pub blade_dofs: [bool; 3],
     /// Whether the blades turn on their pitch bearings (`PitchDOF`, since OpenFAST 5.0).
     pub pitch_dof: bool,
-    /// What moves between tower and blades.
+    /// The degrees of freedom between tower and blades.
     pub machine_dofs: MachineDofs,
     /// Whether the tower's modes move: first and second fore-aft (`TwFADOF1`, `2`), first and
     /// second side-side (`TwSSDOF1`, `2`).
@@ -101,7 +101,7 @@ pub struct MainFile {
     pub(crate) spans: BTreeMap<&'static str, Range<usize>>,
 }
 
-/// Which motions between tower and blades a model has.
+/// The degrees of freedom between tower and blades that are enabled in a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct MachineDofs {
     /// Teeter of a rotor of two blades (`TeetDOF`).

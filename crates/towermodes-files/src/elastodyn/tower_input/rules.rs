@@ -24,7 +24,7 @@ pub enum TowerFileError {
     /// Fewer than two rows, those of base and top.
     #[error("a tower file has at least 2 rows of distributed properties, not {rows}")]
     Rows {
-        /// How many there are.
+        /// Number of rows.
         rows: usize,
     },
     /// Coefficients that cannot be printed so that they add up to 1.
@@ -40,7 +40,7 @@ pub enum TowerFileError {
         "the tower has {masses} concentrated masses, but the section for them is not requested; OpenFAST has it since 4.2"
     )]
     NoSection {
-        /// How many there are.
+        /// Number of masses.
         masses: usize,
     },
 }

@@ -15,7 +15,7 @@ use crate::study::Placed;
 
 const HINT: &str = "write { between = [lowest, highest] }, with step, each and order if needed";
 
-/// What has values of its own, by name.
+/// The names of the groupings of input values into variables.
 const EACH: [(&str, DesignEach); 3] = [
     ("number", DesignEach::Number),
     ("height", DesignEach::Height),

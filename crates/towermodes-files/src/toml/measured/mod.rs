@@ -19,7 +19,7 @@ use schema::MEASURED_FILE;
 
 pub use schema::measured_schema;
 
-/// What measurements need at least.
+/// The minimum content of a file of measurements.
 const LEAST: &str = "measurements need at least [[measured]] with mode = \"fore-aft 1\", frequency and deviation in Hz";
 
 /// Reads measured frequencies and the numbers that are to explain them from a TOML file.

@@ -24,7 +24,7 @@ pub(super) use distribution::unquoted;
 pub(super) use results::{method, mode_name, segments};
 pub use schema::sweep_study_schema;
 
-/// What a study needs at least.
+/// The minimum content of a study.
 const LEAST: &str = "a sweep study needs [sweep] with base = \"tower.toml\", and table = \"values.csv\" or sampling with [sweep.vary]";
 
 /// Reads the study of a sweep from a TOML file. The base and the table are not opened.

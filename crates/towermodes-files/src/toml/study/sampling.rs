@@ -120,7 +120,7 @@ fn rows(sweep: &Table<'_>, kind: SamplingKind, reading: &mut Reading) -> Option<
     whole(value, "rows", 1, reading).map(Some)
 }
 
-/// What varies, in the order of the lines, with the places of the names.
+/// The varied inputs, in the order of the lines, with the places of the names.
 fn vary(
     value: &Value<'_>,
     kind: Option<SamplingKind>,

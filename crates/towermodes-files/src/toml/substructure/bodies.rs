@@ -1,5 +1,5 @@
-//! What is on the joints and members of `[substructure]`: supports, masses, added mass, growth, the
-//! platform.
+//! Bodies and springs on the joints and members of `[substructure]`: supports, masses, added mass,
+//! growth, the platform.
 
 use towermodes::RigidBody;
 use towermodes::frame::{FramePart, FrameRider, FrameSupport, MarineGrowth};

@@ -21,7 +21,7 @@ use crate::mooring::MooringInput;
 use crate::note::Note;
 use crate::number::Rounded;
 
-/// What stands on a platform, and gravity.
+/// The turbine on a platform, and gravity.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Afloat {
     /// Mass of the tower and the rotor-nacelle assembly, kg.
@@ -327,8 +327,8 @@ fn scaled(body: &RigidBody, share: f64) -> RigidBody {
     }
 }
 
-/// Which hull: the one that its ballast can balance, the cut one if both are; without ballast
-/// water the one that is nearer to balance.
+/// The selected hull: the one that its ballast can balance, the cut one if this is possible for
+/// both; without ballast water the one that is nearer to balance.
 fn choose(hulls: &[Hull; 2], needed_kg: [f64; 2]) -> usize {
     let misses = |hull: usize| {
         let most_kg = hulls[hull].full.mass_kg;

@@ -133,7 +133,7 @@ impl Ballast {
     }
 }
 
-/// What fills the inside of a stretch.
+/// The filling of a part of a member.
 fn core(strip: &StripMember, stretch: &Stretch, density: f64) -> RigidBody {
     ring(strip, stretch, density, stretch.inner_radius_m, [0.0; 2])
 }

@@ -24,7 +24,7 @@ pub(super) struct Member<'n> {
     pub(super) joints: [usize; 2],
     pub(super) diameter: Curve,
     pub(super) layers: Vec<Layer>,
-    /// What multiplies the mass of the walls.
+    /// Factor on the mass of the walls.
     pub(super) outfitting: f64,
     /// Coefficient of added mass across the axis.
     pub(super) across: f64,

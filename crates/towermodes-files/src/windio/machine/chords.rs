@@ -43,7 +43,7 @@ fn chord_moment_m3(outline: &Outline) -> Result<Option<f64>, Diagnostic> {
     Ok(Some(moments.sum()))
 }
 
-/// Where the blades begin, m from the rotor's axis.
+/// Radius of the blade roots, m from the rotor's axis.
 fn hub_radius_m(hub: &Node) -> Result<f64, Diagnostic> {
     let shape = hub.get("outer_shape_bem").unwrap_or(hub);
     let diameter = shape.require("diameter", "hub")?;

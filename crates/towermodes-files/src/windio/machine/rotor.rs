@@ -6,10 +6,10 @@ use super::super::support::curve::{Curve, Position, positions};
 use super::super::text::outline::Blade;
 use crate::diagnostic::Diagnostic;
 
-/// Where the blades are in the rotor.
+/// The positions of the blades in the rotor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Hub {
-    /// From the rotor's apex to the blade roots, m.
+    /// Distance of the blade roots from the rotor's apex, m.
     pub(super) radius_m: f64,
     /// Angle of the blades out of the rotor's plane, away from the tower, rad.
     pub(super) cone_rad: f64,
@@ -100,8 +100,8 @@ impl Span {
 }
 
 impl Hub {
-    /// How far downwind of the apex a point of a blade is, m, and the square of its distance from
-    /// the shaft, m².
+    /// The distance of a point of a blade downwind of the apex, m, and the square of its distance
+    /// from the shaft, m².
     fn place(&self, [x, y, z]: [f64; 3]) -> (f64, f64) {
         let cone_rad = if self.is_upwind {
             -self.cone_rad

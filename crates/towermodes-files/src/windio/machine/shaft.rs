@@ -7,7 +7,7 @@ use super::plausible::{angle, length_m};
 use crate::diagnostic::Diagnostic;
 use crate::note::Note;
 
-/// Where the rotor's apex is and how the shaft lies.
+/// The position of the rotor's apex, and the direction of the shaft.
 pub(crate) struct Shaft {
     pub(super) tilt_rad: f64,
     pub(super) apex_m: [f64; 3],

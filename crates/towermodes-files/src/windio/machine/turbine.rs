@@ -41,8 +41,8 @@ pub(crate) fn missing(outline: &Outline, version: Version, reading: &Reading<'_>
     Note::missing_part(message).at(reading.source, stiffness.span.start)
 }
 
-/// How far the blade's axis is off the straight line from root to tip in x or y, m; none if it is
-/// straight or cannot be read.
+/// The distance of the blade's axis from the straight line from root to tip in x or y, m; none if
+/// it is straight or cannot be read.
 fn off_axis_m(outline: &Outline) -> Option<f64> {
     let axis = outline.components.as_ref()?.blade.as_ref()?.axis()?;
     let curve = |key: &str| {

@@ -30,13 +30,13 @@ pub(crate) struct Part {
     pub(crate) diameter: Option<Curve>,
     /// Walls from outside in.
     pub(crate) layers: Vec<Layer>,
-    /// What multiplies the density of the walls.
+    /// Factor on the density of the walls.
     pub(crate) outfitting: (f64, Range<usize>),
     /// Tabulated properties of the sections.
     pub(crate) elastic: Option<Elastic>,
     /// Masses on the axis: height (m), mass (kg), place.
     pub(crate) point_masses: Vec<(f64, f64, Range<usize>)>,
-    /// Where some quantity bends or steps, from the base to the top.
+    /// Positions where a quantity changes its slope or has a step, from the base to the top.
     pub(super) stops: Vec<Stop>,
 }
 

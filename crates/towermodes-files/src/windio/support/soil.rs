@@ -18,7 +18,7 @@ pub(crate) struct Soil {
 }
 
 impl Soil {
-    /// That of a file; none if it does not give both values.
+    /// The soil of a file; none if it does not give both values.
     pub(crate) fn of(environment: Option<&Node>) -> Option<Self> {
         let node = |key: &str| environment.and_then(|environment| environment.get(key));
         let (modulus, ratio) = (node("soil_shear_modulus")?, node("soil_poisson")?);
