@@ -22,11 +22,11 @@ pub struct Sheet {
     pub file: String,
     /// Its format: `TOML`, `windIO`.
     pub format: &'static str,
-    /// The command that explores the file again.
+    /// The command that opens the explorer with this file again.
     pub command: String,
     /// The parts of the tower, in the order of the tower file.
     pub groups: Vec<Group>,
-    /// The numbers, in the order of the tower file.
+    /// The input values, in the order of the tower file.
     pub parameters: Vec<SheetParameter>,
     /// Notes of the reader.
     pub notes: Vec<String>,

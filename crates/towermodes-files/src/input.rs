@@ -164,7 +164,9 @@ impl TowerInput {
         if let Some(settings) = self.settings.last().filter(|_| file < self.sources.len()) {
             let hint = diagnostic.hint.map_or(String::new(), |hint| hint + "; ");
             let by = &settings.name;
-            diagnostic.hint = Some(format!("{hint}the file shows the values before {by}"));
+            diagnostic.hint = Some(format!(
+                "{hint}the line shown is from the file, without the change by {by}"
+            ));
         }
         ReadError::mistake(self.source(file), diagnostic)
     }
@@ -210,7 +212,7 @@ impl TowerInput {
         (self.format == FileFormat::ElastoDyn && has_gravity).then(|| {
             Note::new(match floats {
                 false => "the shapes are computed without gravity, as in BModes, because ElastoDyn itself adds the geometric stiffness of the self-weight",
-                true => "the shapes are computed with gravity, because weight and buoyancy hold the floating platform",
+                true => "the shapes are computed with gravity, because the stiffness of the floating platform depends on weight and buoyancy",
             })
         })
     }

@@ -124,7 +124,7 @@ fn an_error_in_the_file_beside_a_setting_says_so() {
     // The second row is below the first, which was raised.
     let input = set("nrel-5mw.toml", &["stations[0].height=90"]);
     let error = input.tower().expect_err("no tower").to_string();
-    error.says_all("nrel-5mw.toml: & the file shows the values before --set");
+    error.says_all("nrel-5mw.toml: & the line shown is from the file, without the change by --set");
 }
 
 #[test]

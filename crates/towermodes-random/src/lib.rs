@@ -6,10 +6,10 @@
 //! deformation and rotary inertia for BModes.
 //! `cargo run --release -p towermodes-random --example random_study` prints the tables of the book.
 //!
-//! Turbines with rotating rotor are compared with finer elements; `--example random_turbines` prints
-//! their table. Frames, by themselves and under a tower, are compared with elements of a higher
-//! degree (`--example random_frames`). [`paths`] follows names along paths of towers (`--example
-//! name_study`).
+//! Turbines with rotating rotor are compared with finer elements; `--example random_turbines`
+//! prints their table. Frames, by themselves and under a tower, are compared with elements of a
+//! higher degree (`--example random_frames`). [`paths`] follows names along paths of towers
+//! (`--example name_study`).
 
 mod class;
 mod features;

@@ -83,7 +83,7 @@ async function read(files: File[]): Promise<NamedFile[] | null> {
   try {
     return await Promise.all(files.map(async (file) => ({ name: file.name, content: new Uint8Array(await file.arrayBuffer()) })));
   } catch {
-    notice(KEY, "The browser cannot read what was chosen. Choose files, not folders.");
+    notice(KEY, "The browser cannot read the selection. Choose files, not folders.");
     return null;
   }
 }

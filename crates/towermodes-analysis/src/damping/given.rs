@@ -21,12 +21,12 @@ pub struct GivenDamping {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum GivenDampingError {
-    /// A loss factor of a part that no tower has, or of a material that this one does not have.
+    /// A loss factor for an unknown part, or for a material that this tower does not have.
     #[error("a loss factor is given for the unknown part `{name}`; {}", parts(.materials))]
     NoPart {
-        /// The name.
+        /// Name of the part or material.
         name: String,
-        /// The names of the materials.
+        /// The names of the materials of the tower.
         materials: Vec<String>,
     },
     /// Lift slope or density of air without the chords of the blades.

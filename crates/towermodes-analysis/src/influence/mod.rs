@@ -101,7 +101,7 @@ pub struct InfluencedMode {
 pub struct Influences {
     /// The modes by frequency.
     pub modes: Vec<InfluencedMode>,
-    /// The numbers, in the order of the tower file or of the changes.
+    /// The input values, in the order of the tower file or of the changes.
     pub numbers: Vec<Influence>,
 }
 

@@ -73,7 +73,8 @@ pub struct BandValue {
 pub struct SharedFactor {
     /// The factor.
     pub factor: f64,
-    /// Which modes: "the motions of side-side 2 and torsion 1 are coupled in modes 3 and 4: 1.964 and 1.968 Hz".
+    /// Which modes: "the motions of side-side 2 and torsion 1 are coupled in modes 3 and 4: 1.964
+    /// and 1.968 Hz".
     pub modes: String,
 }
 

@@ -245,7 +245,7 @@ pub enum CoupledError {
     },
     /// More modes than can be followed.
     #[error(
-        "the turbine at rest has {modes} modes below {} Hz, up to where modes are sought; at most {MOST_FOLLOWED} are followed: {}",
+        "the turbine at rest has {modes} modes below {} Hz, the limit of the search; at most {MOST_FOLLOWED} are followed: {}",
         four_digits(*.sought_hz), remedy(*.possible_hz)
     )]
     Modes {
@@ -278,6 +278,6 @@ pub enum CoupledError {
 fn remedy(possible_hz: f64) -> String {
     match possible_hz > 0.0 {
         true => format!("give a limit below {} Hz", four_digits(possible_hz)),
-        false => "give lower rotor speeds, or more of them, because modes are sought farther up where their steps are long".to_owned(),
+        false => "give lower rotor speeds, or more of them, because with larger steps of the rotor speed the search must extend to higher frequencies".to_owned(),
     }
 }

@@ -61,7 +61,7 @@ fn contains(name: &str, filter: &str) -> bool {
     })
 }
 
-/// Lists the numbers of a tower by name.
+/// Lists the input values of a tower by name.
 pub(crate) fn run(arguments: &ParametersArguments) -> Result<(), Failure> {
     let format = arguments.destination.format()?;
     let input = tower_input(&arguments.input)?;
@@ -77,7 +77,7 @@ pub(crate) fn run(arguments: &ParametersArguments) -> Result<(), Failure> {
     deliver(&result, arguments.destination.output())
 }
 
-/// The numbers that at least one filter selects, each once.
+/// The input values that at least one filter selects, each once.
 fn listed(input: &TowerInput, arguments: &ParametersArguments) -> Result<Vec<Parameter>, Failure> {
     let all = Parameter::all(&input.description);
     let names: Vec<String> = all.iter().map(Parameter::to_string).collect();

@@ -15,7 +15,7 @@ use crate::input::TowerInput;
 pub(super) struct ParametersDocument<'a> {
     /// The name of the tower in the file; may be empty.
     tower: &'a str,
-    /// The numbers, in the order of the tower file.
+    /// The input values, in the order of the tower file.
     parameters: Vec<ParameterJson<'a>>,
     /// Assumptions of the reader and data that it omits.
     warnings: Vec<String>,

@@ -31,7 +31,7 @@ pub(super) struct InfluencesJson<'a> {
     /// The lowest modes by frequency. Every row of the tower is a segment border here, so
     /// frequencies may differ from those of a solution within their errors.
     modes: Vec<ModeJson<'a>>,
-    /// The numbers, in the order of the tower file.
+    /// The input values, in the order of the tower file.
     numbers: Vec<NumberJson<'a>>,
 }
 

@@ -510,7 +510,7 @@ fn shapes_of_a_floating_deck_are_with_gravity() {
     input.description.foundation = Foundation::Floating(Box::default());
     assert_eq!(input.description_for_shapes().gravity_m_per_s2, 9.80665);
     let note = input.note_on_shapes().expect("a note").to_string();
-    note.says("with gravity, because weight and buoyancy hold the floating platform");
+    note.says("with gravity, because the stiffness of the floating platform depends on weight and buoyancy");
 }
 
 /// The tower file of a deck is written with its damping, and with tuners of 1, which is said.

@@ -78,9 +78,9 @@ impl Assembly<'_> {
     /// Adds a joint at a height (m).
     ///
     /// The work of a compression is the shear deflection times the rotation at the joint, which is
-    /// between the rotations below and above it. So if the shear is large, the hinge is divided into
-    /// two halves, below and above the shear deflection; with only one of these rotations the order
-    /// of convergence would be lower by one.
+    /// between the rotations below and above it. So if the shear is large, the hinge is divided
+    /// into two halves, below and above the shear deflection; with only one of these rotations the
+    /// order of convergence would be lower by one.
     pub(super) fn add_joint(&mut self, height_m: f64, joint: &JointFlexibility) {
         if self.tower.gravity_m_per_s2() == 0.0 {
             self.chains.add_joint(height_m, joint, 0.0);

@@ -69,7 +69,8 @@ pub enum FrameSolveError {
         /// The joint.
         joint: String,
     },
-    /// A transition piece under a rotating rotor that rigid links and hinges connect with a support.
+    /// A transition piece under a rotating rotor that rigid links and hinges connect with a
+    /// support.
     #[error(
         "rigid links or hinges connect the transition piece with a support, at joint {joint}; under a rotating rotor there must be a flexible member between them: replace a rigid link by a beam, or give the support a stiffness and no fixed motion"
     )]

@@ -109,7 +109,8 @@ impl Holders {
 
 /// Several modes share the motion of a name: the mode that has the name has less than 60 % of its
 /// energy in this motion, and after a small change of the tower another of these modes may have the
-/// name. Its text is "the motions of side-side 2 and torsion 1 are coupled in modes 3 and 4: 1.964 and 1.968 Hz".
+/// name. Its text is "the motions of side-side 2 and torsion 1 are coupled in modes 3 and 4: 1.964
+/// and 1.968 Hz".
 #[derive(Debug, Clone, PartialEq)]
 pub struct SharedMotion {
     /// The name.

@@ -23,7 +23,7 @@ impl Multiblade<TurningBlade> {
     }
 
     /// The rotor as [`seen_from_hub`](Self::seen_from_hub) with a M added to the D of each
-    /// harmonic, where `added` gives a, rad²/s², for the frequency in the turning frame.
+    /// harmonic, where `added` gives a, rad²/s², for the frequency in the rotating frame.
     pub fn seen_with_inertia(
         &mut self,
         frequency: f64,
@@ -58,7 +58,8 @@ impl Multiblade<TurningBlade> {
         sum
     }
 
-    /// Finds the coordinates from the motion of the apex, in place of a reduced right side.
+    /// Computes the coordinates from the motion of the apex, and overwrites a reduced right side
+    /// with them.
     pub fn substitute(&self, factors: &mut RotorFactors, apex: &Phasors, own: &mut [Complex]) {
         let count = self.body().degrees_of_freedom();
         for (harmonic, own) in own.chunks_exact_mut(count).enumerate() {
@@ -91,8 +92,8 @@ impl Multiblade<TurningBlade> {
         (sum, inertia)
     }
 
-    /// √N Vₙ h: what the blades feel of the motion of the apex in a harmonic, in (axis of the
-    /// rotor, against the rotation, radial).
+    /// √N Vₙ h: the motion of the blade roots in a harmonic due to the motion of the apex, in (axis
+    /// of the rotor, against the rotation, radial).
     pub fn felt(&self, harmonic: usize, apex: &Phasors) -> Phasors {
         let root = (self.blades() as f64).sqrt();
         let mut felt = Phasors::default();

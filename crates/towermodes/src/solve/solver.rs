@@ -26,7 +26,7 @@ use super::workspace::Workspace;
 /// ```
 #[derive(Debug, Default)]
 pub struct Solver {
-    /// How to solve.
+    /// Method, mesh and number of modes.
     pub options: Options,
     pub(crate) workspace: Workspace,
 }

@@ -12,7 +12,8 @@ use crate::output::deliver;
 use crate::studies::first_order::document;
 use crate::table;
 
-/// Differentiates at the means of the distributions, and prints what follows.
+/// Differentiates at the means of the distributions, and prints the standard deviations to first
+/// order.
 pub(super) fn run(planned: &Planned, arguments: &SweepArguments) -> Result<(), Failure> {
     let SweepSource::Sampled { sampling, .. } = &planned.source else {
         return Err(Failure::usage(

@@ -19,7 +19,8 @@ pub(super) struct SweepProgress {
 }
 
 impl SweepProgress {
-    /// Progress of a number of rows. Rows that are printed on a terminal show it themselves.
+    /// Progress of a sweep with this number of rows. Rows printed on a terminal already show the
+    /// progress.
     pub(super) fn new(rows: u64, are_printed: bool) -> Self {
         let begun = Instant::now();
         let is_shown = !are_printed || !std::io::stdout().is_terminal();

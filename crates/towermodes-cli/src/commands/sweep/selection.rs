@@ -11,7 +11,7 @@ pub(super) struct Selection {
 }
 
 impl Selection {
-    /// About `most` of a number of rows; all if they are not more.
+    /// Selects about `most` of `rows` rows; all rows if `rows` is not larger.
     pub(super) fn of(rows: u64, most: u64) -> Self {
         let share = most as f64 / rows as f64;
         Self {

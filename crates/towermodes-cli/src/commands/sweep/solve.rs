@@ -69,7 +69,8 @@ fn failures(solved: &Solved) -> Option<String> {
     ))
 }
 
-/// Says how many of the rows have unusual values or coupled motions, and the first sentences on them.
+/// Says how many of the rows have unusual values or coupled motions, and the first sentences on
+/// them.
 fn remark(solved: &Solved) {
     let has = |of: &RowRemarks| if of.rows == 1 { "has" } else { "have" };
     let (warnings, shared) = (&solved.warnings, &solved.shared);

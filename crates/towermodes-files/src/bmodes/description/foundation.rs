@@ -150,7 +150,7 @@ fn symmetric<const N: usize>(
     Ok(symmetric)
 }
 
-/// Infinity means that the base is rigidly held; an overflow must not become infinity.
+/// Infinity means that the base is fixed; an overflow must not become infinity.
 fn check_finite(foundation: &StiffnessFoundation, offshore: &Offshore) -> Result<(), Diagnostic> {
     let matrices = [
         (

@@ -25,13 +25,13 @@ pub(crate) struct Ends {
     pub(crate) top_m: f64,
 }
 
-/// Whether a tower hangs: only one below the sea does.
+/// Whether a tower hangs, which is possible only below the sea surface.
 pub(crate) fn hangs(base_m: f64, top_m: f64) -> bool {
     top_m < 0.0 && top_m < base_m
 }
 
 impl Ends {
-    /// The ends of a tower between these heights; of one that hangs their depths.
+    /// The ends of a tower between these heights; for a hanging tower, their depths.
     pub(crate) fn of(base_m: f64, top_m: f64) -> Self {
         if hangs(base_m, top_m) {
             return Self {
@@ -74,7 +74,7 @@ pub(crate) fn hanging_note(ends: Ends) -> Note {
     ))
 }
 
-/// The tower, clamped, with nothing on top.
+/// The tower, clamped, without RNA.
 pub(crate) fn description(file: &TowerFile, ends: Ends, title: &str) -> TowerDescription {
     let mass = |mass: &ConcentratedMass| PointMass {
         height_m: ends.height_m(mass.height_fraction),

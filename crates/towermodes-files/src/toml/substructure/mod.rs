@@ -41,7 +41,7 @@ pub(super) fn substructure(
     let table = Table::of(value, "[substructure]", &schema::SUBSTRUCTURE, reading)?;
     let floats = floats(root);
     if !floats {
-        let hint = "the substructure is what the tower stands on: keep one of the two, or give a foundation of type \"floating\" for a substructure that floats";
+        let hint = "[substructure] and [foundation] both describe the support of the tower base: keep one of the two, or give a foundation of type \"floating\" for a substructure that floats";
         root.refuse_unused("foundation", "together with [substructure]", hint, reading);
         let hint = "only a substructure that floats has water planes: give [foundation] with type = \"floating\"";
         table.refuse_unused(
@@ -96,7 +96,7 @@ struct Read {
     water_planes: Vec<(usize, SpatialMatrix)>,
 }
 
-/// Refuses what no frame can have, at its place.
+/// Reports an error of the frame at its place in the file.
 fn refuse<T>(error: FrameError, reading: &mut Reading) -> Option<T> {
     let place = at(error.place.part());
     let span = reading
@@ -107,7 +107,7 @@ fn refuse<T>(error: FrameError, reading: &mut Reading) -> Option<T> {
     reading.refuse(Diagnostic::new(span, kind))
 }
 
-/// The frame of the lists. All are read, so that all mistakes are reported together.
+/// The frame given by lists. All lists are read, so that all mistakes are reported together.
 fn listed(table: &Table<'_>, materials: Option<&Materials>, reading: &mut Reading) -> Option<Read> {
     let joints = joints::joints(table, reading);
     let of_joints = joints.as_ref().and_then(|joints| {

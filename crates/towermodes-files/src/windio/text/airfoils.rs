@@ -1,13 +1,13 @@
-//! The tables of airfoils passed over before anything is parsed: they are half of a file, and no
-//! tower needs them.
+//! Skips the tables of airfoils before parsing: they are half of a file, and a tower does not use
+//! them.
 
 use std::borrow::Cow;
 
-/// The text with blanks in the place of the list under `airfoils:`, so that all else stays where it
-/// is.
+/// The text with the list under `airfoils:` replaced by blanks, so that all other text keeps its
+/// position.
 ///
-/// Nothing is changed if the list is not plainly a list, or if something in it might be meant
-/// elsewhere.
+/// The text is unchanged if the value is not certainly a list, or if another part of the file may
+/// refer to something in it.
 pub(crate) fn without_airfoils(text: &str) -> Cow<'_, str> {
     let Some(range) = section(text) else {
         return Cow::Borrowed(text);

@@ -253,8 +253,8 @@ pub struct Certificate {
     /// that is not complete is returned only if the added mass depends on frequency and leaves an
     /// interval [uncertain](Self::uncertain_hz).
     pub complete: bool,
-    /// Number of modes below `below_hz` by the eigenvalue count: the number of listed modes, or more
-    /// if the number asked for cuts a repeated pair.
+    /// Number of modes below `below_hz` by the eigenvalue count: the number of listed modes, or
+    /// more if the number asked for cuts a repeated pair.
     pub count: usize,
     /// A frequency in the gap above the last mode, Hz.
     pub below_hz: f64,

@@ -93,7 +93,7 @@ pub struct Ground {
     /// The edition of the standard of API that its models follow.
     #[input(Input::choice("edition", "the edition of API")
         .optional()
-        .note("of the standard of API: rp-2geo or rp-2a"))]
+        .note("of the API standard: rp-2geo or rp-2a"))]
     pub edition: ApiEdition,
     /// The layers from the surface down, each below the previous one.
     #[tables]

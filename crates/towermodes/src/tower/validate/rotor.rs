@@ -9,7 +9,8 @@ impl Rotor {
     ///
     /// # Errors
     /// [`TowerError`]: the number of blades is not 1 to [`MOST_BLADES`], a speed is negative or not
-    /// finite, the speeds fall, or the highest is above [`FASTEST_RPM`].
+    /// finite, the lowest speed is above the highest speed, or the highest is above
+    /// [`FASTEST_RPM`].
     pub fn validate(&self) -> Result<(), TowerError> {
         check_rotor(self)
     }

@@ -1,10 +1,11 @@
 //! Frequencies at which the added mass of a floating platform, which depends on the frequency,
 //! leaves the count uncertain.
 //!
-//! H decreases with the frequency where M + ½ w M′ is positive. Elsewhere an eigenvalue could fall
-//! through zero and rise again, so that two frequencies leave the counts alike. An interval has
-//! none if matrices below and above H at all its frequencies have as many negative eigenvalues:
-//! those of [`Raise`] with bounds of the inertia of the base.
+//! H decreases with the frequency where M + ½ w M′ is positive. Elsewhere an eigenvalue could cross
+//! zero downwards and upwards again, so that the counts at both ends of an interval are equal
+//! although the interval contains two frequencies. An interval is proved to contain no frequency
+//! if matrices below and above H at all its frequencies have the same number of negative
+//! eigenvalues: the matrices of [`Raise`] with bounds of the inertia of the base.
 
 use super::super::equations::gyroscopic::Raise;
 use super::super::equations::model::TurbineModel;
@@ -45,7 +46,7 @@ impl TurbineModel {
             && self.is_empty_in_water([middle, to], speed, halvings - 1)
     }
 
-    /// The count with this inertia of the base instead of that at the frequency.
+    /// The count with this inertia of the base instead of the inertia at the frequency.
     fn count_with(&mut self, inertia: SpatialMatrix, at: (f64, f64), raise: Raise) -> usize {
         self.fix_inertia(Some(inertia));
         let count = self.count_coupled(at, raise, self.is_locked);
