@@ -121,17 +121,16 @@ pub struct Agreement {
     pub largest_bending: Planes<LargestDifference>,
     /// Values by height: at equal distances, and where the differences are largest.
     pub rows: Vec<AgreementRow>,
-    /// What stands on the towers and carries them: rotor-nacelle assembly, substructure, platform,
-    /// moorings, water; what neither tower has is left out.
+    /// Quantities of rotor-nacelle assembly, substructure, platform, moorings and water; a quantity
+    /// that neither tower has is not listed.
     pub parts: Vec<ComparedPart>,
     /// The first frequencies of the overlap, clamped, with its point masses only: Euler-Bernoulli
     /// beams without rotary inertia, shear deformation and gravity, because the files of some
     /// programs do not contain these.
     pub frequencies_bare: Vec<ComparedFrequency>,
-    /// The first frequencies of both whole towers as described, those of a floating platform
-    /// included, with rotor-nacelle assembly,
-    /// foundation, surroundings, rotary inertia and shear deformation; empty if neither tower has a
-    /// rotor-nacelle assembly, a foundation, surroundings or gravity.
+    /// The first frequencies of both whole towers as described, with rotor-nacelle assembly,
+    /// foundation, surroundings, rotary inertia and shear deformation, also of floating platforms;
+    /// empty if neither tower has a rotor-nacelle assembly, a foundation, surroundings or gravity.
     pub frequencies_as_given: Vec<ComparedFrequency>,
 }
 

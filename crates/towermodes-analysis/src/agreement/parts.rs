@@ -21,8 +21,9 @@ pub struct ComparedPart {
     /// The relative difference second/first − 1, if both have it; infinite (in JSON null) where
     /// only the first is zero.
     pub difference: Option<f64>,
-    /// The verdict on the difference; a part of only one tower is a warning, because files of some
-    /// programs contain only some parts: what it changes is in the frequencies.
+    /// The verdict on the difference. A part of only one tower gives a warning, because files of
+    /// some programs contain only some parts; compare the frequencies to see the effect of this
+    /// part.
     pub verdict: Verdict,
 }
 

@@ -74,9 +74,9 @@ struct TowerSummary<'a> {
     /// Inertia of all moving masses against rigid motions (x, y, z, rotation about x, y, z) of the
     /// whole tower about its base: kg, kg m, kg m2.
     rigid_inertia: [[f64; 6]; 6],
-    /// The static stiffness of the foundation at the surface of the soil: of `[ground]`, of the
-    /// highest row of `[[soil]]`, or of `[foundation]` at the base; null where the base is held by
-    /// more than springs, for a floating tower, and on members.
+    /// The static stiffness of the foundation at the surface of the soil: stiffness of `[ground]`,
+    /// of the highest row of `[[soil]]`, or of `[foundation]` at the base; null for a fixed base or
+    /// pile tip, for a floating tower, and for a tower on members.
     foundation_head: Option<FoundationHead>,
     /// The soil in layers as springs; null for a tower without `[ground]`.
     ground: Option<GroundSummary>,
@@ -93,7 +93,7 @@ struct TowerSummary<'a> {
 struct FoundationHead {
     /// Its height, m.
     height_m: f64,
-    /// The stiffness there, in the fore-aft plane: K_L, K_LR and K_R.
+    /// The stiffness at this height, in the fore-aft plane: K_L, K_LR and K_R.
     stiffness: HeadStiffness,
 }
 

@@ -71,8 +71,8 @@ impl<R> Lines<R> {
         }
     }
 
-    /// Passes a whole row without quotation marks and carriage returns at once, as nearly all are.
-    /// False for every other text, of which nothing is passed then.
+    /// Passes a whole row at once if it contains no quotation mark and no carriage return, as
+    /// nearly all rows do. For every other text returns false and passes nothing.
     fn pass_plain(&mut self, line: &[u8]) -> bool {
         let is_at_start = self.row_bytes == 0 && self.cell == Cell::Start && !self.is_returned;
         let is_row = is_at_start && matches!(line, [_, .., b'\n']);
@@ -166,8 +166,8 @@ mod tests {
     use super::Lines;
     use std::io::Read;
 
-    /// What a reader finds in a text that arrives in pieces of some bytes: lines passed, the empty
-    /// line, the error.
+    /// The result of reading a text in pieces of some bytes: lines passed, the empty line, the
+    /// error.
     fn found(text: &str, piece: usize) -> (u64, Option<u64>, Option<String>) {
         let mut lines = Lines::new(text.as_bytes(), b',', 1);
         let mut buffer = vec![0; piece];

@@ -29,8 +29,7 @@ pub struct SpringsAt {
 impl Tower {
     /// The static stiffness of the embedded pile at [`ground_surface_m`](Self::ground_surface_m),
     /// the surface of the [ground](crate::TowerDescription::ground) in the fore-aft plane; none
-    /// without ground, where the tip is held by more than springs, and where the piles are those of
-    /// a frame.
+    /// without ground, with a tip that is not held by springs alone, and with piles of a frame.
     ///
     /// The stiffness K at the upper end of a part of the pile grows by the springs of the soil,
     /// loses the flexibility of the pile and moves with its point of reference:
