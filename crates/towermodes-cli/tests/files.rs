@@ -445,7 +445,7 @@ fn a_mechanism_under_a_free_interface_has_a_warning() {
     let solved = run(&["solve", &file, "--format", "json"]);
     let said = String::from_utf8_lossy(&solved.stderr);
     said.says("warning: the frame is a mechanism: 1 motion has no stiffness");
-    said.says("; --clamped holds the interface joints");
+    said.says("; --clamped fixes the interface joints");
     let result: Value = serde_json::from_slice(&solved.stdout).expect("JSON");
     assert_eq!(result["modes"][0]["frequency_hz"], 0.0);
     let held = run(&["solve", &file, "--clamped"]);
