@@ -64,14 +64,14 @@ pub(crate) fn refine(
     workspace: &mut Refinement,
 ) -> bool {
     workspace.reset(pencil.size(), wanted);
+    if (0..wanted).any(|index| relative_gap(known, index) < NEAREST) {
+        return false;
+    }
     let mut is_complete = false;
     let mut end = f64::INFINITY;
     // The highest first: its guess is the worst.
     for index in (0..wanted).rev() {
         let gap = relative_gap(known, index);
-        if gap < NEAREST {
-            return false;
-        }
         let Some(refined) = workspace.refine_one(pencil, (gap, tolerance), index) else {
             return false;
         };
