@@ -49,7 +49,7 @@ class ModeArrays:
 
     @property
     def period_s(self) -> Array:
-        """Period; infinite for a motion that nothing resists, s: (modes,)."""
+        """Period; infinite for a motion without stiffness, s: (modes,)."""
         array: Array = self.column("period_s")
         return array
 
@@ -104,7 +104,7 @@ class ModeNumbers:
 
     @property
     def period_s(self) -> float:
-        """Period; infinite for a motion that nothing resists, s."""
+        """Period; infinite for a motion without stiffness, s."""
         return self._value("period_s")
 
     @property

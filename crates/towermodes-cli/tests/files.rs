@@ -224,7 +224,7 @@ fn modes_of_another_tower_are_refused() {
     let folder = Folder::with_deck("other", |text| text);
     let (deck, before) = (folder.path("ElastoDyn.dat"), folder.text("Tower.dat"));
     for (other, words) in [
-        ("examples/guyed.toml", "it is 40.000 m high"),
+        ("examples/guyed.toml", "its height is 40.000 m"),
         ("examples/nrel-5mw.toml", "its mass differs by"),
     ] {
         for command in ["patch", "validate"] {
