@@ -10,8 +10,8 @@ Each frequency has an error estimate, and a certificate proves that no mode is m
 >>> solution.certified
 True
 
-`read` reads towers from any file that the program reads, `Tower` makes them from numbers;
-`Tower.solve` computes the modes. Units are part of the names: `height_m`, `frequency_hz`.
+`read` reads towers from any file that the program reads, `Tower` makes them from input
+values; `Tower.solve` computes the modes. Units are part of the names: `height_m`, `frequency_hz`.
 x is fore-aft (downwind), y side-side, z up.
 """
 

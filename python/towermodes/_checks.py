@@ -1,4 +1,4 @@
-"""Checks of arguments whose mistakes the module in Rust could not name."""
+"""Checks of arguments for which messages of the module in Rust would be unclear."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     Table = ArrowTable | Mapping[str, Any]
 
-#: What arrays hold that are no numbers, by the kind of their type, and what to do about it.
+#: The contents of arrays without numbers, by the kind of their type, and the remedy.
 KINDS = {
     "b": ("booleans", "write 0.0 and 1.0 if they are numbers"),
     "c": ("complex numbers", "take their real part: values.real"),
@@ -35,9 +35,10 @@ KINDS = {
 
 
 def columns_of(table: Any, ignore: Iterable[str] = ()) -> list[tuple[str, Array]]:
-    """The columns of a table, as arrays of one length that nobody else has and nobody can write.
+    """The columns of a table, as arrays of one length: copies that cannot be written.
 
-    A missing value is NaN. Columns whose names begin with `#` and those to ignore are left out.
+    A missing value is NaN. Columns whose names begin with `#` and the columns to ignore are
+    left out.
     """
     left_out = list(ignore)
     columns = _read(table, lambda names: _chosen(names, left_out))
@@ -47,7 +48,7 @@ def columns_of(table: Any, ignore: Iterable[str] = ()) -> list[tuple[str, Array]
 
 
 def _chosen(names: list[str], ignore: list[str]) -> list[int]:
-    """The places of the columns that are not left out."""
+    """The indices of the columns that are not left out."""
     for name in ignore:
         if name not in names:
             message = f"the table has no column {name!r} to ignore; its columns are {names!r}"
@@ -113,7 +114,7 @@ def _numbers(name: str, values: object) -> Array:
 
 
 def _number(name: str, value: Any) -> float:
-    """A number of a column that may hold anything."""
+    """A number of a column of Python objects."""
     from decimal import Decimal
     from numbers import Real
 
@@ -130,7 +131,7 @@ def _number(name: str, value: Any) -> float:
 
 
 def _of_one_length(columns: list[tuple[str, Array]]) -> list[tuple[str, Array]]:
-    """Columns in which a single number stands for a number in every row."""
+    """Columns in which a single number applies to every row."""
     import numpy as np
 
     lengths = [(name, len(column)) for name, column in columns if column.ndim == 1]

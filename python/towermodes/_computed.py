@@ -1,4 +1,4 @@
-"""What all results of computations have in common."""
+"""Base classes of the results of computations."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 
 
 class Computed:
-    """A result of towers. It never changes.
+    """A result computed from towers. It never changes.
 
-    A pickle has all numbers and texts of the result as data, so reading it computes nothing. Only
-    a picture is made again, from the towers and the arguments, if it is asked for. Copies are the
-    result itself.
+    A pickle has all numbers and texts of the result as data, so reading it computes nothing.
+    Only a picture is drawn again, from the towers and the arguments, when it is requested.
+    `copy` returns the result itself.
     """
 
     __slots__ = ("_arguments", "_core", "_towers")
@@ -30,7 +30,7 @@ class Computed:
     _compute: ClassVar[Callable[..., Any]]
     """Computes the result of towers and arguments in the module in Rust."""
     _maker: ClassVar[str]
-    """The method of `Tower` that makes it."""
+    """The method of `Tower` that computes the result."""
     _core: Any
     _towers: tuple[Tower, ...]
     _arguments: tuple[Any, ...]
@@ -69,7 +69,7 @@ MADE_AGAIN = frozenset({"svg"})
 
 
 class Recorded:
-    """The numbers and texts of a result in place of the object in Rust, as a pickle has them."""
+    """The numbers and texts of a result from a pickle, in place of the object in Rust."""
 
     __slots__ = ("_again", "_texts", "_values")
 
@@ -94,7 +94,7 @@ class Recorded:
 
 
 def _all_of(core: Any) -> tuple[dict[str, Any], dict[str, Any]]:
-    """All that an object in Rust has: values by their names, and what its methods return."""
+    """The data of an object in Rust: values by their names, and the results of its methods."""
     values, texts = {}, {}
     for name in dir(type(core)):
         if name.startswith("_") or name in MADE_AGAIN or name == "column":
@@ -157,7 +157,7 @@ class Answer(Tabular):
 
     @property
     def notes(self) -> list[str]:
-        """Assumptions and omissions when the files were read, and those of the computation."""
+        """Assumptions and omissions of the reader and of the computation."""
         return self._core.notes
 
     @property
@@ -174,7 +174,7 @@ class Answer(Tabular):
 
 
 class Pictured(Answer):
-    """An answer with a picture."""
+    """A result with a picture."""
 
     __slots__ = ()
 

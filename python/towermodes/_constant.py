@@ -1,4 +1,4 @@
-"""Values that do not change, as the results and towers that they are of."""
+"""Values that cannot be changed, like the results and towers that contain them."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ else:
 
 
 class Constant(Base):
-    """A dict that refuses to be written, because nothing would follow from it.
+    """A dict that cannot be changed, because a change would have no effect on the tower or result.
 
-    `dict(...)` of it, and what `copy` and `pickle` make of it, is a dict as any other.
+    `dict(...)`, `copy` and `pickle` make an ordinary dict from it.
 
     >>> import towermodes as tm
     >>> tower = tm.read("examples/nrel-5mw.toml")

@@ -36,7 +36,7 @@ class Converted(Computed):
 
     @property
     def notes(self) -> list[str]:
-        """What the format cannot store, and the notes of the tower."""
+        """Data that the format cannot store, and the notes of the tower."""
         return self._core.notes
 
     def save(self, path: str | os.PathLike[str]) -> None:

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class Damping(Answer):
-    """Damping ratios of the modes: of the parts of the tower, and aerodynamic by the rotor.
+    """Damping ratios of the modes: contributions of parts, and aerodynamic damping.
 
     >>> import towermodes as tm
     >>> damping = tm.read("examples/nrel-5mw.toml").damping({"tower": 0.004}, modes=2)

@@ -1,4 +1,4 @@
-"""What failed in a sweep."""
+"""The failed rows of a sweep."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ class Failures(Sequence["tuple[int, str]"]):
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        """The list; of more than ten the first and their number."""
+        """The list; if it has more than ten entries, the first ones and their number."""
         if len(self) <= 10:
             return repr(self[:])
         first = ", ".join(repr(one) for one in self[:10])

@@ -15,7 +15,7 @@ class FirstOrder(Tabular):
     """Mean and standard deviation of frequencies to first order in the varied input values.
 
     The frequencies are linear functions of the varied input values, with the exact derivatives at
-    the mean values. `warnings` names the modes whose curvature is too large for this.
+    the mean values. `warnings` names the modes whose curvature is too large for this approximation.
 
     >>> import towermodes as tm
     >>> tower = tm.read("examples/nrel-5mw.toml")
@@ -76,7 +76,7 @@ class FirstOrder(Tabular):
 
     @property
     def warnings(self) -> list[str]:
-        """Notes of the reader, and where the first order is not to be trusted."""
+        """Notes of the reader, and modes for which the first order is not accurate."""
         warnings: list[str] = self.data["warnings"]
         return warnings
 
@@ -88,7 +88,7 @@ class FirstOrder(Tabular):
 
 
 def with_rows(study: Mapping[str, Any]) -> Mapping[str, Any]:
-    """A study in a dict, with the rows that it needs beside distributions if they are left out."""
+    """A study in a dict; the number of rows, which a study requires, is added if it is missing."""
     sweep: Any = study.get("sweep")
     if not hasattr(sweep, "items") or "table" in sweep:
         return study

@@ -1,4 +1,4 @@
-"""Towers whose numbers are found: designs and calibrations."""
+"""Towers with computed input values: designs and calibrations."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def study_text(study: Study) -> tuple[str, str]:
 
 
 def with_base(study: Mapping[str, Any]) -> Mapping[str, Any]:
-    """The study of a sweep in a dict, with the tower that it needs in a file."""
+    """The study of a sweep in a dict, with the base tower that a study requires."""
     sweep: Any = study.get("sweep")
     if not hasattr(sweep, "items"):
         return study
@@ -41,23 +41,23 @@ def with_base(study: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 class Found(Tabular):
-    """A tower whose numbers are found."""
+    """A tower with input values from a design or a calibration."""
 
     __slots__ = ()
 
     _list = ""
-    """The key of the numbers in the data."""
+    """The key of the varied input values in the data."""
     _value = ""
-    """The key of their values."""
+    """The key of the values found."""
 
     @property
     def tower(self) -> Tower:
-        """The tower with the numbers found."""
+        """The tower with the values found."""
         return type(self._towers[0])._of(self._core.tower)
 
     @property
     def values(self) -> dict[str, float]:
-        """The numbers found, by name."""
+        """The values found, by the name of the input value."""
         return {one["name"]: one[self._value] for one in self.data[self._list]}
 
 
@@ -94,19 +94,19 @@ class Design(Found):
 
     @property
     def is_stationary(self) -> bool:
-        """Whether the first-order conditions of a local minimum hold (KKT residual), without steps."""
+        """Whether the first-order conditions hold before rounding to steps (KKT residual)."""
         is_stationary: bool = self.data["is_stationary"]
         return is_stationary
 
     @property
     def warnings(self) -> list[str]:
-        """Notes of the reader, and doubts about the result."""
+        """Notes of the reader, and possible defects of the result."""
         warnings: list[str] = self.data["warnings"]
         return warnings
 
 
 class Calibration(Found):
-    """A tower whose numbers are fitted to measured frequencies.
+    """A tower with input values fitted to measured frequencies.
 
     >>> import towermodes as tm
     >>> tower = tm.read("examples/nrel-5mw.toml")
@@ -130,23 +130,23 @@ class Calibration(Found):
 
     @property
     def deviations(self) -> dict[str, float]:
-        """The standard deviations of the numbers, by name; NaN at a bound."""
+        """The standard deviations of the fitted input values, by name; NaN at a bound."""
         numbers = self.data["numbers"]
         return {one["name"]: _number(one["deviation"]) for one in numbers}
 
     @property
     def correlation(self) -> NDArray[np.float64]:
-        """The correlations of the numbers in their order: (numbers, numbers); NaN at a bound."""
+        """The correlations of the fitted input values: (values, values); NaN at a bound."""
         import numpy as np
 
         return np.array(self.data["correlations"], dtype=np.float64)
 
     @property
     def covariance(self) -> NDArray[np.float64]:
-        """The covariances of the numbers in their order: (numbers, numbers); NaN at a bound.
+        """The covariances of the fitted input values: (values, values); NaN at a bound.
 
         The entries are the product of two standard deviations and their correlation, in the units
-        of the two numbers.
+        of the two values.
         """
         import numpy as np
 
@@ -156,12 +156,12 @@ class Calibration(Found):
 
     @property
     def residuals(self) -> dict[str, float]:
-        """Fitted less measured frequency in standard deviations, by the name of the mode."""
+        """Fitted minus measured frequency in standard deviations, by the name of the mode."""
         return {one["mode"]: one["residual"] for one in self.data["measured"]}
 
     @property
     def remarks(self) -> list[str]:
-        """What the measurements do not determine, and doubts about the fit."""
+        """Input values that the measurements do not determine, and possible defects of the fit."""
         remarks: list[str] = self.data["remarks"]
         return remarks
 

@@ -11,7 +11,7 @@ _TEXT = ' style="text-align: left"'
 
 
 def solution_html(core: _rust.Solution) -> str:
-    """The table of modes, what is below it, warnings, and the picture of the shapes."""
+    """The table of modes with the lines below it, warnings, and the picture of the shapes."""
     header, rows, below = core.cells()
     # The second column has the names of the modes.
     table = table_html(header, rows, texts=(1,))
@@ -23,14 +23,14 @@ def solution_html(core: _rust.Solution) -> str:
 
 
 def table_html(header: list[str], rows: list[list[str]], texts: tuple[int, ...]) -> str:
-    """A table whose columns hold numbers, but some hold texts."""
+    """A table with columns of numbers, and some columns of texts."""
     head = _row("th", header, texts)
     body = "".join(_row("td", row, texts) for row in rows)
     return f"<table><thead>{head}</thead><tbody>{body}</tbody></table>"
 
 
 def text_html(text: str, picture: str = "") -> str:
-    """A table of the program as it is, and a picture."""
+    """A table as the program prints it, and a picture."""
     return f"<pre>{_escaped(text)}</pre><div>{picture}</div>"
 
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
         "yaw",
         "substructure",
     ]
-    #: How modes are chosen: a number of the lowest ones, or names.
+    #: Selection of modes: the number of lowest modes, or names.
     Modes = SupportsIndex | str | Sequence[tuple[str, int] | str]
 
 FAMILIES = (
@@ -40,7 +40,7 @@ FAMILIES = (
     "substructure",
 )
 
-#: How a list of modes is written.
+#: Example of a list of modes.
 EXAMPLE = '[("fore-aft", 1), "torsion 1"]'
 
 
@@ -98,10 +98,10 @@ def modes_chosen(modes: Modes | None) -> tuple[int | None, list[str]]:
 def place_of(
     names: list[tuple[Family, int]], family: str, order: int | None, among: str = ""
 ) -> int:
-    """The place of a mode in a list of names; the family may hold the order: `fore-aft 1`.
+    """The index of a mode in a list of names; the family may contain the order: `fore-aft 1`.
 
     Raises:
-        KeyError: It is not there.
+        KeyError: The list has no such mode.
         ValueError: There is no such family.
     """
     if order is None:

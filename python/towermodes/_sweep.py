@@ -53,7 +53,7 @@ def sampled(tower: Tower, study: Study) -> dict[str, Array]:
 
 
 def _rows(rows: range | None) -> tuple[int, int] | None:
-    """The first of the rows, and the row behind the last one."""
+    """The first row, and the row after the last one."""
     if rows is None:
         return None
     if not isinstance(rows, range):
@@ -161,13 +161,13 @@ class SweepResult:
     failures: Failures
     """Rows that failed or lack a mode: a list of row number, from 0, and message."""
     warned_rows: int
-    """Number of rows with probable input mistakes that the tower itself does not have."""
+    """Number of rows with probable input mistakes that this tower without changes does not have."""
     warnings: list[tuple[int, str]]
     """The first of these rows, up to five: the row, from 0, and the message."""
     shared_rows: int
     """Number of rows in which the `share` of a mode is below 0.6."""
     shared: list[tuple[int, str]]
-    """The first of these rows, up to five: the row, from 0, and which modes share their motion."""
+    """The first of these rows, up to five: the row, from 0, and the modes with coupled motions."""
 
     def __init__(
         self, inputs: list[tuple[str, Array]], first_row: int, solved: tuple[Any, ...]
@@ -222,9 +222,9 @@ class SweepResult:
     def share(self) -> Array:
         """The share of the family of each name in the energy of its mode: (rows, modes).
 
-        It is near 1 for a mode with one type of motion. If it is below 0.6, several modes share the
-        motion, and from such a row to the next they may exchange their names; `shared` has the
-        first of these rows.
+        It is near 1 for a mode with one type of motion. If it is below 0.6, the motion is
+        distributed over several modes, and from one row to the next these modes may exchange their
+        names; `shared` has the first of these rows.
         """
         return self._share
 

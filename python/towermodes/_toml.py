@@ -15,13 +15,13 @@ def tower_file(tables: Mapping[str, object]) -> str:
 
 
 def table(key: str, value: object) -> object:
-    """A table that may be given as its first number."""
+    """A table as given; a number becomes a table with this key."""
     is_number = hasattr(value, "__float__") and not isinstance(value, bool)
     return {key: value} if is_number else value
 
 
 def _value(entry: str, value: object) -> str:
-    """The value of an entry, whose name a message has."""
+    """The value of an entry; messages contain its name."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, (int, float)):
@@ -62,7 +62,7 @@ def _key(key: object) -> str:
 
 
 def _of(entry: str, key: str) -> str:
-    """The name of an entry of a table, as messages of the module in Rust have it."""
+    """The name of an entry of a table, as in messages of the module in Rust."""
     is_word = key.replace("_", "").replace("-", "").isalnum() and key.isascii()
     return f"{entry}.{key}" if is_word else f'{entry}["{key}"]'
 

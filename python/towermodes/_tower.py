@@ -51,7 +51,7 @@ if TYPE_CHECKING:
     Format = Literal["toml", "bmodes", "elastodyn", "windio"]
     Table = Mapping[str, Any]
 
-#: The answer to writing into the numbers of a tower.
+#: The message if input values of a tower are assigned.
 NO_WRITING = 'a tower does not change; tower.with_({"rna.mass": 360e3}) makes another one'
 
 
@@ -83,14 +83,14 @@ class Tower:
         wires: Sets of guy wires: dicts.
         gravity: `acceleration`; or a number, the acceleration in m/s².
         rotor: `blades` and `rpm`.
-        drivetrain: `rotor_inertia` and others, for a rotor that turns freely.
+        drivetrain: `rotor_inertia` and others, for a rotor that is free to rotate.
         damping: Loss factors, and data of the blades: `tower_loss_factor` and others.
         missing_parts: Parts of the structure that the source of the tower has and this model lacks:
             `"substructure"`, `"mooring-lines"` and others. The results have a note on them, and
             resonance is not checked.
 
     Raises:
-        TowerError: The numbers do not describe a valid tower.
+        TowerError: The input values do not describe a valid tower.
 
     >>> import towermodes as tm
     >>> tower = tm.Tower(
@@ -326,7 +326,7 @@ class Tower:
         return type(self)._of(self._core.changed(pairs))
 
     def to_toml(self) -> str:
-        """The tower as the text of a tower file; reading it gives exactly the same numbers."""
+        """The tower as the text of a tower file; reading it gives exactly the same input values."""
         return self.convert("toml").text
 
     def solve(
@@ -661,7 +661,7 @@ class Tower:
 
     @property
     def turbine(self) -> Turbine | None:
-        """The turbine on the tower, with its turning rotor; None if the file has none.
+        """The turbine on the tower, with its rotating rotor; None if the file has none.
 
         `turbine_missing` has the reason why there is none.
 
@@ -696,7 +696,7 @@ class Tower:
         method: Method | None = None,
         segments: SupportsIndex | None = None,
     ) -> Damping:
-        """Damping ratios of the modes: of the parts of the tower, and aerodynamic by the rotor.
+        """Damping ratios of the modes: contributions of parts, and aerodynamic damping.
 
         The damping ratio of a part is half its loss factor times its fraction of the strain energy
         of the mode (water: of the kinetic energy). There are no default loss factors: parts without
@@ -830,7 +830,7 @@ class Tower:
         return Picture(self._core.svg())
 
     def __eq__(self, other: object) -> bool:
-        """Whether both have the same numbers, names and options for their solution."""
+        """Whether both have the same input values, names and options for their solution."""
         if not isinstance(other, Tower):
             return NotImplemented
         return self._core.is_equal(other._core)
@@ -888,7 +888,7 @@ def _speeds(rpm: Any) -> tuple[float, float] | None:
     """The lowest and the highest speed of a rotor."""
     if rpm is None:
         return None
-    # A number of NumPy is neither an int nor a list.
+    # A NumPy scalar is neither an int nor a list.
     speeds: list[Any] = list(rpm) if hasattr(rpm, "__len__") else [rpm, rpm]
     if isinstance(rpm, str) or len(speeds) != 2:
         message = f"rpm is {rpm!r}; it must be one speed or (lowest, highest)"

@@ -34,12 +34,12 @@ class Answer:
     @property
     def not_checked(self, /) -> list[str]:
         """
-        Why nothing is checked; empty if it is.
+        Why nothing is checked; empty if the distances are checked.
         """
     @property
     def notes(self, /) -> list[str]:
         """
-        The notes of the reader, and those on the computation.
+        Notes of the reader and on the computation.
         """
     def svg(self, /) -> str:
         """
@@ -77,7 +77,7 @@ class Converted:
     @property
     def notes(self, /) -> list[str]:
         """
-        The notes of the reader, and on data that the format cannot store.
+        The notes of the reader, and notes on data that the format cannot store.
         """
     @property
     def text(self, /) -> str:
@@ -88,7 +88,7 @@ class Converted:
 @final
 class Found:
     """
-    A tower whose numbers are found.
+    A tower with input values from a design or a calibration.
     """
     def json(self, /) -> str:
         """
@@ -101,7 +101,7 @@ class Found:
     @property
     def tower(self, /) -> Tower:
         """
-        The tower with the numbers found.
+        The tower with the values found.
         """
 
 @final
@@ -116,7 +116,7 @@ class Solution:
         """
     def cells(self, /) -> tuple[list[str], list[list[str]], str]:
         """
-        The header and the cells of that table, and the lines below it.
+        The header and the cells of the table, and the lines below it.
         """
     @property
     def certificate(self, /) -> tuple[bool, int, float]:
@@ -154,7 +154,7 @@ class Solution:
     @property
     def effective_mass_shares(self, /) -> Incomplete | None:
         """
-        Sums of the effective masses as fractions of the whole: (6). None if they do not add up.
+        Sums of the effective masses as fractions of the totals: (6). None if they do not add up.
         """
     @property
     def error_hz(self, /) -> Incomplete:
@@ -213,7 +213,7 @@ class Solution:
     @property
     def second(self, /) -> list[tuple[str, float] | None]:
         """
-        The family with the largest share of each mode's energy beside its own, and this share.
+        For each mode, the other family with the largest share of its energy, and this share.
         """
     @property
     def segments(self, /) -> int:
@@ -228,7 +228,7 @@ class Solution:
     @property
     def shape_there(self, /) -> Incomplete:
         """
-        The shapes at the heights asked for: (modes, heights, 6).
+        The shapes at the requested heights: (modes, heights, 6).
         """
     @property
     def station_height_m(self, /) -> Incomplete:
@@ -271,11 +271,11 @@ class Tower:
         """
     def change(self, /, name: str) -> tuple[str, list[tuple[str, float]], str]:
         """
-        What a change does (`set`, `scale` or `add`), its numbers with their values, and its unit.
+        The operation of a change (`set`, `scale` or `add`), its input values, and its unit.
         """
     def changed(self, /, changes: SupportsGetItem[int, tuple[str, SupportsFloat | SupportsIndex]]) -> Tower:
         """
-        The tower with other numbers: names of changes and their values.
+        The tower with changed input values: names of changes and their values.
         """
     @property
     def files(self, /) -> list[str]:
@@ -299,7 +299,7 @@ class Tower:
         """
     def is_equal(self, /, other: Tower) -> bool:
         """
-        Whether both have the same description and prescribe the same for their solution.
+        Whether both have the same description and the same options for the solution.
         """
     @property
     def joints(self, /) -> list[tuple[str, list[float]]]:
@@ -328,7 +328,7 @@ class Tower:
         """
     def parameters(self, /) -> list[tuple[str, float, str, str]]:
         """
-        Name, value, unit and meaning of each number.
+        Name, value, unit and meaning of each input value.
         """
     @staticmethod
     def restore(state: "tuple[object, ...]") -> Tower:
@@ -346,7 +346,7 @@ class Tower:
         """
     def state(self, /) -> "tuple[object, ...]":
         """
-        All that [`restore`](Self::restore) needs.
+        The data that [`restore`](Self::restore) needs.
         """
     def static_balance(self, /) -> str:
         """
@@ -360,12 +360,12 @@ class Tower:
     @property
     def structure_mass_kg(self, /) -> float:
         """
-        This mass and the mass of the members of a substructure, kg.
+        Mass of the tower and of the members of a substructure, kg.
         """
     @property
     def substructure_masses_kg(self, /) -> list[tuple[str, float]]:
         """
-        The mass of the substructure by what it is, kg; nothing without one.
+        The mass of the substructure by kind, kg; nothing without a substructure.
         """
     def svg(self, /) -> str:
         """
@@ -439,7 +439,7 @@ class TurbineModes:
     @property
     def growing(self, /) -> int:
         """
-        How many modes grow without limit, as far as it is known.
+        Least number of unstable modes; 0 if the number is not known.
         """
     @property
     def limit_hz(self, /) -> float:
@@ -454,12 +454,12 @@ class TurbineModes:
     @property
     def negative_energy(self, /) -> tuple[int, int]:
         """
-        How many modes of negative energy are expected and were found.
+        Numbers of modes of negative energy: expected and found.
         """
     @property
     def nodding(self, /) -> list[str | None]:
         """
-        `tilt` or `yaw` of whirls whose waves are alike.
+        `tilt` or `yaw` for whirls whose backward and forward waves are almost equal.
         """
     @property
     def notes(self, /) -> list[str]:
@@ -474,22 +474,22 @@ class TurbineModes:
     @property
     def second(self, /) -> list[tuple[str, float] | None]:
         """
-        The parts with the most elastic energy besides, with their fractions.
+        For each mode, the other part with the most elastic energy, and its fraction.
         """
     @property
     def share(self, /) -> Incomplete:
         """
-        The fractions of their elastic energy in the parts that name them.
+        Fractions of the elastic energy of the modes in the parts that name them.
         """
     @property
     def unresisted(self, /) -> int:
         """
-        How many motions are too slow to be modes.
+        Number of motions without stiffness, which are not in the list.
         """
 
 def calibrate(tower: Tower, text: str, name: str, free: SupportsGetItem[int, str], options: "dict[str, object]", *, progress: Any | None = None) -> Found:
     """
-    The fit of measurements; `free` are the numbers to be fitted, if not those of the file.
+    The fit to measurements; `free` are the input values to be fitted instead of those of the file.
     """
 
 def campbell(tower: Tower, rotor: "dict[str, object]", options: "dict[str, object]") -> Answer:
@@ -504,7 +504,7 @@ def check(first: Tower, second: Tower) -> Answer:
 
 def close() -> None:
     """
-    Lets no other thread come back into Python; Python calls it at its exit.
+    Prevents other threads from returning to Python; Python calls this function at its exit.
     """
 
 def columns_of_stream(capsule: "object", choose: "object") -> "list[tuple[str, Incomplete]]":
@@ -535,7 +535,7 @@ def examine(tower: Tower) -> Answer:
 
 def first_order(tower: Tower, text: str, name: str, options: "dict[str, object]", *, progress: Any | None = None) -> Answer:
     """
-    The distributions of a study, on a tower in place of its base.
+    Frequencies to first order for the distributions of a study, with this tower as its base.
     """
 
 def mode_named(name: str) -> tuple[str, int, str]:
@@ -555,7 +555,7 @@ def read_text(text: str, name: str) -> Tower:
 
 def rows_within(rows: tuple[SupportsIndex, SupportsIndex], count: SupportsIndex) -> tuple[int, int]:
     """
-    The rows of a table that are asked for: the first one, and the row behind the last one.
+    The requested rows of a table: the first row, and the row after the last one.
     """
 
 def run(words: "list[str]") -> "int":
@@ -565,7 +565,7 @@ def run(words: "list[str]") -> "int":
 
 def sensitivities(tower: Tower, names: "list[str] | None", options: "dict[str, object]") -> "tuple[Incomplete, ...]":
     """
-    The derivatives with respect to named changes, or to each number of the tower.
+    The derivatives with respect to named changes, or to each input value of the tower.
     """
 
 def solve_mooring(path: "str") -> Answer:
@@ -598,7 +598,7 @@ def stream_of_results(first_row: SupportsIndex, inputs: "list[tuple[str, Incompl
 
 def sweep(tower: Tower, columns: "list[tuple[str, Incomplete]]", first_row: SupportsIndex, options: "dict[str, object]", *, progress: Any | None = None) -> tuple[list[tuple[str, int, str]], Incomplete, Incomplete, Incomplete, Incomplete, Incomplete, tuple[Incomplete, Incomplete, Incomplete], list[tuple[int, list[tuple[int, str]]]]]:
     """
-    Solves the tower with the numbers of each row in place of its own; the rows are counted from
+    Solves the tower with the input values of each row; the rows are counted from
     `first_row` on.
     """
 
@@ -609,13 +609,13 @@ def tower_file_keys() -> list[list[str]]:
 
 def turbine_campbell(tower: Tower, rpm: SupportsGetItem[int, SupportsFloat | SupportsIndex], limit_hz: SupportsFloat | SupportsIndex | None, rotor: "dict[str, object]") -> Answer:
     """
-    The diagram of the turbine on a tower; no speeds are the usual ones.
+    The diagram of the turbine on a tower; if no speeds are given, at the default speeds.
     """
 
 def values_of_study(tower: Tower, text: str, name: str, ignore: "list[str]", options: "dict[str, object]", rows: tuple[SupportsIndex, SupportsIndex] | None) -> "tuple[tuple[list[tuple[str, Incomplete]], int], dict[str, object]]":
     """
-    The values of a study on a tower in place of its base, and the options of the sweep: those
-    given, else those of the study.
+    The values of a study with this tower as its base, and the options of the sweep: those given,
+    else those of the study.
     """
 
 def values_of_table(tower: Tower, path: "str", ignore: "list[str]", rows: tuple[SupportsIndex, SupportsIndex] | None) -> "tuple[list[tuple[str, Incomplete]], int]":

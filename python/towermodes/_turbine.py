@@ -1,4 +1,4 @@
-"""Turbines with turning rotors and flexible blades."""
+"""Turbines with rotating rotors and flexible blades."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class Turbine:
-    """A tower with its nacelle, drivetrain and turning rotor of flexible blades.
+    """A tower with its nacelle, drivetrain and rotating rotor of flexible blades.
 
     `Tower.turbine` makes it. Structure only: no aerodynamics, no controller, constant rotor speed.
 
@@ -141,7 +141,7 @@ class Turbine:
         return TurbineCampbell._of((self._tower,), speeds, limit, rotor)
 
     def __eq__(self, other: object) -> bool:
-        """Whether both are on equal towers and have the same numbers."""
+        """Whether both have equal towers and the same input values."""
         if not isinstance(other, Turbine):
             return NotImplemented
         return self._tower == other._tower
@@ -160,7 +160,7 @@ class Turbine:
 class TurbineModes(Computed):
     """The modes of a turbine at a rotor speed, by rising frequency.
 
-    Arrays have one entry per mode. Frequencies are those in the fixed frame, not in the rotating
+    Arrays have one entry per mode. Frequencies are in the fixed frame, not in the rotating
     frame.
 
     >>> import towermodes as tm
@@ -198,7 +198,7 @@ class TurbineModes(Computed):
 
     @property
     def negative_energy(self) -> tuple[int, int]:
-        """Numbers of modes of negative energy: of a stable turbine at this speed, and found.
+        """Numbers of modes of negative energy: for a stable turbine at this speed, and found.
 
         Both are 0 unless the rotor turns faster than the lowest natural frequency of its blades.
         """
@@ -311,7 +311,7 @@ class TurbineModes(Computed):
 class TurbineCampbell(Pictured):
     """Modes of a turbine followed over the rotor speed, and their distances from the excitations.
 
-    Frequencies are those in the fixed frame, not in the rotating frame. Arrays of numbers are
+    Frequencies are in the fixed frame, not in the rotating frame. Arrays of numbers are
     (curves, speeds), NaN where a curve has left the diagram.
 
     >>> import towermodes as tm

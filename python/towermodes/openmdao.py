@@ -18,7 +18,7 @@ from towermodes._names import EXAMPLE, mode_name
 
 
 class TowerModes(om.ExplicitComponent):  # type: ignore[misc]
-    """Mass and natural frequencies of a tower as functions of its numbers.
+    """Mass and natural frequencies of a tower as functions of its input values.
 
     Outputs are `mass_kg`, `Tower.structure_mass_kg` of the tower, and a
     frequency for each mode, with the name of its column in a sweep: `fore_aft_1_hz`, `surge_hz`.
@@ -26,18 +26,18 @@ class TowerModes(om.ExplicitComponent):  # type: ignore[misc]
     of `Tower.sensitivities`, computed from the modes and not from differences of solved towers.
 
     Args:
-        tower: The tower; its numbers are the initial values of the inputs.
-        inputs: Names of OpenMDAO variables, and the number of the tower that each one sets:
-            `{"wall_base": "stations[0].wall", "walls": "scale(stations[*].wall)"}`. The initial
-            value is 1 for a factor (`scale`) and 0 for an increment (`add`).
+        tower: The tower; its input values are the initial values of the inputs.
+        inputs: Names of OpenMDAO variables, and the input value of the tower that each variable
+            sets: `{"wall_base": "stations[0].wall", "walls": "scale(stations[*].wall)"}`. The
+            initial value is 1 for a factor (`scale`) and 0 for an increment (`add`).
         modes: Names of modes: `[("fore-aft", 1), "side-side 1"]`.
         segments: Number of segments, 20 by default, as in `Tower.sweep`.
 
     Raises:
-        ValueError: A mode has no such name; in the setup, if the tower has no such number, or if
-            an input would set several numbers that are not equal.
-        AnalysisError: In a run, if the numbers do not describe a tower that can be solved, or if a
-            frequency has no derivative.
+        ValueError: A mode has no such name; in the setup, if the tower has no such input value, or
+            if an input would set several values that are not equal.
+        AnalysisError: In a run, if the input values do not describe a tower that can be solved, or
+            if a frequency has no derivative.
 
     >>> import openmdao.api as om
     >>> import towermodes as tm
@@ -127,23 +127,23 @@ respect to {variable} ({number}): {reason}"
 
 
 class Varied(NamedTuple):
-    """The numbers of the tower that an input changes."""
+    """The input values of the tower that an input changes."""
 
     change: str
-    """As it is written in the argument `inputs`."""
+    """The text in the argument `inputs`."""
     operation: str
     """`set`, `scale` or `add`."""
     numbers: dict[str, float]
-    """The names of the numbers, and their values in the original tower."""
+    """The names of the input values, and the values in the original tower."""
     unit: str
     """The unit of the input."""
 
     @classmethod
     def of(cls, tower: Tower, change: str) -> Varied:
-        """The numbers of a change.
+        """The input values of a
 
-        Raises:
-            ValueError: There is no such number, or the change sets numbers that are not equal.
+        change. Raises:
+            ValueError: There is no such input value, or the change sets values that are not equal.
         """
         operation, numbers, unit = tower._core.change(change)
         different = sorted({value for _, value in numbers})
@@ -155,17 +155,17 @@ one value; use scale({listed}) or add({listed}) for all, or one input for each"
         return cls(change, operation, dict(numbers), unit)
 
     def initial(self) -> float:
-        """The value that leaves the tower as it is."""
+        """The value that leaves the tower unchanged."""
         neutral = {"scale": 1.0, "add": 0.0}
         return neutral.get(self.operation, next(iter(self.numbers.values())))
 
 
 def chain_rule(changes: Sequence[tuple[Varied, float]]) -> list[dict[str, float]]:
-    """For each input the numbers of the changed tower that it changes, and how much per unit.
+    """For each input, the input values of the tower that it changes, and their change per unit.
 
-    The derivative with respect to the input is the sum over these numbers of the weights times the
-    derivatives with respect to the numbers. An input whose numbers no other one changes is such a
-    number itself: heights at which two rows meet have a derivative only together.
+    The derivative with respect to the input is the sum of the weights times the derivatives with
+    respect to these input values. An input whose values no other input changes is differentiated
+    as a whole, because heights at which two rows meet have a derivative only together.
     """
     values: dict[str, float] = {}
     weights: list[dict[str, float]] = []
@@ -203,7 +203,7 @@ def check_inputs(name: str, value: Mapping[str, str]) -> None:
 
 
 def check_modes(name: str, value: Sequence[Any]) -> None:
-    """Refuses names that no mode has."""
+    """Refuses unknown names of modes."""
     if isinstance(value, str) or not value:
         message = f"{name} is {value!r}; it must be a list of names of modes: {EXAMPLE}"
         raise ValueError(message)

@@ -54,7 +54,7 @@ pub struct DiagramRow {
     pub multiple: usize,
     /// The operating speed at which both are closest, rpm.
     pub nearest_rpm: f64,
-    /// The excitation there, Hz.
+    /// The excitation frequency at this rotor speed, Hz.
     pub excitation_hz: f64,
     /// The natural frequency there, Hz.
     pub natural_hz: f64,

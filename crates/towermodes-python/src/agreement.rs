@@ -23,7 +23,7 @@ struct Agreement {
     notes: Vec<String>,
 }
 
-/// The name of a tower in a table: its file, or else its own.
+/// The name of a tower in a table: its file, or without a file its own name.
 fn name(model: &Model) -> String {
     let file = model.input.files().find(|name| !name.starts_with('<'));
     match (file, model.tower.name()) {
@@ -66,7 +66,7 @@ impl Shown for Agreement {
         write_result_json(&self.agreement, out)
     }
 
-    /// Those of both readers, and what is left out of the comparison.
+    /// Notes of both readers, and on data that are not compared.
     fn notes(&self) -> Vec<String> {
         self.notes.clone()
     }

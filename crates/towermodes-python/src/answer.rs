@@ -5,7 +5,7 @@ use towermodes_files::ResultError;
 
 use crate::error::of_result;
 
-/// A result of the library with what belongs to it.
+/// A result of the library with its notes and warnings.
 pub trait Shown: Send + Sync + 'static {
     /// The table of the program.
     fn table(&self) -> String;
@@ -23,7 +23,7 @@ pub trait Shown: Send + Sync + 'static {
         String::new()
     }
 
-    /// The notes of the reader, and those on the computation.
+    /// Notes of the reader and on the computation.
     fn notes(&self) -> Vec<String> {
         Vec::new()
     }
@@ -38,7 +38,7 @@ pub trait Shown: Send + Sync + 'static {
         ""
     }
 
-    /// Why nothing is checked; empty if it is.
+    /// Why nothing is checked; empty if the distances are checked.
     fn not_checked(&self) -> Vec<String> {
         Vec::new()
     }
@@ -81,7 +81,7 @@ impl Answer {
         self.0.svg()
     }
 
-    /// The notes of the reader, and those on the computation.
+    /// Notes of the reader and on the computation.
     #[getter]
     pub fn notes(&self) -> Vec<String> {
         self.0.notes()
@@ -99,7 +99,7 @@ impl Answer {
         self.0.verdict()
     }
 
-    /// Why nothing is checked; empty if it is.
+    /// Why nothing is checked; empty if the distances are checked.
     #[getter]
     pub fn not_checked(&self) -> Vec<String> {
         self.0.not_checked()
@@ -112,7 +112,7 @@ impl Answer {
     }
 }
 
-/// What a writer writes, as text.
+/// The output of a writer, as text.
 ///
 /// # Errors
 /// The result cannot be written.

@@ -1,4 +1,4 @@
-//! Numbers as NumPy arrays, which nobody can write: results do not change.
+//! Numbers as NumPy arrays, which cannot be written: results do not change.
 
 use numpy::ndarray::Dimension;
 use numpy::{Element, PyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods};
@@ -29,7 +29,7 @@ pub fn sheets<const N: usize>(
     array.reshape([sheets, rows, N]).map(constant)
 }
 
-/// The array as one that cannot be written.
+/// The array, made read-only.
 fn constant<T: Element, D: Dimension>(array: Bound<'_, PyArray<T, D>>) -> Bound<'_, PyArray<T, D>> {
     drop(array.readwrite().make_nonwriteable());
     array

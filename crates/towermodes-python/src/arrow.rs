@@ -90,7 +90,7 @@ fn numbers(
     Ok(columns)
 }
 
-/// Adds the numbers of an array to a column; none if it does not hold numbers.
+/// Adds the numbers of an array to a column; none if the array does not contain numbers.
 fn extend(column: &mut Vec<f64>, array: &dyn Array) -> Option<()> {
     match array.data_type() {
         DataType::Float64 => of_type::<Float64Type>(column, array, |value| value),

@@ -99,7 +99,7 @@ impl Shown for Comparison {
         self.model.notes()
     }
 
-    /// Those of the reference solution, and of methods that lack modes.
+    /// Warnings of the reference solution, and on methods that lack modes.
     fn warnings(&self) -> Vec<String> {
         self.model.located(&self.comparison.warnings)
     }

@@ -67,7 +67,7 @@ impl Converted {
         self.files.companion.clone()
     }
 
-    /// The notes of the reader, and on data that the format cannot store.
+    /// The notes of the reader, and notes on data that the format cannot store.
     #[getter]
     fn notes(&self) -> Vec<String> {
         self.notes.clone()

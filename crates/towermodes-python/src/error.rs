@@ -60,7 +60,7 @@ fn tower_error(message: &str, path: Option<&str>, hint: Option<&str>, list: Vec<
     })
 }
 
-/// A file that gives no tower.
+/// A file without a valid tower.
 pub fn of_read(error: ReadError) -> PyErr {
     match error {
         ReadError::Unreadable(error) => of_file(error),
@@ -171,14 +171,14 @@ fn argument_for(remedy: Remedy) -> String {
     }
 }
 
-/// A description that is no tower, without a file.
+/// An invalid description, without a file.
 pub fn of_tower(error: &TowerError) -> PyErr {
     let message = format!("{}: {}", error.place, error.problem);
     tower_error(&message, None, error.hint(), Vec::new())
 }
 
-/// The same, with the number that is wrong by its name: `stations[13].wall`; a number that is
-/// missing is named by the entry that lacks it.
+/// The error with the name of the wrong input value: `stations[13].wall`; for a missing value, with
+/// the name of the entry that requires it.
 pub fn of_numbers(error: &TowerError, input: &TowerInput) -> PyErr {
     let numbers = Parameter::all(&input.description).into_iter();
     match (number_at(error.place, numbers), input.tower()) {
@@ -232,7 +232,7 @@ pub fn of_turbine(error: &TurbineError) -> PyErr {
     }
 }
 
-/// A coupled diagram that cannot be.
+/// A coupled diagram that cannot be computed.
 pub fn of_coupled(error: &CoupledError) -> PyErr {
     match error {
         CoupledError::Options(inner) => of_campbell(inner),
@@ -242,13 +242,13 @@ pub fn of_coupled(error: &CoupledError) -> PyErr {
     }
 }
 
-/// Towers among which there is no solution.
+/// A design or a calibration without a solution.
 pub fn unsolved(message: &str, hint: Option<&str>) -> PyErr {
     static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     attached(|py| raised(class(py, &CLASS, "SolveError"), (message, hint)))
 }
 
-/// What the user can do about it, in the words of Python where the program names options.
+/// The remedy, with arguments of Python in place of options of the program.
 fn hint(error: &SolveError) -> Option<&'static str> {
     match error {
         SolveError::TooManyModes { .. } => {

@@ -1,4 +1,4 @@
-//! The scatter of frequencies to first order in what varies.
+//! Standard deviations of frequencies to first order in the varied input values.
 
 use pyo3::prelude::*;
 use towermodes::{Options, Solver};
@@ -21,7 +21,7 @@ struct FirstOrder {
     table: String,
 }
 
-/// The distributions of a study, on a tower in place of its base.
+/// Frequencies to first order for the distributions of a study, with this tower as its base.
 #[pyfunction]
 #[pyo3(signature = (tower, text, name, options: "dict[str, object]", *, progress = None))]
 pub fn first_order(

@@ -1,5 +1,5 @@
-//! Towers whose numbers are found: a light one within bands of frequencies, and the one that has
-//! the measured frequencies.
+//! Towers with computed input values: a light tower within bands of frequencies, and the tower that
+//! has the measured frequencies.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -30,7 +30,7 @@ pub fn source(py: Python<'_>, path: PathBuf) -> PyResult<(String, String)> {
     Ok((source.text, source.name))
 }
 
-/// A tower whose numbers are found.
+/// A tower with input values from a design or a calibration.
 #[pyclass(frozen, module = "towermodes._towermodes")]
 pub struct Found {
     json: Vec<u8>,
@@ -40,7 +40,7 @@ pub struct Found {
 
 #[pymethods]
 impl Found {
-    /// The tower with the numbers found.
+    /// The tower with the values found.
     #[getter]
     fn tower(&self) -> Tower {
         let model = Arc::clone(&self.model);
@@ -93,7 +93,7 @@ pub fn design(
     })
 }
 
-/// The fit of measurements; `free` are the numbers to be fitted, if not those of the file.
+/// The fit to measurements; `free` are the input values to be fitted instead of those of the file.
 #[pyfunction]
 #[pyo3(signature = (tower, text, name, free, options: "dict[str, object]", *, progress = None))]
 pub fn calibrate(
@@ -131,7 +131,7 @@ pub fn calibrate(
     })
 }
 
-/// A tower with other numbers.
+/// A tower with changed input values.
 fn changed(tower: &Tower, description: TowerDescription) -> PyResult<Arc<Model>> {
     let mut input = tower.model.input.clone();
     input.description = description;

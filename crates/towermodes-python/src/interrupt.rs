@@ -34,8 +34,9 @@ pub fn interruptible<T: Send>(
     })
 }
 
-/// The same for a computation that solves many towers. A function of Python is called about once a
-/// second with the number of towers that are solved; its exceptions end the computation too.
+/// Runs a computation that solves many towers without the lock. A function of Python is called
+/// about once a second with the number of towers that are solved; its exceptions end the
+/// computation too.
 ///
 /// # Errors
 /// The exception of a signal handler or of the function.
@@ -72,7 +73,7 @@ fn interrupted(exception: PyErr) -> ! {
     resume_unwind(Box::new(Interrupted(exception)))
 }
 
-/// The same for a computation that is given the function that looks for signals.
+/// Runs a computation without the lock and gives it the function that looks for signals.
 ///
 /// # Errors
 /// The exception of a signal handler: `KeyboardInterrupt`.

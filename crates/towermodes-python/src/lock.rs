@@ -98,7 +98,7 @@ pub fn attached<T>(run: impl FnOnce(Python<'_>) -> T) -> T {
     })
 }
 
-/// Lets no other thread come back into Python; Python calls it at its exit.
+/// Prevents other threads from returning to Python; Python calls this function at its exit.
 #[pyfunction]
 pub fn close(py: Python<'_>) {
     CLOSING.get_or_init(|| thread::current().id());

@@ -1,4 +1,4 @@
-//! A tower with the input that it was made of.
+//! A tower with its input.
 
 use towermodes::{Parameter, SolveError, Tower as CheckedTower, Warning};
 use towermodes_files::{Note, TowerInput};
@@ -10,7 +10,7 @@ use crate::error::{MADE_HERE, explained, of_solve};
 use crate::pickle::PICKLED;
 use pyo3::prelude::*;
 
-/// A tower and the input that it was made of.
+/// A tower and its input.
 pub struct Model {
     /// The tower.
     pub tower: CheckedTower,
@@ -24,7 +24,7 @@ impl Model {
         self.input.notes.iter().map(Note::to_string).collect()
     }
 
-    /// The same with those on a computation.
+    /// The notes with the notes on a computation.
     pub fn notes_with(&self, own: &[Note]) -> Vec<String> {
         let own = own.iter().map(Note::to_string);
         self.notes().into_iter().chain(own).collect()
@@ -69,7 +69,7 @@ impl Model {
         warnings.iter().map(located).collect()
     }
 
-    /// The error of this tower, if it is not solved, with what is improbable in it.
+    /// The error of this tower, if it is not solved, with the warnings on unusual input.
     pub fn unsolved(&self, error: &SolveError) -> PyErr {
         explained(of_solve(error), &self.located(self.tower.warnings()))
     }

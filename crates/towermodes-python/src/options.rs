@@ -7,7 +7,7 @@ use towermodes_files::TowerInput;
 
 use crate::error::usage;
 
-/// How to solve a tower; none where the file decides, or else the library.
+/// Options of the solution; for an option that is none the file decides, otherwise the library.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct SolveOptions {
@@ -25,8 +25,7 @@ pub struct SolveOptions {
 
 /// The method with this name.
 ///
-/// # Errors
-/// `ValueError` with the names there are.
+/// # Errors `ValueError` with the valid names.
 pub fn method_named(name: &str) -> PyResult<Method> {
     Method::named(name).ok_or_else(|| {
         let names = Method::ALL.map(Method::name).join(", ");
@@ -66,7 +65,7 @@ impl SolveOptions {
         })
     }
 
-    /// At which frequency a floating platform has its added mass.
+    /// The frequency of the added mass of a floating platform.
     fn added_mass_at(&self) -> PyResult<AddedMassAt> {
         AddedMassAt::named(&self.added_mass).ok_or_else(|| {
             usage("added_mass must be \"own\", \"infinite\", \"zero\" or a frequency in Hz, 0 or positive")

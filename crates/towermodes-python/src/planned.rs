@@ -1,4 +1,4 @@
-//! What is swept: the tower, the changes, their values, and what is computed.
+//! The sweep: the tower, the changes, their values, and the requested modes.
 
 use std::ops::Range;
 use std::path::Path;
@@ -18,13 +18,13 @@ use crate::lock::released;
 use crate::sweep::SweepOptions;
 use crate::tower::Tower;
 
-/// What is swept.
+/// The tower and the changed input values.
 pub struct Planned {
-    /// Its changes.
+    /// The changes of the tower.
     pub changes: Vec<Change>,
     /// Their values.
     pub source: SweepSource,
-    /// What is computed.
+    /// The requested modes and the method.
     pub results: SweepResults,
 }
 
@@ -51,8 +51,7 @@ pub fn of_table(
 /// The sweep of a study, of the tower that it names or of another one, with the files that it
 /// names, which are relative to it.
 ///
-/// # Errors
-/// `TowerError` with the mistakes of the study and of the tower; those of [`of_table`].
+/// # Errors `TowerError` with the mistakes of the study and of the tower; errors of [`of_table`].
 pub fn of_study(
     study: &Source,
     tower: Option<&TowerInput>,
@@ -98,10 +97,10 @@ type NamedColumn<'py> = (String, Bound<'py, PyArray1<f64>>);
 /// Columns with their names, and the number of their first row.
 type Values<'py> = (Vec<NamedColumn<'py>>, u64);
 
-/// The first of the rows that are asked for, and the row behind the last one.
+/// The first requested row, and the row after the last one.
 type Rows = Option<(u64, u64)>;
 
-/// The rows of a table that are asked for: the first one, and the row behind the last one.
+/// The requested rows of a table: the first row, and the row after the last one.
 #[pyfunction]
 #[pyo3(name = "rows_within")]
 pub fn rows_within_table(rows: (u64, u64), count: u64) -> PyResult<(u64, u64)> {
@@ -129,8 +128,8 @@ pub fn values_of_table<'py>(
     Ok((arrays(py, columns), first_row))
 }
 
-/// The values of a study on a tower in place of its base, and the options of the sweep: those
-/// given, else those of the study.
+/// The values of a study with this tower as its base, and the options of the sweep: those given,
+/// else those of the study.
 #[pyfunction]
 #[pyo3(signature = (
     tower, text, name, ignore: "list[str]", options: "dict[str, object]", rows,
@@ -161,7 +160,7 @@ fn arrays(py: Python<'_>, columns: Columns) -> Vec<NamedColumn<'_>> {
 /// The name and the values of each change.
 type Columns = Vec<(String, Vec<f64>)>;
 
-/// The columns of the rows that are asked for, and the number of the first row.
+/// The columns of the requested rows, and the number of the first row.
 fn columns(planned: &Planned, rows: Rows) -> PyResult<(Columns, u64)> {
     let all = planned.source.rows();
     let Range { start, end } = match rows {

@@ -13,7 +13,7 @@ use crate::input::{input_of_text, tower_input};
 use crate::lock::released;
 use crate::tower::Tower;
 
-/// How a file is read where it leaves a choice.
+/// Options for reading a file.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Reading {

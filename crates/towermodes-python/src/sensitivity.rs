@@ -1,4 +1,4 @@
-//! Derivatives of frequencies and mass with respect to the numbers of a tower.
+//! Derivatives of frequencies and mass with respect to the input values of a tower.
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
@@ -25,7 +25,7 @@ type Derived<'py> = (
     Vec<(usize, usize, String)>,
 );
 
-/// The derivatives with respect to named changes, or to each number of the tower.
+/// The derivatives with respect to named changes, or to each input value of the tower.
 #[pyfunction]
 #[pyo3(signature = (tower, names: "list[str] | None", options: "dict[str, object]") -> "tuple[Incomplete, ...]")]
 pub fn sensitivities<'py>(
@@ -49,7 +49,7 @@ pub fn sensitivities<'py>(
     arrays(py, &solved, sweep.modes(), &columns)
 }
 
-/// The derivatives, and the place of each mode of the sweep in their list.
+/// The derivatives, and the index of each mode of the sweep in their list.
 fn derived(py: Python<'_>, sweep: &Sweep) -> PyResult<(Sensitivities, Vec<usize>)> {
     let columns = |solved: &Sensitivities| -> Option<Vec<usize>> {
         let place = |name: &ModeName| solved.modes.iter().position(|mode| mode.name() == *name);

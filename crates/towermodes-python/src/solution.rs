@@ -127,7 +127,7 @@ impl Solution {
         array::rows(py, self.modes().map(|mode| mode.effective_mass))
     }
 
-    /// Sums of the effective masses as fractions of the whole: (6). None if they do not add up.
+    /// Sums of the effective masses as fractions of the totals: (6). None if they do not add up.
     #[getter]
     fn effective_mass_shares<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
         let shares = self.solution.effective_mass_shares()?;
@@ -164,7 +164,7 @@ impl Solution {
         self.heights(py, |mode| &mode.station_shape)
     }
 
-    /// The shapes at the heights asked for: (modes, heights, 6).
+    /// The shapes at the requested heights: (modes, heights, 6).
     #[getter]
     fn shape_there<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
         self.shapes(py, |mode| &mode.shape_there)
@@ -195,7 +195,7 @@ impl Solution {
         self.modes().map(name).collect()
     }
 
-    /// The family with the largest share of each mode's energy beside its own, and this share.
+    /// For each mode, the other family with the largest share of its energy, and this share.
     #[getter]
     fn second(&self) -> Vec<Option<(&'static str, f64)>> {
         let second = |mode: &Mode| mode.second().map(|it| (it.family.name(), it.share));
@@ -273,7 +273,7 @@ impl Solution {
         table::solution(&self.model.tower, &self.solution)
     }
 
-    /// The header and the cells of that table, and the lines below it.
+    /// The header and the cells of the table, and the lines below it.
     fn cells(&self) -> (Vec<&'static str>, Vec<Vec<String>>, String) {
         let rows = table::mode_rows(&self.solution).into_iter();
         let rows = rows.map(|row| row.map(|cell| cell.trim_end().to_owned()).to_vec());

@@ -55,11 +55,11 @@ type Failed<'py> = (
     Bound<'py, PyArray1<u8>>,
 );
 
-/// Number of rows on which there is something to remark, and the first sentences.
+/// Number of rows with remarks, and the first remarks.
 type Remarks = (u64, Vec<(u64, String)>);
 
 /// Modes, frequencies, errors and shares (rows, modes), masses, certified, failures; rows with
-/// unusual input, and rows in which modes share their motions.
+/// unusual input, and rows with coupled motions.
 type Solved<'py> = (
     Names,
     Bound<'py, PyArray2<f64>>,
@@ -71,7 +71,7 @@ type Solved<'py> = (
     [Remarks; 2],
 );
 
-/// Solves the tower with the numbers of each row in place of its own; the rows are counted from
+/// Solves the tower with the input values of each row; the rows are counted from
 /// `first_row` on.
 #[pyfunction]
 #[pyo3(signature = (
@@ -103,7 +103,8 @@ pub fn sweep<'py>(
 }
 
 impl SweepOptions {
-    /// What is computed: these options, else those of a study or the defaults.
+    /// The requested modes and the method: these options, else the options of a study or the
+    /// defaults.
     ///
     /// # Errors
     /// `ValueError` for an unknown mode or method.
@@ -125,7 +126,7 @@ impl SweepOptions {
         })
     }
 
-    /// These options with all that a study decides too.
+    /// These options, completed with the options of a study.
     pub fn with(&self, results: &SweepResults) -> Self {
         let (modes, names) = match &results.modes {
             SweepModes::Lowest(count) => (Some(*count), Vec::new()),

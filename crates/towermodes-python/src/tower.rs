@@ -24,7 +24,7 @@ use crate::solution::Solution;
 /// anyone can interrupt them. To look for signals costs them a few microseconds.
 const SOON: usize = 20_000;
 
-/// Operation, numbers with their values, and unit of a change.
+/// Operation, input values and unit of a change.
 type ChangeParts = (&'static str, Vec<(String, f64)>, &'static str);
 
 /// A tower.
@@ -37,15 +37,14 @@ pub struct Tower {
 impl Tower {
     /// The tower of an input.
     ///
-    /// # Errors
-    /// `TowerError` with the place of what no tower can have.
+    /// # Errors `TowerError` with the place of an invalid value.
     pub fn of_input(input: TowerInput) -> PyResult<Self> {
         let tower = input.tower().map_err(of_read)?;
         let model = Arc::new(Model { tower, input });
         Ok(Self { model })
     }
 
-    /// The same with other numbers, whose mistakes have no place in a file.
+    /// A copy with changed input values, whose mistakes have no place in a file.
     ///
     /// # Errors
     /// `TowerError`.
@@ -89,7 +88,7 @@ impl Tower {
         self.model.tower.mass_kg()
     }
 
-    /// This mass and the mass of the members of a substructure, kg.
+    /// Mass of the tower and of the members of a substructure, kg.
     #[getter]
     fn structure_mass_kg(&self) -> f64 {
         self.model.tower.structure_mass_kg()
@@ -177,7 +176,7 @@ impl Tower {
         member.collect()
     }
 
-    /// The mass of the substructure by what it is, kg; nothing without one.
+    /// The mass of the substructure by kind, kg; nothing without a substructure.
     #[getter]
     fn substructure_masses_kg(&self) -> Vec<(&'static str, f64)> {
         let Some(frame) = self.model.tower.frame() else {
@@ -207,7 +206,7 @@ impl Tower {
         self.model.located(self.model.tower.warnings())
     }
 
-    /// Name, value, unit and meaning of each number.
+    /// Name, value, unit and meaning of each input value.
     fn parameters(&self) -> Vec<(String, f64, &'static str, &'static str)> {
         let description = &self.model.input.description;
         let row = |parameter: Parameter| {
@@ -218,7 +217,7 @@ impl Tower {
         Parameter::all(description).into_iter().map(row).collect()
     }
 
-    /// What a change does (`set`, `scale` or `add`), its numbers with their values, and its unit.
+    /// The operation of a change (`set`, `scale` or `add`), its input values, and its unit.
     fn change(&self, name: &str) -> PyResult<ChangeParts> {
         let description = &self.model.input.description;
         let change = Change::parse(name, description);
@@ -233,7 +232,7 @@ impl Tower {
         Ok((operation, numbers, change.unit()))
     }
 
-    /// The tower with other numbers: names of changes and their values.
+    /// The tower with changed input values: names of changes and their values.
     fn changed(&self, changes: Vec<(String, f64)>) -> PyResult<Self> {
         let mut input = self.model.input.clone();
         let setting = |(name, value)| Setting::new(name, value);
@@ -267,7 +266,7 @@ impl Tower {
         figures::tower(&input.description, tower).to_svg(Look::Standalone)
     }
 
-    /// Whether both have the same description and prescribe the same for their solution.
+    /// Whether both have the same description and the same options for the solution.
     fn is_equal(&self, other: &Self) -> bool {
         let (own, other) = (&self.model.input, &other.model.input);
         own.description == other.description
@@ -276,7 +275,7 @@ impl Tower {
             && own.prescribed == other.prescribed
     }
 
-    /// All that [`restore`](Self::restore) needs.
+    /// The data that [`restore`](Self::restore) needs.
     #[pyo3(signature = () -> "tuple[object, ...]")]
     fn state<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
         state(py, &self.model.input)

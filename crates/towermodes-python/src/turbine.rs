@@ -14,7 +14,7 @@ use crate::lock::released;
 use crate::model::Model;
 use crate::tower::Tower;
 
-/// Number of parts that energies are given for.
+/// Number of parts with energies.
 const PARTS: usize = 25;
 
 /// The modes of a turbine at a speed.
@@ -26,8 +26,7 @@ pub struct TurbineModes {
 
 /// The turbine of a tower.
 ///
-/// # Errors
-/// `ValueError` if it has none.
+/// # Errors `ValueError` if there is none.
 pub fn turbine_of(model: &Model) -> PyResult<Turbine> {
     let turbine = model.input.whole_turbine().map_err(of_read)?;
     turbine.ok_or_else(|| usage(model.missing_turbine()))
@@ -109,20 +108,20 @@ impl TurbineModes {
         self.modes.is_complete
     }
 
-    /// How many modes of negative energy are expected and were found.
+    /// Numbers of modes of negative energy: expected and found.
     #[getter]
     fn negative_energy(&self) -> (usize, usize) {
         let modes = &self.modes;
         (modes.negative_energy_expected, modes.negative_energy_found)
     }
 
-    /// How many modes grow without limit, as far as it is known.
+    /// Least number of unstable modes; 0 if the number is not known.
     #[getter]
     fn growing(&self) -> usize {
         self.modes.growing
     }
 
-    /// How many motions are too slow to be modes.
+    /// Number of motions without stiffness, which are not in the list.
     #[getter]
     fn unresisted(&self) -> usize {
         self.modes.unresisted
@@ -154,13 +153,13 @@ impl TurbineModes {
         modes.map(|mode| mode.name.to_string()).collect()
     }
 
-    /// The fractions of their elastic energy in the parts that name them.
+    /// Fractions of the elastic energy of the modes in the parts that name them.
     #[getter]
     fn share<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         self.of_each(py, |mode| mode.share)
     }
 
-    /// The parts with the most elastic energy besides, with their fractions.
+    /// For each mode, the other part with the most elastic energy, and its fraction.
     #[getter]
     fn second(&self) -> Vec<Option<(String, f64)>> {
         let modes = self.modes.modes.iter();
@@ -170,7 +169,7 @@ impl TurbineModes {
             .collect()
     }
 
-    /// `tilt` or `yaw` of whirls whose waves are alike.
+    /// `tilt` or `yaw` for whirls whose backward and forward waves are almost equal.
     #[getter]
     fn nodding(&self) -> Vec<Option<String>> {
         let modes = self.modes.modes.iter();

@@ -47,7 +47,7 @@ fn rotor_of(
     options
 }
 
-/// The diagram of the turbine on a tower; no speeds are the usual ones.
+/// The diagram of the turbine on a tower; if no speeds are given, at the default speeds.
 #[pyfunction]
 #[pyo3(signature = (tower, rpm, limit_hz, rotor: "dict[str, object]"))]
 pub fn turbine_campbell(

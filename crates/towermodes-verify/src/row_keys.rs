@@ -4,7 +4,7 @@ use serde::{Serialize, Serializer};
 
 use crate::row::Row;
 
-/// A known value and the computed one.
+/// A reference value and the computed value.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(remote = "Row")]

@@ -1,6 +1,6 @@
 //! The methods: name, description, physics, order of convergence.
 
-/// A method that turns a tower into an eigenvalue problem.
+/// A discretization method.
 ///
 /// # Example
 /// ```

@@ -531,7 +531,7 @@ export class Explorer {
     if (shown === null || !this.history.isSettled || this.refusal !== null || this.queue.pending || turning?.pending) return;
     const isOfRigidRotor = turning !== null;
     if (mode !== null) this.influence.ask({ state: shown.state, number: mode.number, label: mode.label, isOfRigidRotor });
-    else this.influence.none("No elasticities: they are those of the tower with a rigid rotor, which has no such mode.");
+    else this.influence.none("No elasticities: they are computed for the tower with a rigid rotor, which has no such mode.");
   }
 
   /** What tests may read. */

@@ -58,7 +58,7 @@ export class Turning {
   }
 
   /** Whether verdicts are those of the turbine, now or when it is solved; if it cannot be solved,
-   * they are those of the tower with a rigid rotor. */
+   * they are computed for the tower with a rigid rotor. */
   get governs(): boolean {
     return this.refusal === "" || this.isDrawing;
   }

@@ -16,9 +16,9 @@ const LISTED_HEIGHTS: usize = 21;
 pub struct ExaminationRow {
     /// The height in the datum of the stations, m.
     pub height_m: f64,
-    /// Mass per length, kg/m; at a step that below it.
+    /// Mass per length, kg/m; at a step, the value below the step.
     pub mass_kg_per_m: f64,
-    /// Bending stiffness EI, N m²; at a step that below it.
+    /// Bending stiffness EI, N m²; at a step, the value below the step.
     pub bending_n_m2: Planes<f64>,
     /// Mass from the base up to this height with point masses, kg.
     pub mass_below_kg: f64,

@@ -43,9 +43,11 @@ const MOST_MODES: usize = 32;
 pub struct ComparedFrequency {
     /// The name of the mode: "1st fore-aft bending".
     pub label: String,
-    /// Frequency of the first tower, Hz; none if coupled motions leave it without such a mode.
+    /// Frequency of the first tower, Hz; none if the tower has no such mode because its motions are
+    /// coupled.
     pub first_hz: Option<f64>,
-    /// Frequency of the second tower, Hz; none if coupled motions leave it without such a mode.
+    /// Frequency of the second tower, Hz; none if the tower has no such mode because its motions
+    /// are coupled.
     pub second_hz: Option<f64>,
     /// The relative difference second/first − 1, if both towers have the mode.
     pub difference: Option<f64>,

@@ -36,7 +36,7 @@ pub struct AgreementRow {
 pub struct LargestDifference {
     /// The height of the largest difference, m.
     pub height_m: f64,
-    /// The values there.
+    /// The values at this height.
     pub compared: Compared,
 }
 

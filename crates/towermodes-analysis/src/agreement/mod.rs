@@ -90,8 +90,8 @@ pub enum AgreementError {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Agreement {
-    /// The worst verdict of all. Towers that do not have the same ends are at least a warning, and
-    /// fail if more than a hundredth of one is not in the other.
+    /// The worst verdict. Towers with different end heights give at least a warning, and fail if
+    /// more than a hundredth of the height of one tower is outside the other.
     pub verdict: Verdict,
     /// The heights of the first tower.
     pub first_range: HeightRange,

@@ -61,10 +61,10 @@ pub struct ModeDamping {
     /// The contribution of each part of the tower: materials, substructure, foundation, soil, guy
     /// wires, water.
     pub parts: Vec<PartDamping>,
-    /// The fractions of its energy, also of what dissipates nothing: self-weight and masses.
+    /// The fractions of its energy, also in parts without dissipation: self-weight and masses.
     pub energy_parts: EnergyParts,
-    /// The sum of the damping ratios of the parts whose loss factor is given; none if none is
-    /// given, or if nothing resists the motion.
+    /// The sum of the damping ratios of the parts whose loss factor is given; none if no loss
+    /// factor is given, or if nothing resists the motion.
     pub damping_ratio: Option<f64>,
     /// The mass that has the mode's kinetic energy if the tower top moves fore-aft by 1, kg; none
     /// if the top does not move fore-aft.

@@ -51,7 +51,7 @@ pub struct PartDamping {
     pub material: String,
     /// Its loss factor; none if it is not given.
     pub loss_factor: Option<f64>,
-    /// Its fraction of the strain energy of the mode; of the kinetic energy for water.
+    /// Fraction of the strain energy of the mode in the part; for water, of the kinetic energy.
     pub energy_fraction: f64,
     /// ½ loss factor × fraction; none if the loss factor is not given.
     pub damping_ratio: Option<f64>,

@@ -35,7 +35,7 @@ impl Default for ValidationLimits {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ValidatedShape {
-    /// The plane it bends in.
+    /// The bending plane of the mode.
     pub plane: Plane,
     /// 1 or 2.
     pub number: usize,
@@ -44,8 +44,8 @@ pub struct ValidatedShape {
     /// The sum of the coefficients; OpenFAST refuses a sum that differs from 1 by more than 0.0015.
     pub sum: f64,
     /// Root mean square over the height of the difference to the mode, as a fraction of the largest
-    /// deflection of the mode. The shape is scaled by the factor that makes it least: shapes that
-    /// are 1 at a top that hardly moves would differ by any amount.
+    /// deflection of the mode. The shape is scaled for the smallest difference; if shapes were
+    /// scaled to 1 at a top that hardly moves, the difference could be arbitrarily large.
     pub rms: f64,
     /// Rms error of the best polynomial.
     pub best_rms: f64,

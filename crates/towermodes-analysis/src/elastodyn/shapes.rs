@@ -22,7 +22,7 @@ const MOST_MODES: usize = 96;
 /// A shape for ElastoDyn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TowerShape {
-    /// The plane it bends in.
+    /// The bending plane of the mode.
     pub plane: Plane,
     /// 1 or 2.
     pub number: usize,

@@ -23,11 +23,11 @@ pub const NEGLIGIBLE: f64 = 1e-4;
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Basis {
-    /// The value of the number, or of the factor.
+    /// The value of the input value, or of the factor.
     Value,
     /// The height of the tower.
     TowerHeight,
-    /// Nothing: the number is zero, so one percent of it is nothing.
+    /// No percentage: the input value is zero.
     Zero,
 }
 
@@ -38,7 +38,7 @@ pub struct Influence {
     pub name: String,
     /// The operation of the change on its value.
     pub operation: Operation,
-    /// The value on the tower as it is: of the number, 1 for a factor, 0 for an addition.
+    /// The value on the unchanged tower: the input value, 1 for a factor, 0 for an addition.
     pub value: f64,
     /// Its unit.
     pub unit: &'static str,

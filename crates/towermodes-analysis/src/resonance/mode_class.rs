@@ -16,13 +16,13 @@ const LOCAL: f64 = 0.75;
 pub enum ModeClass {
     /// The tower.
     Tower,
-    /// A floating platform with the tower as a rigid body: more than half of the energy is there.
-    /// It is judged as the tower is.
+    /// A floating platform with the tower as a rigid body: more than half of the energy is in this
+    /// motion. The verdicts are determined as for the tower.
     Platform,
-    /// Members of the substructure by themselves: local brace modes, with at least three quarters
-    /// of the energy there. They are not judged.
+    /// Local motion of members of the substructure (brace modes), with at least three quarters of
+    /// the energy. These modes have no verdict.
     Substructure,
-    /// The yaw drive and the shaft. They are judged as the tower is.
+    /// The yaw drive and the shaft. The verdicts are determined as for the tower.
     Drivetrain,
     /// The blades.
     Blades,

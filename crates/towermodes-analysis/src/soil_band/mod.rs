@@ -29,12 +29,12 @@ pub struct SoilBand {
     pub modes: Vec<BandMode>,
     /// The factors at which the tower could not be solved, with the reason.
     pub failed: Vec<FailedFactor>,
-    /// The factors at which modes share the motion of a name, so that names may go from one to the
-    /// other beside them.
+    /// The factors at which the motions of several modes are coupled, so that these modes may
+    /// exchange their names near these factors.
     pub shared: Vec<SharedFactor>,
 }
 
-/// A mode over the band.
+/// A mode over the range of soil stiffness.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -46,7 +46,7 @@ pub struct BandMode {
     /// Its order in the family, from 1.
     pub order: usize,
     /// Its values at each factor; null where the tower could not be solved or has no mode of this
-    /// name among the modes asked for.
+    /// name among the requested modes.
     pub at: Vec<Option<BandValue>>,
 }
 
@@ -66,7 +66,7 @@ pub struct BandValue {
     pub verdict: Option<Verdict>,
 }
 
-/// A factor at which modes share the motion of a name.
+/// A factor of the soil stiffness at which the motions of several modes are coupled.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -78,7 +78,7 @@ pub struct SharedFactor {
     pub modes: String,
 }
 
-/// A factor at which the tower could not be solved.
+/// A factor of the soil stiffness for which the tower could not be solved.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

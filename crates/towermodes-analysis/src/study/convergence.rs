@@ -88,8 +88,8 @@ pub struct Convergence {
     /// Whether the reference beam has rotary inertia in bending.
     #[cfg_attr(feature = "serde", serde(rename = "limit_has_rotary_inertia"))]
     pub rotary_inertia: bool,
-    /// The modes with the frequencies they converge to: those of the reference beam solution of the
-    /// same beam theory.
+    /// The modes with their limit frequencies: the frequencies of the reference beam solution of
+    /// the same beam theory.
     pub modes: Vec<FollowedMode>,
     /// The levels in the requested order.
     pub levels: Vec<Level>,

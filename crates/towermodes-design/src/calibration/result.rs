@@ -43,7 +43,7 @@ pub struct Calibration {
     pub description: TowerDescription,
 }
 
-/// A fitted number.
+/// A fitted input value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fitted {
     /// The name of the change.

@@ -12,19 +12,19 @@ use super::{ResultError, write_result_json};
 pub struct CalibrationDocument {
     /// The name of the tower; may be empty.
     pub tower: String,
-    /// The fitted numbers.
+    /// The fitted input values.
     pub numbers: Vec<FittedNumber>,
-    /// The correlations of the fitted numbers in their order, from -1 to 1; null for a number at a
+    /// The correlations of the fitted values in their order, from -1 to 1; null for a value at a
     /// bound.
     pub correlations: Vec<Vec<Option<f64>>>,
-    /// The measured frequencies and those of the tower, in the order of the file.
+    /// The measured frequencies and the frequencies of the tower, in the order of the file.
     pub measured: Vec<FittedFrequency>,
-    /// Combinations of the numbers, and how well the measurements without priors determine them,
-    /// the best known first.
+    /// Combinations of the input values, and how well the measurements without priors determine
+    /// them; the best determined combination first.
     pub directions: Vec<FittedDirection>,
     /// Sum of the squared residuals of measurements and priors, in standard deviations.
     pub chi_square: f64,
-    /// Measurements and priors less the numbers that are not at a bound.
+    /// Number of measurements and priors minus the number of fitted values that are not at a bound.
     pub degrees_of_freedom: usize,
     /// Number of iterations.
     pub iterations: usize,
@@ -39,7 +39,7 @@ pub struct CalibrationDocument {
     pub warnings: Vec<String>,
 }
 
-/// A fitted number.
+/// A fitted input value.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FittedNumber {
@@ -47,7 +47,8 @@ pub struct FittedNumber {
     pub name: String,
     /// Its unit; empty for none.
     pub unit: &'static str,
-    /// Its value on the original tower; null if several numbers with different values have one.
+    /// Value on the original tower; null if the variable sets several input values that differ on
+    /// the original tower.
     pub before: Option<f64>,
     /// Its fitted value.
     pub value: f64,
@@ -56,7 +57,7 @@ pub struct FittedNumber {
     /// The values one standard deviation below and above: 68 % of the probability is between them;
     /// null at a bound.
     pub interval: Option<[f64; 2]>,
-    /// Whether its logarithm was fitted, as of every positive number.
+    /// Whether its logarithm was fitted, as for every positive input value.
     pub is_logarithm: bool,
     /// Mean and standard deviation of its prior; null without a prior.
     pub prior: Option<[f64; 2]>,
@@ -73,7 +74,7 @@ pub struct FittedNumber {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FittedShare {
-    /// The measured mode, or the number to which the prior belongs.
+    /// The measured mode, or the input value to which the prior applies.
     pub name: String,
     /// Whether it is a prior.
     pub is_prior: bool,
@@ -81,13 +82,13 @@ pub struct FittedShare {
     pub share: f64,
 }
 
-/// A measured frequency and that of the tower.
+/// A measured frequency and the frequency of the tower.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FittedFrequency {
     /// The name of the mode.
     pub mode: String,
-    /// Another mode that may have been measured; null if there is no doubt.
+    /// Another mode that may have been measured; null if no other mode matches.
     pub or_mode: Option<String>,
     /// Measured frequency, Hz.
     pub measured_hz: f64,
@@ -97,23 +98,23 @@ pub struct FittedFrequency {
     pub before_hz: f64,
     /// Frequency of the fitted tower, Hz.
     pub fitted_hz: f64,
-    /// Fitted less measured frequency, in standard deviations.
+    /// Fitted minus measured frequency, in standard deviations.
     pub residual: f64,
     /// The share of the family of its name in the energy of the mode of the fitted tower.
     pub share: f64,
 }
 
-/// A combination of the fitted numbers.
+/// A combination of the fitted input values.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FittedDirection {
     /// Number of standard deviations by which the measurements change together if the values change
     /// by these parts: a singular value of the weighted Jacobian.
     pub singular_value: f64,
-    /// The change of each number, together of length 1: of the logarithm of positive numbers (0.1
-    /// is about 10 %), in the unit of `scales` of others.
+    /// The change of each fitted value, as a vector of length 1: change of the logarithm for
+    /// positive values (0.1 is about 10 %), in the unit of `scales` for other values.
     pub parts: Vec<f64>,
-    /// The unit of each part in the number's own unit; 1 for a logarithm.
+    /// The unit of each change in the unit of the input value; 1 for a logarithm.
     pub scales: Vec<f64>,
 }
 

@@ -23,7 +23,7 @@ pub(super) struct CampbellDocument<'a> {
     /// The worst verdict; at best `warn` where the list of modes does not cover all excitations;
     /// `undecided` where nothing is checked.
     verdict: Verdict,
-    /// Why nothing is checked; empty if it is.
+    /// Why nothing is checked; empty if the distances are checked.
     not_checked: Vec<String>,
     /// The tower.
     tower: NamedJson<'a>,
@@ -96,8 +96,8 @@ struct LineJson<'a> {
     class: ModeClass,
     /// Its number in the list of the tower's modes, from 1; null for a blade.
     number: Option<usize>,
-    /// Its family, as in the result of `solve`; for a blade mode that at standstill: `flap`, `lag`,
-    /// `torsion` or `axial`.
+    /// Its family, as in the result of `solve`; for a blade mode the family at standstill: `flap`,
+    /// `lag`, `torsion` or `axial`.
     family: String,
     /// Order within the family, from 1.
     order: usize,
@@ -118,7 +118,7 @@ struct LineJson<'a> {
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct MarginJson<'a> {
-    /// Index of the line, from 0; of a turbine that of the curve.
+    /// Index of the line, from 0; for a turbine, index of the curve.
     line: usize,
     /// The name of its mode.
     label: &'a str,
@@ -126,11 +126,11 @@ pub(super) struct MarginJson<'a> {
     multiple: usize,
     /// The operating speed at which both are closest, rpm.
     nearest_rpm: f64,
-    /// The excitation there, Hz.
+    /// The excitation frequency at this rotor speed, Hz.
     excitation_hz: f64,
     /// The natural frequency there, Hz.
     natural_hz: f64,
-    /// excitation/natural − 1 there; 0 if the excitation crosses the natural frequency.
+    /// excitation/natural − 1 at this speed; 0 if the excitation crosses the natural frequency.
     distance: f64,
     /// The verdict on the distance.
     verdict: Verdict,

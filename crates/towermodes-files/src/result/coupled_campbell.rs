@@ -28,7 +28,7 @@ pub(super) struct CoupledCampbellDocument<'a> {
     /// where the turbine is unstable or not certified at an operating speed; `undecided` where
     /// nothing is checked.
     verdict: Verdict,
-    /// Why nothing is checked; empty if it is.
+    /// Why nothing is checked; empty if the distances are checked.
     not_checked: Vec<String>,
     /// The tower.
     tower: NamedJson<'a>,
@@ -57,8 +57,8 @@ pub(super) struct CoupledCampbellDocument<'a> {
     classes: Vec<ClassJson>,
     /// Crossings and veerings of the curves, by rotor speed.
     meetings: Vec<MeetingJson>,
-    /// The modes of the tower with its machine as a rigid body, against the coupled modes of the
-    /// same name.
+    /// The modes of the tower with a rigid rotor-nacelle assembly, and the coupled modes of the
+    /// same names.
     against_rigid: Vec<AgainstRigidJson>,
     /// Assumptions of the reader, data that it omits, and possible input mistakes.
     warnings: Vec<String>,
@@ -99,7 +99,7 @@ struct CurveJson {
     label: String,
     /// The part of this name: `tower fore-aft`, `drivetrain torsion`, `flapwise backward whirl` …
     part: String,
-    /// The order of this name among those with the part, from 1.
+    /// The order of this mode among the modes with this part, from 1.
     order: usize,
     /// Its names by rising rotor speed.
     names: Vec<NameRangeJson>,
@@ -163,14 +163,15 @@ struct PointJson {
     has_negative_energy: bool,
     /// Its name at this speed; no other mode has it there.
     label: String,
-    /// The fraction of its elastic energy in the part of the name.
+    /// The fraction of the elastic energy of the mode in the part of its name.
     share: f64,
-    /// The part with the most elastic energy besides; null if there is none elsewhere.
+    /// The other part with the most elastic energy; null if no other part has elastic energy.
     second: Option<ShareJson>,
-    /// `tilt` or `yaw` for a whirl of which both waves are alike, as at standstill; null otherwise.
+    /// `tilt` or `yaw` for a whirl whose backward and forward waves are almost equal, as at
+    /// standstill; null otherwise.
     nodding: Option<String>,
-    /// Whether it is judged as a mode of the tower: its name is not one of the blades, or it shares
-    /// its energy with the tower.
+    /// Whether verdicts are given as for a mode of the tower: the mode is not named after a blade
+    /// motion, or part of its energy is in the tower.
     counts_as_tower: bool,
     /// Class of the mode, by its energy. Modes of the class `substructure` have no verdict.
     class: ModeClass,
@@ -185,8 +186,8 @@ struct EnergyJson {
     /// A floating platform in surge, sway, heave, roll, pitch and yaw, with mooring, water and
     /// gravity; 0 for other foundations.
     platform: [f64; 6],
-    /// Members of the frame below the tower that move by themselves, with its transition piece
-    /// held; 0 for other foundations.
+    /// Local motion of members of the frame below the tower, with the transition piece fixed; 0 for
+    /// other foundations.
     substructure: f64,
     /// Bending of the tower downwind, with the soil and the foundation.
     tower_fore_aft: f64,
@@ -214,7 +215,7 @@ struct EnergyJson {
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct HarmonicsJson {
-    /// All alike.
+    /// The same value for all directions.
     collective: f64,
     /// A wave that runs around the rotor with the rotation.
     forward: f64,
@@ -230,8 +231,8 @@ struct HarmonicsJson {
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct MeetingJson {
-    /// `crossing`: they swap their order and keep their shapes. `veering`: they come close, turn
-    /// away, and exchange their shapes.
+    /// `crossing`: the curves cross and keep their shapes. `veering`: the curves approach, diverge
+    /// again, and exchange their shapes.
     kind: &'static str,
     /// The indices of the curves, from 0.
     curves: [usize; 2],
@@ -245,27 +246,28 @@ struct MeetingJson {
     least_distance_hz: f64,
 }
 
-/// A mode of the tower with its machine as a rigid body, and the coupled mode of the same name.
+/// A mode of the tower with a rigid rotor-nacelle assembly, and the coupled mode of the same name.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct AgainstRigidJson {
     /// Its name.
     label: String,
-    /// The frequency with a rigid machine, Hz.
+    /// The frequency with a rigid rotor-nacelle assembly, Hz.
     rigid_hz: f64,
     /// The coupled frequency at standstill, Hz; null if the turbine was not solved there.
     at_rest_hz: Option<f64>,
-    /// The fraction of the elastic energy of this mode that is in its name.
+    /// The fraction of the elastic energy of this mode in the part of its name.
     at_rest_share: Option<f64>,
-    /// Coupled over rigid − 1 at standstill; null if the share is below 0.6: the flexible rotor
-    /// spreads the motion over several modes, so that this one is not the same motion.
+    /// Coupled frequency divided by the frequency with rigid rotor, minus 1, at standstill; null if
+    /// the share is below 0.6, because the motion is then distributed over several coupled modes.
     at_rest_difference: Option<f64>,
     /// The coupled frequency at the highest operating speed, Hz; null if no mode has the name
     /// there.
     at_highest_hz: Option<f64>,
-    /// The fraction of the elastic energy of this mode that is in its name.
+    /// The fraction of the elastic energy of this mode in the part of its name.
     at_highest_share: Option<f64>,
-    /// Coupled over rigid − 1 at the highest operating speed; null if the share is below 0.6.
+    /// Coupled frequency divided by the frequency with rigid rotor, minus 1, at the highest
+    /// operating speed; null if the share is below 0.6.
     at_highest_difference: Option<f64>,
 }
 

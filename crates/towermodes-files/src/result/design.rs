@@ -23,16 +23,16 @@ pub struct DesignDocument {
     pub mass_without_steps_kg: Option<f64>,
     /// The goals.
     pub frequencies: Vec<DesignedFrequency>,
-    /// The limits that keep the tower from being lighter.
+    /// The active limits: a tower within these limits cannot be lighter.
     pub active: Vec<DesignedLimit>,
     /// The residual of the conditions of a minimum (Karush, Kuhn, Tucker) of the problem without
     /// steps, relative.
     pub kkt_residual: f64,
-    /// Whether the residual is that of rounding: the problem without steps has a point that meets
-    /// the first-order conditions of a local minimum.
+    /// Whether the residual is zero except for rounding: the problem without steps meets the
+    /// first-order conditions of a local minimum.
     pub is_stationary: bool,
-    /// Whether no change by one step, and no exchange of two, that the derivatives predict to be
-    /// lighter makes a lighter tower; null if no variable has steps.
+    /// Whether no lighter tower was found among the changes by one step and the exchanges of two
+    /// steps for which the derivatives predict a lighter tower; null if no variable has steps.
     pub steps_are_searched: Option<bool>,
     /// Whether the certificate of the tower found proves that no mode is missing.
     pub certified: bool,
@@ -42,7 +42,7 @@ pub struct DesignDocument {
     pub warnings: Vec<String>,
 }
 
-/// A value that was chosen.
+/// A design variable with the value found.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DesignedVariable {
@@ -52,7 +52,7 @@ pub struct DesignedVariable {
     pub unit: &'static str,
     /// Its value on the original tower.
     pub before: f64,
-    /// Whether that is the mean of numbers that differ.
+    /// Whether this value is the mean of different input values.
     pub before_is_mean: bool,
     /// Its value on the tower found.
     pub after: f64,
@@ -62,7 +62,7 @@ pub struct DesignedVariable {
     pub highest: f64,
 }
 
-/// A frequency that was to be reached.
+/// A frequency goal of the design.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DesignedFrequency {
@@ -85,7 +85,7 @@ pub struct DesignedFrequency {
     pub others: Vec<DesignedOther>,
 }
 
-/// Another mode that the limits on a frequency bind.
+/// Another mode to which the limits on a frequency apply.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DesignedOther {
@@ -97,15 +97,15 @@ pub struct DesignedOther {
     pub share: f64,
 }
 
-/// A limit that keeps the tower from being lighter.
+/// An active limit, which prevents a lighter tower.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DesignedLimit {
     /// The limit in words.
     pub limit: String,
-    /// Mass that is saved per unit by which it is relaxed, kg per unit.
+    /// Decrease of the mass per unit by which the limit is relaxed, kg per unit.
     pub kg_per_unit: f64,
-    /// Change of the mass per percent of the limit, kg; null for a limit that is 0.
+    /// Change of the mass per percent of the limit, kg; null for a limit of 0.
     pub kg_per_percent: Option<f64>,
 }
 

@@ -12,7 +12,7 @@ use super::{ResultError, write_result_json};
 pub struct FirstOrderDocument {
     /// The name of the tower; may be empty.
     pub tower: String,
-    /// The varied numbers.
+    /// The varied input values.
     pub inputs: Vec<ScatteredInput>,
     /// Their correlations.
     pub correlations: Vec<CorrelatedInputs>,
@@ -24,7 +24,7 @@ pub struct FirstOrderDocument {
     pub warnings: Vec<String>,
 }
 
-/// A varied number.
+/// A varied input value.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ScatteredInput {
@@ -38,7 +38,7 @@ pub struct ScatteredInput {
     pub deviation: f64,
 }
 
-/// The correlation of two varied numbers.
+/// The correlation of two varied input values.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CorrelatedInputs {
@@ -48,7 +48,7 @@ pub struct CorrelatedInputs {
     pub coefficient: f64,
 }
 
-/// The scatter of the frequency of a mode.
+/// The standard deviation of the frequency of a mode.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ScatteredMode {
@@ -56,7 +56,8 @@ pub struct ScatteredMode {
     pub mode: String,
     /// Order and family in words.
     pub label: String,
-    /// Extrapolated frequency at the mean values of the inputs, Hz; null if there is no scatter.
+    /// Extrapolated frequency at the mean values of the inputs, Hz; null if there is no first-order
+    /// result.
     pub mean_hz: Option<f64>,
     /// Its error without extrapolation, Hz.
     pub error_hz: Option<f64>,
@@ -64,11 +65,12 @@ pub struct ScatteredMode {
     pub deviation_hz: Option<f64>,
     /// The difference of the mean by curvature, to second order, Hz; null if not known.
     pub mean_shift_hz: Option<f64>,
-    /// The effect of each input, in the order of the inputs; empty if there is no scatter.
+    /// The effect of each input, in the order of the inputs; empty if there is no first-order
+    /// result.
     pub inputs: Vec<InputEffect>,
     /// The probabilities of violated margins; empty without the rotor speed.
     pub margins: Vec<MarginProbability>,
-    /// Why there is no scatter to first order; null if there is one.
+    /// Why there is no first-order result; null if there is one.
     pub no_scatter: Option<String>,
 }
 

@@ -19,13 +19,13 @@ pub struct SolvedMooring<'a> {
     pub state: &'a MooringState,
 }
 
-/// A line with its state: a line of the tables and of the CSV.
+/// A mooring line with its state: a row of the tables and of the CSV.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LineAtRest {
     /// Place in the list of lines, from 1.
     pub number: usize,
-    /// Its first and its second point: places in the list of points, from 1.
+    /// First and second point of the line: positions in the list of points, from 1.
     pub points: [usize; 2],
     /// Unstretched length, m.
     pub length_m: f64,

@@ -21,7 +21,7 @@ pub(super) struct ParametersDocument<'a> {
     warnings: Vec<String>,
 }
 
-/// A number of a tower.
+/// An input value of a tower.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct ParameterJson<'a> {

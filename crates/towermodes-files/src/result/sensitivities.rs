@@ -48,13 +48,13 @@ struct ModeJson<'a> {
     tolerances_hz: Option<f64>,
 }
 
-/// A number of the tower, or a change of several.
+/// An input value of the tower, or a change of several input values.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct NumberJson<'a> {
     /// The name: the address in the tower file, with indices from 0.
     name: &'a str,
-    /// The value on the tower as it is: of the number, 1 for a factor, 0 for an addition.
+    /// The value on the unchanged tower: the input value, 1 for a factor, 0 for an addition.
     value: f64,
     /// Its unit; empty for a number without a unit.
     unit: &'static str,
@@ -75,7 +75,7 @@ struct InfluenceJson {
     hz_per_unit: Option<f64>,
     /// Estimate of its error, Hz per unit; null if there is no derivative.
     error_hz_per_unit: Option<f64>,
-    /// Percent of the frequency per percent of the number; null for a number that is zero.
+    /// Percent of the frequency per percent of the input value; null for an input value of zero.
     percent_per_percent: Option<f64>,
     /// The effect of the tolerance of the input value, Hz; null without a tolerance.
     tolerance_hz: Option<f64>,

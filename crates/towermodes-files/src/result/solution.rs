@@ -34,22 +34,23 @@ pub(super) struct SolutionDocument<'a> {
     modes: &'a [Mode],
     /// The proof that no mode is missing.
     certificate: Certificate,
-    /// At which frequency the floating platform has its added mass: `own` (each mode at its own),
-    /// `infinite`, `zero`, or `hz` with the frequency; null if its added mass does not depend on
-    /// frequency.
+    /// The frequency at which the added mass of the floating platform is taken: `own` (each mode at
+    /// its own), `infinite`, `zero`, or `hz` with the frequency; null if its added mass does not
+    /// depend on frequency.
     added_mass: Option<AddedMassAt>,
-    /// Weights, buoyancy and mooring lines of a floating tower at its reference position, and where
-    /// they are in balance; null if it does not float, without gravity, or if its buoyancy is not
+    /// Weights, buoyancy and mooring lines of a floating tower at its reference position, and the
+    /// equilibrium position; null if it does not float, without gravity, or if its buoyancy is not
     /// known.
     static_balance: Option<StaticBalance>,
     /// The buckling load factor: the factor on gravity at which the tower buckles; null without
     /// gravity, or where the tower floats.
     buckling_load_factor: Option<f64>,
-    /// Effective masses of the listed modes together, as fractions of those of the whole tower;
-    /// null where each mode has the added mass of its own frequency, as such masses do not add up.
+    /// Sums of the effective masses of the listed modes, as fractions of the total masses of the
+    /// tower; null if each mode has the added mass at its own frequency, because such masses do not
+    /// add up.
     effective_mass_shares: Option<Directions>,
-    /// The derivatives of the frequencies with respect to every number of the tower; null unless
-    /// they are requested.
+    /// The derivatives of the frequencies with respect to every input value of the tower; null
+    /// unless they are requested.
     sensitivities: Option<InfluencesJson<'a>>,
     /// The cost of the solution.
     solver: Statistics,

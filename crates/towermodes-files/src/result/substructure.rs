@@ -21,8 +21,8 @@ const DIRECTIONS: [&str; 6] = ["x", "y", "z", "rotation_x", "rotation_y", "rotat
 pub struct LargestMotion {
     /// The joint, by its name in the file.
     pub joint: String,
-    /// The direction: `x`, `y`, `z`; `rotation_x`, `rotation_y` or `rotation_z` where no joint
-    /// moves as far as it rotates.
+    /// The direction: `x`, `y`, `z`; `rotation_x`, `rotation_y` or `rotation_z` if the largest
+    /// rotation (rad) exceeds the largest translation (m).
     pub direction: &'static str,
     /// The motion of the joint in this direction, m or rad, for a modal mass of 1 kg.
     pub motion: f64,
@@ -121,7 +121,7 @@ pub(super) struct FrameSummary<'a> {
     joints: Vec<SubstructureJoint<'a>>,
     /// The members, in the order of the shapes of the modes.
     members: Vec<FrameMemberSummary<'a>>,
-    /// Their mass by what it is.
+    /// Their mass by kind.
     masses: FrameMasses,
     /// Mass of the transition piece, kg.
     transition_piece_kg: f64,

@@ -8,7 +8,7 @@ use towermodes::number::Plain;
 
 use super::{Distribution, Sampling, SamplingKind};
 
-/// The correlation of two varied numbers. Numbers without one are independent of each other.
+/// The correlation of two varied input values. Numbers without one are independent of each other.
 ///
 /// The dependence is a Gaussian copula: each value follows from a standard normal score, and the
 /// scores have a joint normal distribution with these correlations (Nataf 1962).

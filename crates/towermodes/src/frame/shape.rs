@@ -12,8 +12,8 @@ const FRACTIONS: [f64; 3] = [0.25, 0.5, 0.75];
 
 /// The motion of a frame in a mode.
 ///
-/// A brace that vibrates by itself moves between joints that hardly move: so the middle of members
-/// belongs to the shape.
+/// A locally vibrating brace moves between joints that hardly move; therefore the shape includes
+/// the middle of the members.
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -1,14 +1,13 @@
 //! The distribution of the energy of a mode over the parts of the tower.
 
 /// The fractions of a mode's strain and kinetic energy in the parts of the tower; each of the two
-/// sums to 1. [`Options::energy_parts`](crate::Options::energy_parts) asks for them.
+/// sums to 1. [`Options::energy_parts`](crate::Options::energy_parts) requests them.
 ///
 /// The fraction of the strain energy in a part is d(ln λ)/d(ln k), with λ = (2πf)² and k a factor
 /// of the part's stiffness; the fraction of the kinetic energy is −d(ln λ)/d(ln m), with m a factor
 /// of its mass (Rayleigh's quotient; Hellmann 1937, Feynman 1939).
 ///
-/// # Example
-/// A tower on a rocking spring: what the spring has of the energy, the tower does not have.
+/// # Example A tower on a rocking spring: the fractions of tower and spring sum to 1.
 /// ```
 /// use towermodes::{Foundation, FoundationSprings, Material, Options, Rna, Station};
 /// use towermodes::{Tower, TowerDescription, solve};
@@ -87,8 +86,8 @@ pub struct KineticParts {
     /// Of the water around and inside the tower, of the tables of added mass, and of the water
     /// around members and around a floating platform.
     pub water: f64,
-    /// Of what moves with the base: the inertia of the foundation or of supports, a floating
-    /// platform with its ballast, a transition piece.
+    /// Of the masses that move with the base: the inertia of the foundation or of supports, a
+    /// floating platform with its ballast, a transition piece.
     pub foundation: f64,
 }
 

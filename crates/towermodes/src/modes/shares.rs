@@ -159,7 +159,7 @@ impl serde::Serialize for Shares {
     }
 }
 
-/// The family with the largest share in the energy of a mode beside that of its name.
+/// The other family with the largest share in the energy of a mode.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -56,13 +56,14 @@ pub struct LineState {
     pub forces_n: [[f64; 3]; 2],
     /// Tension at each end, N.
     pub tensions_n: [f64; 2],
-    /// Horizontal tension H at the upper end, N; of a line lighter than water at the lower end.
+    /// Horizontal tension H at the upper end, N; for a line lighter than water at the lower end.
     pub horizontal_n: f64,
-    /// By how much it pulls that end down V, N; of a line lighter than water, upwards.
+    /// Vertical tension V at the same end, N: downwards on the end; upwards for a line lighter than
+    /// water.
     pub vertical_n: f64,
     /// Length on the seabed, m.
     pub on_seabed_m: f64,
-    /// Its lowest height, m; of a line lighter than water the greatest one.
+    /// Lowest height of the line, m; for a line lighter than water, the greatest height.
     pub extreme_z_m: f64,
     /// Whether it has no horizontal tension: it lies loosely on the seabed, or has no weight and is
     /// longer than the distance of its ends.

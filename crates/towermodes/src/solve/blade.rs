@@ -21,7 +21,7 @@ use crate::subsystem::Coefficients;
 /// takes eight times as many elements.
 pub const MAX_BLADE_ELEMENTS: usize = 10_000;
 
-/// The kind of motion of a blade's mode: the one with most of the kinetic energy.
+/// The type of motion of a blade's mode: the motion with most of the kinetic energy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

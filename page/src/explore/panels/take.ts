@@ -95,7 +95,7 @@ export class TakeMenu {
     save(name, content);
     if (what.what !== "tower") return;
     const { left_out } = await reproduce(state);
-    if (left_out.length > 0) notice("taken", `${name} does not have all of the old file. ${left_out.join(" ")}`);
+    if (left_out.length > 0) notice("taken", `${name} does not contain all data of the old file. ${left_out.join(" ")}`);
     else withdraw("taken");
   }
 

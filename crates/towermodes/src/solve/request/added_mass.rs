@@ -5,7 +5,7 @@ use std::fmt;
 use super::super::error::SolveError;
 use crate::number::Plain;
 
-/// At which frequency a floating platform has the added mass that depends on frequency.
+/// The frequency at which the frequency-dependent added mass of a floating platform is taken.
 ///
 /// # Example
 /// ```

@@ -48,7 +48,7 @@ pub struct Options {
     /// Position of the hinges of [`Method::Cardanic`], as a fraction k of the segment from each
     /// end, 0 < k < 1/2; (1 − 1/√3)/2 by default.
     pub hinge_position: f64,
-    /// At which frequency a floating platform has the added mass that depends on frequency.
+    /// The frequency at which the frequency-dependent added mass of a floating platform is taken.
     pub added_mass: AddedMassAt,
     /// Whether the energy of each mode by parts of the tower is computed:
     /// [`Mode::energy_parts`](crate::Mode::energy_parts).

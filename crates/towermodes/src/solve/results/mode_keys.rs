@@ -24,11 +24,11 @@ struct ModeKeys {
     family: Family,
     /// Order within the family, from 1.
     order: usize,
-    /// The share of its own family in its energy. Afloat the shares are those of the kinetic
-    /// energy, first of the motions as one rigid body.
+    /// The share of its own family in its energy. For floating towers the shares are fractions of
+    /// the kinetic energy, first of the rigid-body motions.
     #[serde(getter = "Mode::share")]
     share: f64,
-    /// The family with the largest share of its energy beside its own; null if there is none.
+    /// The other family with the largest share of the energy of the mode; null if there is none.
     #[serde(getter = "Mode::second")]
     second: Option<SecondFamily>,
     /// The name of the mode, as "1st fore-aft bending".
@@ -46,7 +46,7 @@ struct ModeKeys {
     /// Modal inertia for the shape as normalized, kg m2; null except for torsion and yaw.
     #[serde(getter = "Mode::modal_inertia_kg_m2")]
     modal_inertia_kg_m2: Option<f64>,
-    /// Where its energy is.
+    /// The distribution of its energy.
     energy: Energy,
     /// Effective modal masses: over all modes they add up to the diagonal of the tower's rigid
     /// inertia, if all modes have the same added mass.
@@ -56,8 +56,8 @@ struct ModeKeys {
         schemars(with = "crate::modes::serialized::Directions")
     )]
     effective_mass: [f64; 6],
-    /// The effective modal masses as fractions of those of the whole tower, with the added mass
-    /// that the mode has.
+    /// The effective modal masses as fractions of the total masses of the tower, with the added
+    /// mass of this mode.
     #[serde(getter = "Mode::effective_mass_shares", serialize_with = "directions")]
     #[cfg_attr(
         feature = "schema",
@@ -72,8 +72,8 @@ struct ModeKeys {
     #[serde(serialize_with = "shape")]
     #[cfg_attr(feature = "schema", schemars(with = "crate::modes::serialized::Shape"))]
     station_shape: Vec<ShapePoint>,
-    /// The shape of the substructure on the scale of the others; null for a tower that does not
-    /// stand on members.
+    /// The shape of the substructure on the scale of the other shapes; null for a tower that does
+    /// not stand on members.
     frame: Option<FrameShape>,
 }
 

@@ -254,7 +254,7 @@ pub struct Certificate {
     /// interval [uncertain](Self::uncertain_hz).
     pub complete: bool,
     /// Number of modes below `below_hz` by the eigenvalue count: the number of listed modes, or
-    /// more if the number asked for cuts a repeated pair.
+    /// more if the requested number cuts a repeated pair.
     pub count: usize,
     /// A frequency in the gap above the last mode, Hz.
     pub below_hz: f64,

@@ -10,7 +10,8 @@ use super::super::parts::foundation_springs::FoundationSprings;
 pub struct HeadStiffness {
     /// Force per displacement, N/m.
     pub lateral_n_per_m: f64,
-    /// Force per rotation and moment per displacement, N: negative for what holds below the head.
+    /// Force per rotation and moment per displacement, N: negative if the resistance is below the
+    /// head.
     pub coupling_n: f64,
     /// Moment per rotation, N m.
     pub rocking_n_m: f64,

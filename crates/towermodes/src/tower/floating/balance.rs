@@ -9,8 +9,8 @@ use super::equilibrium::equilibrium;
 use super::mistake::EquilibriumError;
 use crate::mooring::Pose;
 
-/// Weights, buoyancy and mooring lines of a floating tower at its reference position, what is left
-/// of them, and where they are in balance.
+/// Weights, buoyancy and mooring lines of a floating tower at its reference position, the remaining
+/// force and moment, and the equilibrium position.
 ///
 /// Tower and rotor-nacelle assembly are rigid, without wind and current.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,19 +28,19 @@ pub struct StaticBalance {
     pub rna_weight_n: f64,
     /// Buoyancy of the platform, N.
     pub buoyancy_n: f64,
-    /// Vertical force of the mooring lines on the platform, with weight and buoyancy of what they
-    /// have on it, N; negative downwards.
+    /// Vertical force of the mooring system on the platform, with weight and buoyancy of its bodies
+    /// and rods on the platform, N; negative downwards.
     pub lines_n: f64,
-    /// The force that is left in x, y and z (up), N.
+    /// The remaining force in x, y and z (up), N.
     pub residual_force_n: [f64; 3],
-    /// The moment that is left about x, y and z, N m.
+    /// The remaining moment about x, y and z, N m.
     pub residual_moment_n_m: [f64; 3],
-    /// Where the forces are in balance; none (null in JSON) if no such position is found.
+    /// The equilibrium position; none (null in JSON) if no equilibrium is found.
     #[cfg_attr(feature = "serde", serde(serialize_with = "found"))]
     #[cfg_attr(feature = "schema", schemars(with = "Option<EquilibriumPose>"))]
     pub equilibrium: Result<EquilibriumPose, EquilibriumError>,
-    /// Whether the lines have the stiffness of the equilibrium in the modes; otherwise that of the
-    /// reference position.
+    /// Whether the modes are computed with the stiffness of the lines at the equilibrium; otherwise
+    /// with the stiffness at the reference position.
     pub linearized_at_equilibrium: bool,
 }
 

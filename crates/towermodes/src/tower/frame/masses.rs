@@ -6,12 +6,12 @@ use super::member::{FrameMember, MemberKind};
 use super::validate::Frame;
 use crate::tower::parts::rigid_body::RigidBody;
 
-/// The mass of a frame by what it is, kg. All but the last are that of the frame.
+/// The mass of a frame by kind, kg. All but the last value are masses of the frame.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FrameMasses {
-    /// The members themselves.
+    /// The structural members.
     pub members_kg: f64,
     /// Marine growth around members.
     pub growth_kg: f64,

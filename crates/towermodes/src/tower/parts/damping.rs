@@ -74,7 +74,7 @@ impl LossFactors {
     }
 }
 
-/// A running rotor in attached flow: what its aerodynamic damping follows from.
+/// Data for the aerodynamic damping of an operating rotor in attached flow.
 #[derive(Debug, Clone, Copy, PartialEq, Inputs)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

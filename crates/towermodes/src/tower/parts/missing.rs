@@ -11,7 +11,7 @@
 pub enum MissingPart {
     /// Monopile, jacket, tripod or any other structure under the tower that stands on the ground.
     Substructure,
-    /// A platform that moves, of a floating turbine for example.
+    /// A moving platform, for example of a floating turbine.
     Platform,
     /// The mass of the water, and the stiffness of buoyancy.
     Water,
@@ -75,14 +75,14 @@ impl MissingPart {
     }
 }
 
-/// Parts that a description lacks.
+/// Missing parts of a description.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MissingParts {
     /// Each once.
     pub parts: Vec<MissingPart>,
-    /// Whether the tower is clamped at its base in their place.
+    /// Whether the tower is clamped at its base in place of these parts.
     pub is_clamped: bool,
     /// Whether it is clamped because the user asked for it (`--clamped`).
     pub is_requested: bool,

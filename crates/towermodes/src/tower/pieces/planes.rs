@@ -12,7 +12,7 @@ pub enum Plane {
     SideSide,
 }
 
-/// A quantity that each bending plane has its own value of.
+/// A quantity with a value for each bending plane.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
