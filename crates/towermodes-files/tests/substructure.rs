@@ -76,7 +76,7 @@ fn mistakes_in_supports_and_pins_have_a_place() {
         r#"
         clamped = ["foot",   | clamped = ["feet",       | "feet"  | did you mean `foot`?
         interface = ["top"]  | interface = ["foot"]     | ["foot" | supported and belongs to the transition
-        clamped = ["foot", "anchor"] | clamped = ["foot", "pin"] | - | ball joint cannot be supported; make the joint welded, and hold only its translations
+        clamped = ["foot", "anchor"] | clamped = ["foot", "pin"] | - | ball joint cannot be supported; make the joint welded, and fix only its translations
         kind = "pin", axis = [0.0, 1.0, 0.0] | kind = "pin" | { name | has no `axis`
         kind = "pin", axis = [0.0, 1.0, 0.0] | kind = "pin", axis = [0, 0, 0] | { name | axis of the pin is zero
         kind = "pin", axis   | kind = "ball", axis      | [0.0, 1 | only a pin

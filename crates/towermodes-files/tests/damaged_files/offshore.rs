@@ -186,7 +186,7 @@ fn a_substructure_that_floats_is_refused() {
     };
     let refused = read_source(main, &resolver(&model), &ReadOptions::default());
     let error = refused.map(|_| ()).expect_err("it floats").to_string();
-    error.says_all("model.fst:5 & nothing holds the substructure");
+    error.says_all("model.fst:5 & the substructure of SubDyn has no support");
 }
 
 proptest! {

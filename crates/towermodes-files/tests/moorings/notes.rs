@@ -116,7 +116,8 @@ ID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs RodOutputs
     let text = changed(MOORDYN_2, "---------------------- POINTS", rod);
     let notes = lines(&moordyn(&text, &SITE).expect("a mooring").notes);
     assert!(
-        notes.contains("14: NumSegs of the rod is 0, by which MoorDyn gives a rod no length"),
+        notes
+            .contains("14: NumSegs of the rod is 0, with which MoorDyn neglects length and weight"),
         "{notes}"
     );
 }

@@ -150,7 +150,7 @@ fn what_is_not_used_has_a_note_with_its_line() {
         r#"
         NReact         | 1 1 1 1 1 1 1 "ssi.txt" | compatibility | "ssi.txt" is not read, as in SubDyn: all six flags are 1
         NReact         | 1                       | assumption    | no flags: all its motions are held
-        NReact         | 1 1 1 1 1 1 1\n2 0 0 0 0 0 0 "" | suspicious | nothing holds this joint
+        NReact         | 1 1 1 1 1 1 1\n2 0 0 0 0 0 0 "" | suspicious | this joint has no support
         NPropSetsCyl   | 1 2.1e11 8.08e10 7850 2.0 0.03\n8 1 1 1 1 1\n9 1 1 1 1 1 | left out | no member refers to these circular sections: 8, 9
         NJoints        | 1 0 0 -20 1 0 0 0 0\n2 0 0 -10 1 0 1 0 0\n3 0 0 0 1 0 0 0 0 | left out | JointDir of joint 2 is not used
         "#,

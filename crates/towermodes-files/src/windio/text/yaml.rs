@@ -333,7 +333,7 @@ mod tests {
             + &"x, ".repeat(50_000)
             + &"]".repeat(60);
         let rows = [
-            ("a: 1\nb: 2\na: 3\n", 10, "the key `a` stands twice"),
+            ("a: 1\nb: 2\na: 3\n", 10, "the key `a` occurs twice"),
             ("a: 1\n---\nb: 2\n", 5, "several documents"),
             ("{[1]: 2}", 0, "a key is a list"),
             ("a: *b", 3, ""),
