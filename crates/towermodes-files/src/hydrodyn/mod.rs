@@ -9,6 +9,7 @@ mod added_stiffness;
 mod afloat;
 mod beams;
 mod beside_frame;
+mod coats;
 mod coefficients;
 mod ends;
 mod growth;

@@ -69,6 +69,33 @@ impl StripSection {
         }
     }
 
+    /// The volume per length (m²) that the coefficient of added mass along the axis multiplies, at
+    /// a fraction of a stretch of this length (m) with growth: 2 π R² |dR/ds| of a circle, ½ (a
+    /// |db/ds| + b |da/ds|) √(a b) of a rectangle.
+    ///
+    /// Source: `Morison.f90` (OpenFAST 5).
+    pub(super) fn axial_reference_m2(
+        &self,
+        fraction: f64,
+        growth_m: [f64; 2],
+        length_m: f64,
+    ) -> f64 {
+        let slope = |[from, to]: [f64; 2]| (to - from).abs() / length_m;
+        match self {
+            Self::Circle { outer_radius_m, .. } => {
+                let radius_m = [0, 1].map(|end| outer_radius_m[end] + growth_m[end]);
+                let at_m = blend(radius_m, fraction);
+                2.0 * PI * at_m * at_m * slope(radius_m)
+            }
+            Self::Rectangle { outer_sides_m, .. } => {
+                let side = |i: usize| [0, 1].map(|end| outer_sides_m[end][i] + 2.0 * growth_m[end]);
+                let [a, b] = [side(0), side(1)];
+                let [at_a, at_b] = [a, b].map(|side| blend(side, fraction));
+                0.5 * (at_a * slope(b) + at_b * slope(a)) * (at_a * at_b).sqrt()
+            }
+        }
+    }
+
     /// The radii of the circles with the areas of its outside at both ends, m: its own if it is
     /// a circle.
     pub fn outer_radius_m(&self) -> [f64; 2] {
@@ -160,23 +187,5 @@ fn solid([side_a_m, side_b_m]: [f64; 2]) -> Rectangle {
         side_a_m,
         side_b_m,
         wall_thickness_m: 0.0,
-    }
-}
-
-/// The volume per length (m²) that the coefficient of added mass along the axis multiplies, between
-/// two outlines at a distance: 2 π R² |dR/ds| of a circle, ½ (a |db/ds| + b |da/ds|) √(a b) of
-/// a rectangle, at an outline between them.
-///
-/// Source: `Morison.f90` (OpenFAST 5).
-pub(super) fn axial_reference_m2(at: Outline, [from, to]: [Outline; 2], distance_m: f64) -> f64 {
-    match (at, from, to) {
-        (Outline::Rectangle([a, b]), Outline::Rectangle(near), Outline::Rectangle(far)) => {
-            let slope = |side: usize| (far[side] - near[side]).abs() / distance_m;
-            0.5 * (a * slope(1) + b * slope(0)) * (a * b).sqrt()
-        }
-        _ => {
-            let slope = (to.radius_m() - from.radius_m()).abs() / distance_m;
-            2.0 * at.area_m2() * slope
-        }
     }
 }

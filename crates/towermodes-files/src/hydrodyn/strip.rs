@@ -71,9 +71,13 @@ pub(super) fn blend([from, to]: [f64; 2], fraction: f64) -> f64 {
 impl Stretch {
     /// Its outside with growth at a fraction of it.
     pub(super) fn grown(&self, fraction: f64) -> Outline {
-        let thickness_m = self.growth.map_or([0.0; 2], |growth| growth.thickness_m);
         let outer = self.section.outer(fraction);
-        outer.grown(blend(thickness_m, fraction))
+        outer.grown(blend(self.growth_m(), fraction))
+    }
+
+    /// The thickness of the growth at both ends, m.
+    pub(super) fn growth_m(&self) -> [f64; 2] {
+        self.growth.map_or([0.0; 2], |growth| growth.thickness_m)
     }
 }
 

@@ -4,7 +4,7 @@ use towermodes::space::SpatialMatrix;
 use towermodes::{Inertia, RigidBody};
 
 use super::ends::StripEnd;
-use super::section::{Outline, axial_reference_m2};
+use super::section::Outline;
 use super::spatial::{NONE, Tensor, Vector, add, of_mass};
 use super::strip::{Stretch, StripMember, blend};
 
@@ -104,12 +104,13 @@ impl Stretch {
             return [[0.0; 3]; 3];
         };
         let outline = self.grown(fraction);
-        let ends = [self.grown(0.0), self.grown(1.0)];
         let areas_m2 = outline.reference_areas_m2();
         let [from, to] = coefficients.across;
         let [x, y] = [0, 1].map(|i| areas_m2[i] * blend([from[i], to[i]], fraction));
-        let along = axial_reference_m2(outline, ends, length_m);
-        let z = along * blend(coefficients.along, fraction);
+        let along_m2 = self
+            .section
+            .axial_reference_m2(fraction, self.growth_m(), length_m);
+        let z = along_m2 * blend(coefficients.along, fraction);
         principal([x, y, z].map(|area| density_kg_per_m3 * area), axes)
     }
 
