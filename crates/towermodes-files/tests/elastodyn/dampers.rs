@@ -127,9 +127,9 @@ fn each_damper_has_a_note_with_its_own_frequency() {
     let texts: Vec<String> = notes.iter().map(ToString::to_string).collect();
     assert_eq!(texts.len(), 4, "{texts:?}");
     // √(1600/400)/2π = √(400/100)/2π.
-    let own = format!("{:.4} Hz along x", 2.0 / TAU);
+    let own = format!("{:.5} Hz along x", 2.0 / TAU);
     texts[0].says_all(&format!(
-        "n.dat:3: the damper of the nacelle is locked: its mass of 500 kg & (2, 0, 1) m from the tower top & {own}, {:.4} Hz along z",
+        "n.dat:3: the damper of the nacelle is locked: its mass of 500 kg & (2, 0, 1) m from the tower top & {own}, {:.5} Hz along z",
         2.0 / TAU
     ));
     texts[1].says_all("t.dat:3: & 700 kg & on the axis of the tower & Hz along x;");
