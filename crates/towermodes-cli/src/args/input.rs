@@ -71,7 +71,7 @@ pub(crate) struct ReadingArguments {
 
     /// Where members of the floating platform of a windIO turbine end that begin at the axis of
     /// another member; the file does not say it, and frequencies differ by some percent
-    #[arg(help_heading = OTHERS, long, value_enum, default_value_t = Ends::Balance)]
+    #[arg(help_heading = OTHERS, long, value_name = "ENDS", value_enum, default_value_t = Ends::Balance)]
     member_ends: Ends,
 
     /// Height of the tower top above ground or sea level, m; only for an ElastoDyn tower file that
