@@ -23,6 +23,7 @@ def read(
     clamped: bool = False,
     equilibrium: bool = False,
     rotor: Literal["locked", "free"] = "locked",
+    member_ends: Literal["balance", "cut", "whole"] = "balance",
     bmodes_quirks: bool = False,
     tower_height_m: float | None = None,
     tower_base_m: float | None = None,
@@ -44,6 +45,10 @@ def read(
             equilibrium of weights, buoyancy and lines, instead of the reference position.
         rotor: Whether the rotor of an ElastoDyn model, or of a tower file with `[drivetrain]`, is
             locked or free to rotate.
+        member_ends: Where members of the floating platform of a windIO turbine end that begin at
+            the axis of another member: at its surface (cut), at its axis (whole), or at the
+            surface unless weight, buoyancy and lines are nearer to balance with whole members
+            (balance). The file does not say it.
         bmodes_quirks: Interpret a BModes deck exactly as BModes 3.00 does, with its known errors.
         tower_height_m: Height of the tower top above ground or sea level, m, of an ElastoDyn tower
             file that is read without its main file.
@@ -69,6 +74,7 @@ def read(
         "clamped": bool(clamped),
         "equilibrium": bool(equilibrium),
         "rotor": word("rotor", rotor),
+        "member_ends": word("member_ends", member_ends),
         "bmodes_quirks": bool(bmodes_quirks),
         "tower_height_m": number_or_none("tower_height_m", tower_height_m),
         "tower_base_m": number_or_none("tower_base_m", tower_base_m),

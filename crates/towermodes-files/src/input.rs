@@ -338,10 +338,8 @@ pub struct ReadOptions {
     /// Whether the mooring lines of a floating platform have their stiffness at the equilibrium
     /// instead of the reference position, even if the file does not say so.
     pub at_equilibrium: bool,
-    /// Members of the floating platform of a windIO file reach to the axes of the members on which
-    /// they begin; false: they are cut at the surface, unless the platform is nearer to balance
-    /// with whole members.
-    pub whole_members: bool,
+    /// Where the members of the floating platform of a windIO file end.
+    pub member_ends: MemberEnds,
 }
 
 /// The state of a rotor, which determines the inertia of rotor and generator that acts on the
@@ -368,9 +366,23 @@ impl Default for ReadOptions {
             without_gravity: false,
             clamped: false,
             at_equilibrium: false,
-            whole_members: false,
+            member_ends: MemberEnds::Balance,
         }
     }
+}
+
+/// Where members of the floating platform of a windIO file end that begin or end at the axis of
+/// another member. The file does not say it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MemberEnds {
+    /// At the surface of the other member, unless the ballast balances the platform better with
+    /// whole members.
+    #[default]
+    Balance,
+    /// At the surface of the other member, as in WISDEM.
+    Cut,
+    /// At the axis of the other member: the volume where they overlap counts twice.
+    Whole,
 }
 
 /// The part of a turbine that is read from a file with several parts.

@@ -75,9 +75,11 @@ pub use error::ReadError;
 pub use hawc2::read_hawc2;
 pub use hydrodyn::{
     HydrodynInput, HydrodynPlatform, MarineGrowth, PotentialFlow, SeaWater, Stretch,
-    StripAddedMass, StripEnd, StripMember, WaterDefaults, read_hydrodyn, read_water,
+    StripAddedMass, StripEnd, StripMember, StripSection, WaterDefaults, read_hydrodyn, read_water,
 };
-pub use input::{BladeInput, FileFormat, OutLayout, ReadOptions, RotorLock, TowerInput, TowerPart};
+pub use input::{
+    BladeInput, FileFormat, MemberEnds, OutLayout, ReadOptions, RotorLock, TowerInput, TowerPart,
+};
 pub use measured::{MeasuredFile, MeasuredMode, NamedUnknown};
 pub use mooring::{MooringInput, MooringSite, read_map, read_moordyn};
 pub use note::{Note, NoteKind, RotorNotes};

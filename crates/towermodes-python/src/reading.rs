@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use towermodes_files::{
-    FileFormat, ReadOptions, RotorLock, SiblingFiles, Source, TowerPart, read_source,
+    FileFormat, MemberEnds, ReadOptions, RotorLock, SiblingFiles, Source, TowerPart, read_source,
     tower_file_schema,
 };
 
@@ -19,6 +19,7 @@ use crate::tower::Tower;
 pub struct Reading {
     part: String,
     rotor: String,
+    member_ends: String,
     no_rna: bool,
     no_gravity: bool,
     clamped: bool,
@@ -79,7 +80,7 @@ impl Reading {
             without_gravity: self.no_gravity,
             clamped: self.clamped,
             at_equilibrium: self.equilibrium,
-            ..ReadOptions::default()
+            member_ends: self.member_ends()?,
         })
     }
 
@@ -90,6 +91,17 @@ impl Reading {
             "monopile" => Ok(TowerPart::Monopile),
             part => Err(usage(format!(
                 "part is '{part}'; it must be 'all', 'tower' or 'monopile'"
+            ))),
+        }
+    }
+
+    fn member_ends(&self) -> PyResult<MemberEnds> {
+        match self.member_ends.as_str() {
+            "balance" => Ok(MemberEnds::Balance),
+            "cut" => Ok(MemberEnds::Cut),
+            "whole" => Ok(MemberEnds::Whole),
+            ends => Err(usage(format!(
+                "member_ends is '{ends}'; it must be 'balance', 'cut' or 'whole'"
             ))),
         }
     }
@@ -107,7 +119,7 @@ impl Reading {
     /// Refuses an option that has no effect on files of this format.
     fn check(&self, format: FileFormat) -> PyResult<()> {
         use FileFormat::{Bmodes, ElastoDyn, ElastoDynTower, Hawc2, Toml, WindIo};
-        let options: [(bool, &[FileFormat], &str); 8] = [
+        let options: [(bool, &[FileFormat], &str); 9] = [
             (
                 self.equilibrium,
                 &[Toml, ElastoDyn, WindIo],
@@ -132,6 +144,11 @@ impl Reading {
                 self.part != "all",
                 &[WindIo],
                 "part applies only to windIO turbines",
+            ),
+            (
+                self.member_ends != "balance",
+                &[WindIo],
+                "member_ends applies only to windIO turbines",
             ),
             (
                 self.subset.is_some(),

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
-use towermodes_files::{FileFormat, ReadOptions, RotorLock, Setting, TowerPart};
+use towermodes_files::{FileFormat, MemberEnds, ReadOptions, RotorLock, Setting, TowerPart};
 use towermodes_report::report::quoted;
 
 use super::parsers::{height_parser, setting_parser, subset_parser};
@@ -69,6 +69,11 @@ pub(crate) struct ReadingArguments {
     #[arg(help_heading = OTHERS, long, value_enum, default_value_t = Part::All)]
     part: Part,
 
+    /// Where members of the floating platform of a windIO turbine end that begin at the axis of
+    /// another member; the file does not say it, and frequencies differ by some percent
+    #[arg(help_heading = OTHERS, long, value_name = "ENDS", value_enum, default_value_t = Ends::Balance)]
+    member_ends: Ends,
+
     /// Height of the tower top above ground or sea level, m; only for an ElastoDyn tower file that
     /// is read without its main file
     #[arg(help_heading = OTHERS, long, value_name = "M", value_parser = height_parser)]
@@ -93,6 +98,17 @@ enum Part {
     Tower,
     /// Only the monopile.
     Monopile,
+}
+
+/// Where members of a floating platform end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Ends {
+    /// Cut, or whole if weight, buoyancy and lines are nearer to balance then.
+    Balance,
+    /// At the surface of the other member, as in WISDEM.
+    Cut,
+    /// At the axis of the other member: the volume of the overlap counts twice.
+    Whole,
 }
 
 /// Whether the rotor can rotate about its shaft.
@@ -191,6 +207,11 @@ impl ReadingArguments {
                 "--part applies only to windIO turbines",
             ),
             (
+                given.member_ends != MemberEnds::Balance,
+                &[FileFormat::WindIo],
+                "--member-ends applies only to windIO turbines",
+            ),
+            (
                 given.hawc2_subset.is_some(),
                 &[FileFormat::Hawc2],
                 "--subset applies only to HAWC2 files",
@@ -224,6 +245,8 @@ impl ReadingArguments {
     pub(crate) fn words(&self) -> Vec<String> {
         let part = self.part.to_possible_value();
         let part = part.filter(|_| self.part != Part::All);
+        let ends = self.member_ends.to_possible_value();
+        let ends = ends.filter(|_| self.member_ends != Ends::Balance);
         let subset = self.subset.map(|(set, subset)| format!("{set},{subset}"));
         [
             flag("--no-rna", self.no_rna),
@@ -233,6 +256,7 @@ impl ReadingArguments {
             valued("--rotor", (self.rotor == Rotor::Free).then_some("free")),
             flag("--bmodes-quirks", self.bmodes_quirks),
             valued("--part", part.as_ref().map(PossibleValue::get_name)),
+            valued("--member-ends", ends.as_ref().map(PossibleValue::get_name)),
             valued("--tower-height", self.tower_height),
             valued("--tower-base", self.tower_base),
             valued("--subset", subset),
@@ -260,7 +284,11 @@ impl ReadingArguments {
             without_gravity: self.no_gravity,
             clamped: self.clamped,
             at_equilibrium: self.equilibrium,
-            ..ReadOptions::default()
+            member_ends: match self.member_ends {
+                Ends::Balance => MemberEnds::Balance,
+                Ends::Cut => MemberEnds::Cut,
+                Ends::Whole => MemberEnds::Whole,
+            },
         }
     }
 }

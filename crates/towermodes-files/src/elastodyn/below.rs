@@ -11,7 +11,8 @@ use towermodes::{
 use super::agreement::doubts;
 use super::fst::{STANDARD_M_PER_S2, gravity_of_fst, is_on, switch};
 use super::hanging;
-use super::main_input::main_file::MainFile;
+use super::machine::structural_control::with_masses;
+use super::main_input::main_file::{MainFile, Platform};
 use super::names::line_of;
 use super::sea::Sea;
 use crate::diagnostic::{Diagnostic, DiagnosticKind, Exact};
@@ -44,9 +45,15 @@ pub(super) struct Below {
 pub(super) fn below(
     fst: &Source,
     main: &MainFile,
+    on_platform: &[RigidBody],
     files: &dyn FileResolver,
 ) -> Result<Below, ReadError> {
-    let model = Model { fst, main, files };
+    let model = Model {
+        fst,
+        main,
+        on_platform,
+        files,
+    };
     match switch(fst, "CompSub") {
         Some((1, at)) if main.tower_hangs() => {
             Err(ReadError::mistake(fst, hangs_below(at..at + 1)))
@@ -61,6 +68,8 @@ pub(super) fn below(
 struct Model<'a> {
     fst: &'a Source,
     main: &'a MainFile,
+    /// Masses on the platform, from its reference point.
+    on_platform: &'a [RigidBody],
     files: &'a dyn FileResolver,
 }
 
@@ -145,7 +154,7 @@ impl<'a> Model<'a> {
             below.notes.extend(on_frame);
             below.parts.push(MissingPart::Water);
         }
-        let piece = transition_piece(self.main);
+        let piece = with_masses(transition_piece(self.main), self.on_platform);
         let mut foundation =
             FrameFoundation::new(subdyn.frame(reference())?, piece).map_err(|error| {
                 let kind = DiagnosticKind::Frame(Box::new(error));
@@ -193,10 +202,18 @@ impl<'a> Model<'a> {
         let Some(water) = self.water(&mut self.sea()?)? else {
             return Ok(Below::default());
         };
-        let structure = RigidBody {
-            center_m: self.main.platform.center_m,
+        let Platform {
+            center_m,
+            reference_m,
+            ..
+        } = self.main.platform;
+        let masses = self.on_platform.iter();
+        let masses: Vec<RigidBody> = masses.map(|body| body.moved(reference_m)).collect();
+        let platform = RigidBody {
+            center_m,
             ..transition_piece(self.main)
         };
+        let structure = with_masses(platform, &masses);
         let gravity_m_per_s2 = self.gravity_m_per_s2();
         let HydrodynPlatform {
             mut platform,

@@ -13,7 +13,7 @@ use super::machine::controller::{OperatingSpeeds, operating_speeds};
 use super::machine::lump;
 use super::machine::rotor;
 use super::machine::servodyn::{YawSpring, yaw_spring};
-use super::machine::structural_control::structural_controls;
+use super::machine::structural_control::{Controls, structural_controls, with_masses};
 use super::machine::turbine;
 use super::machine::turbine::Parts;
 use super::main_input::main_file::MainFile;
@@ -96,8 +96,8 @@ struct Model {
     yaw: Option<YawSpring>,
     /// The operating speeds, if there is an `.fst` file.
     speeds: Option<OperatingSpeeds>,
-    /// The notes on structural controls.
-    controls: Vec<Note>,
+    /// The structural controls.
+    controls: Controls,
     below: Below,
 }
 
@@ -134,9 +134,11 @@ impl Model {
         let speeds = found.fst.as_ref();
         let speeds = speeds.map(|fst| operating_speeds(fst, &main, files));
         let controls = found.fst.as_ref();
-        let controls = controls.map_or_else(Vec::new, |fst| structural_controls(fst, files));
+        let controls = controls.map_or_else(Controls::default, |fst| {
+            structural_controls(fst, &main, files)
+        });
         let below = match &found.fst {
-            Some(fst) if !options.clamped => below(fst, &main, files)?,
+            Some(fst) if !options.clamped => below(fst, &main, &controls.platform, files)?,
             _ => Below::default(),
         };
         Ok(Self {
@@ -163,6 +165,7 @@ impl Model {
             checked.map_err(|mistake| ReadError::mistake(&self.found.source, mistake))?;
         }
         let rna = lump::lump_rna(main, blades, options.rotor);
+        let rna = with_masses(rna, &self.controls.nacelle);
         Ok(match main.tower_hangs() {
             true => upside_down(&rna),
             false => rna,
@@ -175,6 +178,10 @@ impl Model {
         let ends = Ends::of(main.tower_base_m, main.tower_top_m);
         let mut notes = self.notes(ends, options);
         let mut description = description(&self.reading.file, ends, &main.header[1]);
+        let dampers = self.controls.tower.iter();
+        description
+            .point_masses
+            .extend(dampers.map(|body| ends.point_mass(body)));
         description.rna = rna.into();
         description.rotor = rotor::rotor(main, self.speeds.as_ref());
         description.missing_parts = self.missing_parts();
@@ -238,6 +245,7 @@ impl Model {
             main: &self.main,
             source: &self.found.source,
             blades: &self.blades.files,
+            on_nacelle: &self.controls.nacelle,
             yaw: self.yaw.clone(),
             lock: options.rotor,
         });
@@ -263,7 +271,7 @@ impl Model {
     fn notes(&self, ends: Ends, options: &ReadOptions) -> Vec<Note> {
         let main = &self.main;
         let mut notes = self.found.notes.clone();
-        notes.extend_from_slice(&self.controls);
+        notes.extend_from_slice(&self.controls.notes);
         if let Some(fst) = &self.found.fst {
             notes.extend(fst::notes(fst, main, &self.below.parts, options.clamped));
         }

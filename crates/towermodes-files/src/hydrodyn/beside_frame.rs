@@ -74,7 +74,7 @@ impl HydrodynInput {
         let found = strips.filter_map(|(strip, member)| {
             let moving = member.stretches.iter().filter(|stretch| stretch.moves());
             let points = moving.flat_map(|stretch| {
-                let limit_m = (2.0 * DIAMETERS * stretch.outer_radius_m[0]).max(APART_M);
+                let limit_m = (2.0 * DIAMETERS * stretch.section.outer_radius_m()[0]).max(APART_M);
                 let [from, to] = stretch.range;
                 [from, 0.5 * (from + to), to].map(|at| (member.point_m(at), limit_m))
             });
@@ -101,10 +101,11 @@ fn middle(stretch: &Stretch, part: &Lying) -> Option<f64> {
 }
 
 impl Stretch {
-    /// The outer radius at a fraction of the member, m.
+    /// The outer radius at a fraction of the member, m; of a rectangle that of the circle of its
+    /// area.
     fn radius_at(&self, at: f64) -> f64 {
         let [from, to] = self.range;
-        blend(self.outer_radius_m, (at - from) / (to - from))
+        self.section.outer((at - from) / (to - from)).radius_m()
     }
 }
 

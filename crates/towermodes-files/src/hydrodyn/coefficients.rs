@@ -1,56 +1,112 @@
 //! The coefficients of added mass, by one of three models: the same everywhere, by depth, by
-//! member.
+//! member; circles and rectangles have tables of their own.
 
 use std::collections::HashMap;
 
 use super::growth::MOST_DEPTHS;
 use super::profile::Profile;
+use super::section::Form;
 use super::tables::{Row, Table};
 use super::values::Values;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// Across and along the axis, without and with growth.
-type Four = [f64; 4];
-/// Suffixes of the names of these columns: `SimplCa`, `DpthCaMG`.
-const SUFFIXES: [&str; 4] = ["Ca", "CaMG", "AxCa", "AxCaMG"];
+/// Along x, along y and along the axis, each without and with growth.
+type Six = [f64; 6];
+
+/// The names by which the tables of one form are found.
+struct Names {
+    /// The column that only its table of simple coefficients has.
+    simple: &'static str,
+    /// The number of rows by depth, and by member.
+    depths: &'static [&'static str],
+    members: &'static [&'static str],
+    /// The column of each coefficient without prefix: `Ca` in `SimplCa` and `MemberCa1`.
+    suffixes: [&'static str; 6],
+}
+
+const CIRCLES: Names = Names {
+    simple: "SimplCa",
+    depths: &["NCoefDpth", "NCoefDpthCyl"],
+    members: &["NCoefMembers", "NCoefMembersCyl"],
+    suffixes: ["Ca", "CaMG", "Ca", "CaMG", "AxCa", "AxCaMG"],
+};
+
+/// The coefficients of a rectangle are named by the side that is across the motion: B along x.
+const RECTANGLES: Names = Names {
+    simple: "SimplCaB",
+    depths: &["NCoefDpthRec"],
+    members: &["NCoefMembersRec"],
+    suffixes: ["CaB", "CaBMG", "CaA", "CaAMG", "AxCa", "AxCaMG"],
+};
 
 /// The tables of coefficients.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Coefficients {
-    simple: Option<Four>,
-    by_depth: Profile<4>,
-    by_member: HashMap<i64, [Four; 2]>,
+    circles: OfForm,
+    rectangles: OfForm,
+}
+
+/// The coefficients of members of one form.
+#[derive(Debug, Clone, Default)]
+pub(super) struct OfForm {
+    simple: Option<Six>,
+    by_depth: Profile<6>,
+    by_member: HashMap<i64, [Six; 2]>,
 }
 
 /// The model of a member.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Model {
     /// Equal coefficients for all members and depths.
-    Simple(Four),
+    Simple(Six),
     /// By depth.
     Depth,
     /// Linear between the ends of the member.
-    Member([Four; 2]),
+    Member([Six; 2]),
 }
 
 impl Coefficients {
     pub(super) fn of(values: &Values<'_>) -> Result<Self, Diagnostic> {
-        let simple = match Table::with_column(values.text, "SimplCa")? {
-            Some(table) => Some(four(&table, &table.rows[0], "Simpl", "")?),
+        Ok(Self {
+            circles: OfForm::of(values, &CIRCLES)?,
+            rectangles: OfForm::of(values, &RECTANGLES)?,
+        })
+    }
+
+    pub(super) fn of_form(&self, form: Form) -> &OfForm {
+        match form {
+            Form::Circle => &self.circles,
+            Form::Rectangle => &self.rectangles,
+        }
+    }
+}
+
+impl OfForm {
+    fn of(values: &Values<'_>, names: &Names) -> Result<Self, Diagnostic> {
+        let six = |table: &Table<'_>, row: &Row<'_>, prefix, end| {
+            six(
+                table,
+                row,
+                names
+                    .suffixes
+                    .map(|suffix| format!("{prefix}{suffix}{end}")),
+            )
+        };
+        let simple = match Table::with_column(values.text, names.simple)? {
+            Some(table) => Some(six(&table, &table.rows[0], "Simpl", "")?),
             None => None,
         };
-        let depths = Table::of(values, &["NCoefDpth", "NCoefDpthCyl"], MOST_DEPTHS)?;
+        let depths = Table::of(values, names.depths, MOST_DEPTHS)?;
         let rows = depths
             .rows
             .iter()
-            .map(|row| Ok((depths.number(row, "Dpth")?, four(&depths, row, "Dpth", "")?)));
+            .map(|row| Ok((depths.number(row, "Dpth")?, six(&depths, row, "Dpth", "")?)));
         let rows: Result<Vec<_>, Diagnostic> = rows.collect();
-        let members = Table::of(values, &["NCoefMembers", "NCoefMembersCyl"], usize::MAX)?;
+        let members = Table::of(values, names.members, usize::MAX)?;
         members.ids("member")?;
         let mut by_member = HashMap::new();
         for row in &members.rows {
-            let ends = ["1", "2"].map(|end| four(&members, row, "Member", end));
-            let [from, to] = ends;
+            let [from, to] = ["1", "2"].map(|end| six(&members, row, "Member", end));
             by_member.insert(row.integer(0, "MemberID")?, [from?, to?]);
         }
         Ok(Self {
@@ -74,7 +130,7 @@ impl Coefficients {
             self.simple,
             self.by_member.get(&id),
         ) {
-            (1, Some(four), _) => Ok(Model::Simple(four)),
+            (1, Some(six), _) => Ok(Model::Simple(six)),
             (1, None, _) => missing("the table of simple coefficients (SimplCa)".to_owned()),
             (2, ..) if self.by_depth.heights_m().next().is_some() => Ok(Model::Depth),
             (2, ..) => missing("the table of coefficients by depth (NCoefDpth)".to_owned()),
@@ -88,7 +144,7 @@ impl Coefficients {
         }
     }
 
-    /// Across and along the axis, at a height and a fraction of the member.
+    /// Along x, along y and along the axis, at a height and a fraction of the member.
     pub(super) fn at(
         &self,
         model: &Model,
@@ -96,31 +152,27 @@ impl Coefficients {
         middle_m: f64,
         fraction: f64,
         is_grown: bool,
-    ) -> [f64; 2] {
-        let four = match model {
-            Model::Simple(four) => *four,
+    ) -> [f64; 3] {
+        let six = match model {
+            Model::Simple(six) => *six,
             Model::Depth => self.by_depth.at(z_m, middle_m).unwrap_or_default(),
             Model::Member([from, to]) => {
                 std::array::from_fn(|i| from[i] + fraction * (to[i] - from[i]))
             }
         };
-        let [across, across_grown, along, along_grown] = four.map(|value| value.max(0.0));
-        match is_grown {
-            true => [across_grown, along_grown],
-            false => [across, along],
-        }
+        let of_growth = usize::from(is_grown);
+        [0, 2, 4].map(|i| six[i + of_growth].max(0.0))
     }
 }
 
-/// The four coefficients of a row; the first versions have none along the axis.
-fn four(table: &Table<'_>, row: &Row<'_>, prefix: &str, end: &str) -> Result<Four, Diagnostic> {
-    let mut four = [0.0; 4];
-    for (k, (value, suffix)) in four.iter_mut().zip(SUFFIXES).enumerate() {
-        let name = format!("{prefix}{suffix}{end}");
-        let is_optional = k >= 2;
+/// The six coefficients of a row; the first versions have none along the axis.
+fn six(table: &Table<'_>, row: &Row<'_>, names: [String; 6]) -> Result<Six, Diagnostic> {
+    let mut six = [0.0; 6];
+    for (k, (value, name)) in six.iter_mut().zip(names).enumerate() {
+        let is_optional = k >= 4;
         if !is_optional || table.column_if_any(&[&name]).is_some() {
             *value = table.not_negative(row, &name)?;
         }
     }
-    Ok(four)
+    Ok(six)
 }

@@ -2,12 +2,13 @@
 //!
 //! Source: HydroDyn Theory Manual (2024), lumped loads at joints: V = Σ ±(2/3) π R³ k and
 //! A = Σ ±π R² k over the members of a joint, outward, with R on the growth; the added mass is
-//! Cₓ ρ V Vᵀ/|V| and the growth ρ t |A|. The volume of growth in the summary file of HydroDyn is
+//! Cₓ ρ V Vᵀ/|V| and the growth ρ t |A|. A rectangle counts as the circle of its area, R = √(a b/π). The volume of growth in the summary file of HydroDyn is
 //! that of the members without these ends.
 
 use std::f64::consts::PI;
 
 use super::growth::Growth;
+use super::section::Outline;
 use super::spatial::{Tensor, Vector, norm};
 use super::strip::StripMember;
 use super::water::SeaWater;
@@ -56,10 +57,10 @@ pub(super) fn of(
         .collect()
 }
 
-/// The sums of a joint, without growth: the radii of its members with their outward axes.
+/// The sums of a joint, without growth: the sections of its members with their outward axes.
 #[derive(Debug, Clone, Default)]
 struct Sums {
-    members: Vec<(f64, Vector)>,
+    members: Vec<(Outline, Vector)>,
 }
 
 fn add_member(sums: &mut [Sums], member: &StripMember, joints: &[usize; 2]) {
@@ -68,13 +69,11 @@ fn add_member(sums: &mut [Sums], member: &StripMember, joints: &[usize; 2]) {
         return;
     };
     let ends = [
-        (first.outer_radius_m[0], -1.0),
-        (last.outer_radius_m[1], 1.0),
+        (first.section.outer(0.0), -1.0),
+        (last.section.outer(1.0), 1.0),
     ];
-    for (joint, (radius_m, sign)) in joints.iter().zip(ends) {
-        sums[*joint]
-            .members
-            .push((radius_m, axis.map(|k| sign * k)));
+    for (joint, (outline, sign)) in joints.iter().zip(ends) {
+        sums[*joint].members.push((outline, axis.map(|k| sign * k)));
     }
 }
 
@@ -84,8 +83,9 @@ impl Sums {
         let layer = growth.between([z_m; 2]);
         let thickness_m = layer.map_or(0.0, |layer| layer.thickness_m[0]);
         let density = layer.map_or(0.0, |layer| layer.density_kg_per_m3[0]);
-        let volume = self.sum(|radius_m| 2.0 / 3.0 * PI * (radius_m + thickness_m).powi(3));
-        let area = self.sum(|radius_m| PI * (radius_m + thickness_m).powi(2));
+        let grown = |outline: Outline| outline.grown(thickness_m);
+        let volume = self.sum(|outline| 2.0 / 3.0 * PI * grown(outline).radius_m().powi(3));
+        let area = self.sum(|outline| grown(outline).area_m2());
         let per_volume = joint.axial * water.density_kg_per_m3;
         let added_mass: Tensor = match norm(volume) {
             0.0 => [[0.0; 3]; 3],
@@ -102,11 +102,11 @@ impl Sums {
     }
 
     /// A vector sum along the outward axes; zero where it is a rounding error.
-    fn sum(&self, size: impl Fn(f64) -> f64) -> Vector {
+    fn sum(&self, size: impl Fn(Outline) -> f64) -> Vector {
         let mut sum = [0.0; 3];
         let mut largest = 0.0_f64;
-        for (radius_m, axis) in &self.members {
-            let size = size(*radius_m);
+        for (outline, axis) in &self.members {
+            let size = size(*outline);
             largest = largest.max(size);
             for (sum, k) in sum.iter_mut().zip(axis) {
                 *sum += size * k;

@@ -5,6 +5,8 @@ use std::collections::HashMap;
 use super::coefficients::{Coefficients, Model};
 use super::ends::Joint;
 use super::growth::Growth;
+use super::section::{Form, StripSection};
+use super::sections::{Sections, form};
 use super::spatial::Vector;
 use super::strip::{Stretch, StripAddedMass, StripMember, blend};
 use super::tables::{Ids, Row, Table};
@@ -45,7 +47,7 @@ pub(super) fn read(
     let joint_table = Table::of(values, &["NJoints"], usize::MAX)?;
     let joint_ids = joint_table.ids("joint")?;
     let joints = joints(values, &joint_table)?;
-    let sections = sections(values)?;
+    let sections = Sections::of(values)?;
     let member_ids = table.ids("member")?;
     let fillings = fillings(values, &member_ids, site.water)?;
     let mut found = Members {
@@ -60,11 +62,12 @@ pub(super) fn read(
         let ends_m = ends.map(|joint| found.joints[joint].position_m);
         let filling = fillings.get(&index);
         // The water of such a member is that of the body, and it has no other mass.
-        if !is_round(&table, row)? && is_potential(&table, row)? && filling.is_none() {
+        let is_rectangle = form(&table, row)? == Form::Rectangle;
+        if is_rectangle && is_potential(&table, row)? && filling.is_none() {
             continue;
         }
-        let tube = tube(&table, row, &sections)?;
-        let member = member(&table, row, ends_m, &tube, filling, site)?;
+        let section = sections.of_member(&table, row)?;
+        let member = member(&table, row, ends_m, &section, filling, site)?;
         found.members.push(member);
         found.joints_of.push(ends);
         found.rows.push(row.span().start);
@@ -103,71 +106,10 @@ fn overlaps(table: &Table<'_>, source: &Source) -> Vec<Note> {
     first.map(note).into_iter().collect()
 }
 
-/// Diameters and walls by their numbers.
-struct Sections {
-    ids: Ids,
-    tubes: Vec<Tube>,
-}
-
-/// Outer and inner radius, m.
-#[derive(Debug, Clone, Copy)]
-struct Tube {
-    outer_m: f64,
-    inner_m: f64,
-}
-
-fn sections(values: &Values<'_>) -> Result<Sections, Diagnostic> {
-    let table = Table::of(values, &["NPropSets", "NPropSetsCyl"], usize::MAX)?;
-    let tubes = table.rows.iter().map(|row| {
-        let diameter_m = table.number(row, "PropD")?;
-        let wall_m = table.not_negative(row, "PropThck")?;
-        if diameter_m <= 0.0 {
-            let kind = DiagnosticKind::out_of_range_in("PropD", diameter_m, "m", "positive");
-            return Err(row.wrong(table.column(&["PropD"])?, kind));
-        }
-        if wall_m > 0.5 * diameter_m {
-            let rule = format!("at most half of PropD, {} m", 0.5 * diameter_m);
-            let kind = DiagnosticKind::out_of_range_in("PropThck", wall_m, "m", rule);
-            return Err(row.wrong(table.column(&["PropThck"])?, kind));
-        }
-        Ok(Tube {
-            outer_m: 0.5 * diameter_m,
-            inner_m: 0.5 * diameter_m - wall_m,
-        })
-    });
-    let tubes: Result<Vec<Tube>, Diagnostic> = tubes.collect();
-    Ok(Sections {
-        ids: table.ids("member property set")?,
-        tubes: tubes?,
-    })
-}
-
-/// Whether a member is circular, as all are before OpenFAST 4.1.
-fn is_round(table: &Table<'_>, row: &Row<'_>) -> Result<bool, Diagnostic> {
-    match table.column_if_any(&["MSecGeom"]) {
-        Some(column) => Ok(row.integer(column, "MSecGeom")? == 1),
-        None => Ok(true),
-    }
-}
-
 /// Whether the water of a member is that of the body with potential flow.
 fn is_potential(table: &Table<'_>, row: &Row<'_>) -> Result<bool, Diagnostic> {
     let column = table.column(&["PropPot", "PropWAMIT"])?;
     row.token(column, "PropPot")?.logical("PropPot")
-}
-
-/// The tubes at both ends of a member.
-fn tube(table: &Table<'_>, row: &Row<'_>, sections: &Sections) -> Result<[Tube; 2], Diagnostic> {
-    if let Some(column) = table.column_if_any(&["MSecGeom"])
-        && !is_round(table, row)?
-    {
-        let message = "the member is rectangular (MSecGeom 2): outside the body with potential flow (PropPot False) or filled, only circular members can be read";
-        let mistake = row.wrong(column, DiagnosticKind::Unsupported(message.to_owned()));
-        return Err(mistake.with_hint("describe it as a circular member (MSecGeom 1) of the same area, with coefficients that give the same added mass"));
-    }
-    let find = |name| sections.ids.find(row, table.column(&[name])?, name);
-    let ends = [find("MPropSetID1")?, find("MPropSetID2")?];
-    Ok(ends.map(|end| sections.tubes[end]))
 }
 
 /// The level and density of what fills a member.
@@ -235,7 +177,7 @@ fn member(
     table: &Table<'_>,
     row: &Row<'_>,
     ends_m: [Vector; 2],
-    tube: &[Tube; 2],
+    section: &StripSection,
     filling: Option<&Filling>,
     site: &Site<'_>,
 ) -> Result<StripMember, Diagnostic> {
@@ -247,6 +189,10 @@ fn member(
     let mut member = StripMember {
         name: row.integer(0, "MemberID")?.to_string(),
         ends_m,
+        spin_deg: match table.column_if_any(&["MSpinOrient"]) {
+            Some(column) => row.number(column, "MSpinOrient")?,
+            None => 0.0,
+        },
         is_potential_flow,
         has_hydrostatics,
         stretches: Vec::new(),
@@ -257,9 +203,13 @@ fn member(
     }
     let model = match is_potential_flow {
         true => None,
-        false => Some(site.coefficients.model(table, row)?),
+        false => Some(
+            site.coefficients
+                .of_form(section.form())
+                .model(table, row)?,
+        ),
     };
-    member.stretches = stretches(&member, tube, model, filling, site);
+    member.stretches = stretches(&member, section, model, filling, site);
     Ok(member)
 }
 
@@ -269,7 +219,7 @@ const SAME_CUT: f64 = 1e-12;
 /// The member in stretches between the heights at which something begins or ends.
 fn stretches(
     member: &StripMember,
-    tube: &[Tube; 2],
+    section: &StripSection,
     model: Option<Model>,
     filling: Option<&Filling>,
     site: &Site<'_>,
@@ -279,7 +229,7 @@ fn stretches(
     let heights = [water.level_m, -water.depth_m].into_iter();
     let heights = heights
         .chain(site.growth.heights_m())
-        .chain(site.coefficients.heights_m());
+        .chain(site.coefficients.of_form(section.form()).heights_m());
     let heights = heights.chain(filling.map(|filling| filling.level_m));
     let mut cuts = vec![0.0, 1.0];
     cuts.extend(heights.map(|z_m| (z_m - from_m) / (to_m - from_m)));
@@ -289,21 +239,20 @@ fn stretches(
     let ranges = cuts.windows(2).filter(|pair| pair[1] - pair[0] >= SAME_CUT);
     let ranges = ranges.map(|pair| [pair[0], pair[1]]);
     ranges
-        .map(|range| stretch(range, [from_m, to_m], tube, model, filling, site))
+        .map(|range| stretch(range, [from_m, to_m], section, model, filling, site))
         .collect()
 }
 
 fn stretch(
     range: [f64; 2],
     ends_m: [f64; 2],
-    tube: &[Tube; 2],
+    section: &StripSection,
     model: Option<Model>,
     filling: Option<&Filling>,
     site: &Site<'_>,
 ) -> Stretch {
     let z_m = range.map(|fraction| blend(ends_m, fraction));
     let middle_m = 0.5 * (z_m[0] + z_m[1]);
-    let radii = |of: fn(&Tube) -> f64| range.map(|at| blend([of(&tube[0]), of(&tube[1])], at));
     let is_wet = site.water.holds(middle_m);
     let is_above_seabed = middle_m >= -site.water.depth_m;
     let growth = model
@@ -312,20 +261,19 @@ fn stretch(
     let added_mass = model.filter(|_| is_wet).map(|model| {
         let at = |end: usize| {
             let (z_m, fraction) = (z_m[end], range[end]);
-            site.coefficients
-                .at(&model, z_m, middle_m, fraction, growth.is_some())
+            let coefficients = site.coefficients.of_form(section.form());
+            coefficients.at(&model, z_m, middle_m, fraction, growth.is_some())
         };
-        let [[across_1, along_1], [across_2, along_2]] = [at(0), at(1)];
+        let ends = [at(0), at(1)];
         StripAddedMass {
-            across: [across_1, across_2],
-            along: [along_1, along_2],
+            across: ends.map(|[x, y, _]| [x, y]),
+            along: ends.map(|[_, _, along]| along),
         }
     });
     let filling = filling.filter(|filling| is_above_seabed && middle_m <= filling.level_m);
     Stretch {
         range,
-        outer_radius_m: radii(|tube| tube.outer_m),
-        inner_radius_m: radii(|tube| tube.inner_m),
+        section: section.part(range),
         is_wet,
         growth,
         added_mass,

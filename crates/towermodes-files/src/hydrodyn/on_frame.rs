@@ -1,17 +1,20 @@
 //! The water of strip members on the members of a frame.
 //!
-//! A strip member that lies on a beam gives coats of that beam. Any other one is cut into pieces,
-//! each of which moves rigidly with the nearest point of the nearest beam, as HydroDyn's nodes move
-//! with the nearest nodes of SubDyn.
+//! A circular strip member that lies on a beam gives coats of that beam. Any other one is cut into
+//! pieces, each of which moves rigidly with the nearest point of the nearest beam, as HydroDyn's
+//! nodes move with the nearest nodes of SubDyn. A rectangle has no coat, because its added mass
+//! differs by direction.
 
 use towermodes::RigidBody;
-use towermodes::frame::{CoatKind, FrameCoat, FrameDescription, FrameRider, JointKind};
+use towermodes::frame::{FrameCoat, FrameDescription, FrameRider, JointKind};
 use towermodes::space::SpatialMatrix;
 
 use super::beams::{self, Beam, Lying};
+use super::coats::reversed;
 use super::ends::StripEnd;
 use super::input::HydrodynInput;
-use super::spatial::{NONE, add, difference, norm, of_mass};
+use super::section::Form;
+use super::spatial::{NONE, add, difference, norm, of_body, of_mass};
 use super::strip::{Stretch, StripMember, blend};
 use super::strip_inertia::slices;
 use crate::note::Note;
@@ -48,13 +51,17 @@ impl HydrodynInput {
             piece_m: self.piece_m(),
             beams: &beams,
             length_m: 0.0,
+            rectangles_m: 0.0,
             solid_kg: 0.0,
             frame,
         };
         for member in &self.members {
             let lying = beams::lying(member, &beams);
             for stretch in member.stretches.iter().filter(|stretch| stretch.moves()) {
-                carried.put(member, stretch, &lying);
+                match stretch.section.form() {
+                    Form::Circle => carried.put(member, stretch, &lying),
+                    Form::Rectangle => carried.put_rectangle(member, stretch),
+                }
             }
         }
         for end in &self.ends {
@@ -69,72 +76,6 @@ impl HydrodynInput {
     }
 }
 
-impl Stretch {
-    /// Whether something moves with it.
-    pub(super) fn moves(&self) -> bool {
-        let added = self
-            .added_mass
-            .is_some_and(|of| [of.across, of.along] != [[0.0; 2]; 2]);
-        added || self.growth.is_some() || self.fill_density_kg_per_m3 > 0.0
-    }
-
-    /// The coats of the part between two fractions of it.
-    fn coats(&self, part: [f64; 2], density_kg_per_m3: f64) -> Vec<CoatKind> {
-        let at = |values: [f64; 2]| part.map(|fraction| blend(values, fraction));
-        let mut coats = Vec::new();
-        if let Some(added) = self.added_mass {
-            coats.push(CoatKind::AddedMass {
-                density_kg_per_m3,
-                radius_m: at(self.grown_radius_m()),
-                across: at(added.across),
-                along: at(added.along),
-            });
-        }
-        if let Some(growth) = self.growth {
-            coats.push(CoatKind::Solid {
-                density_kg_per_m3: at(growth.density_kg_per_m3),
-                outer_radius_m: at(self.grown_radius_m()),
-                inner_radius_m: at(self.outer_radius_m),
-            });
-        }
-        if self.fill_density_kg_per_m3 > 0.0 {
-            coats.push(CoatKind::Solid {
-                density_kg_per_m3: [self.fill_density_kg_per_m3; 2],
-                outer_radius_m: at(self.inner_radius_m),
-                inner_radius_m: [0.0; 2],
-            });
-        }
-        coats
-    }
-}
-
-/// The same coat in the other direction.
-fn reversed(coat: CoatKind) -> CoatKind {
-    let turned = |[from, to]: [f64; 2]| [to, from];
-    match coat {
-        CoatKind::Solid {
-            density_kg_per_m3,
-            outer_radius_m,
-            inner_radius_m,
-        } => CoatKind::Solid {
-            density_kg_per_m3: turned(density_kg_per_m3),
-            outer_radius_m: turned(outer_radius_m),
-            inner_radius_m: turned(inner_radius_m),
-        },
-        CoatKind::AddedMass {
-            density_kg_per_m3,
-            radius_m,
-            across,
-            along,
-        } => CoatKind::AddedMass {
-            density_kg_per_m3,
-            radius_m: turned(radius_m),
-            across: turned(across),
-            along: turned(along),
-        },
-    }
-}
-
 /// A frame that carries strip members.
 struct Carried<'f> {
     frame: &'f mut FrameDescription,
@@ -143,7 +84,9 @@ struct Carried<'f> {
     piece_m: f64,
     /// Length of strip members that lie on no beam, m.
     length_m: f64,
-    /// Growth and filling of these, kg.
+    /// Length of rectangular strip members, m.
+    rectangles_m: f64,
+    /// Growth and filling of both, kg.
     solid_kg: f64,
 }
 
@@ -160,6 +103,13 @@ impl Carried<'_> {
             }
         }
         self.ride(member, stretch, [from, to]);
+    }
+
+    /// Puts a rectangular stretch on the frame.
+    fn put_rectangle(&mut self, member: &StripMember, stretch: &Stretch) {
+        let [from, to] = stretch.range;
+        self.rectangles_m += (to - from) * member.length_m();
+        self.ride_pieces(member, stretch, stretch.range);
     }
 
     /// Coats the beam under the part of a stretch between two fractions of the strip member.
@@ -182,8 +132,12 @@ impl Carried<'_> {
         if range[1] - range[0] <= NO_PART {
             return;
         }
+        self.length_m += (range[1] - range[0]) * member.length_m();
+        self.ride_pieces(member, stretch, range);
+    }
+
+    fn ride_pieces(&mut self, member: &StripMember, stretch: &Stretch, range: [f64; 2]) {
         let length_m = (range[1] - range[0]) * member.length_m();
-        self.length_m += length_m;
         let pieces = (length_m / self.piece_m).ceil().max(1.0);
         let [from, to] = range.map(|at| local(stretch, at));
         for piece in 0..pieces as usize {
@@ -198,19 +152,19 @@ impl Carried<'_> {
         else {
             return;
         };
-        let (axis, length_m) = (member.axis(), member.length_m());
+        let (axes, length_m) = (member.axes(), member.length_m());
         let stretch_m = length_m * (stretch.range[1] - stretch.range[0]);
         let mut inertia = NONE;
         for slice in slices(member, stretch, part) {
             let density = self.density_kg_per_m3;
-            let mut masses = stretch.added_mass(slice.fraction, stretch_m, axis, density);
-            let solid = stretch.solid_kg_per_m(slice.fraction);
-            for (i, row) in masses.iter_mut().enumerate() {
-                row[i] += solid;
-            }
-            self.solid_kg += solid * slice.length_m;
+            let masses = stretch.added_mass(slice.fraction, stretch_m, &axes, density);
             let arm_m = difference(slice.center_m, foot_m);
             add(&mut inertia, slice.length_m, &of_mass(&masses, arm_m));
+            for ring in stretch.solids(slice.fraction) {
+                let disc = ring.disc(&slice, &axes);
+                self.solid_kg += disc.mass_kg;
+                add(&mut inertia, 1.0, &of_body(&disc, foot_m));
+            }
         }
         self.add_rider(beam, fraction, inertia);
     }
@@ -269,7 +223,15 @@ impl Carried<'_> {
             );
             notes.push(Note::approximation(message));
         }
-        if self.solid_kg > 0.0 && self.length_m > self.piece_m {
+        if self.rectangles_m > 0.0 {
+            let message = format!(
+                "{:.0} m of members are rectangular: their water, growth and filling move rigidly with the nearest point of the nearest member, in pieces of {:.0} m",
+                self.rectangles_m, self.piece_m
+            );
+            notes.push(Note::approximation(message));
+        }
+        let rides = self.rectangles_m > 0.0 || self.length_m > self.piece_m;
+        if self.solid_kg > 0.0 && rides {
             let message = format!(
                 "the weight of {:.0} kg of growth and filling on these members is left out of the geometric stiffness",
                 self.solid_kg

@@ -180,7 +180,10 @@ fn on_added_mass(members: &Members, source: &Source) -> Option<Note> {
     let largest = |member: &StripMember| {
         let stretches = member.stretches.iter();
         let across = stretches.filter_map(|stretch| stretch.added_mass);
-        across.flat_map(|added| added.across).fold(0.0, f64::max)
+        across
+            .flat_map(|added| added.across)
+            .flatten()
+            .fold(0.0, f64::max)
     };
     let all = members.members.iter().zip(&members.rows);
     let mut large = all.filter(|(member, _)| largest(member) > LARGEST_CA);

@@ -1,6 +1,7 @@
 //! Matrices for the motion (x, y, z, rotation about x, y, z) of the origin, from matrices of points
 //! elsewhere.
 
+use towermodes::RigidBody;
 use towermodes::space::SpatialMatrix;
 
 pub(super) type Vector = [f64; 3];
@@ -78,6 +79,20 @@ pub(super) fn of_mass(mass_kg: &Tensor, point_m: Vector) -> SpatialMatrix {
         row[..3].copy_from_slice(masses);
     }
     from_point(&matrix, point_m)
+}
+
+/// The inertia of a rigid body about a point.
+pub(super) fn of_body(body: &RigidBody, point_m: Vector) -> SpatialMatrix {
+    let mass: Tensor =
+        std::array::from_fn(|i| std::array::from_fn(|j| if i == j { body.mass_kg } else { 0.0 }));
+    let mut matrix = of_mass(&mass, difference(body.center_m, point_m));
+    let own = body.inertia_kg_m2.tensor();
+    for (row, own) in matrix[3..].iter_mut().zip(own) {
+        for (sum, own) in row[3..].iter_mut().zip(own) {
+            *sum += own;
+        }
+    }
+    matrix
 }
 
 /// The stiffness about the origin of a force of constant direction that is fixed to a rigid body at

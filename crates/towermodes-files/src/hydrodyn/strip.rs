@@ -1,15 +1,21 @@
-//! Members whose water is that of strips of a cylinder (Morison), in stretches in which all values
-//! are linear.
+//! Members whose water is that of strips of a cylinder or prism (Morison), in stretches in which
+//! all values are linear.
 
-use super::spatial::Vector;
+use towermodes::frame::member_axes;
 
-/// A straight circular member.
+use super::section::{Outline, StripSection};
+use super::spatial::{Tensor, Vector};
+
+/// A straight member.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StripMember {
     /// Its number in the file.
     pub name: String,
     /// Its ends, m.
     pub ends_m: [[f64; 3]; 2],
+    /// Rotation of its section about its axis, degrees (MSpinOrient); the axes without it are those
+    /// of the members of a frame.
+    pub spin_deg: f64,
     /// Whether the water around it is that of the potential-flow body (PropPot): then only its
     /// filling is its own.
     pub is_potential_flow: bool,
@@ -24,10 +30,8 @@ pub struct StripMember {
 pub struct Stretch {
     /// Its ends, as fractions of the member's length from its first end.
     pub range: [f64; 2],
-    /// Outer radius without growth, m.
-    pub outer_radius_m: [f64; 2],
-    /// Inner radius, m.
-    pub inner_radius_m: [f64; 2],
+    /// Its section.
+    pub section: StripSection,
     /// Whether it is between the seabed and the still water.
     pub is_wet: bool,
     /// Marine growth, if there is some.
@@ -50,9 +54,12 @@ pub struct MarineGrowth {
 /// Coefficients of added mass at both ends of a stretch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StripAddedMass {
-    /// Across the axis: the added mass per length is ρ π R² Cₐ.
-    pub across: [f64; 2],
-    /// Along the axis: the added mass per length is 2 ρ π R² Cₓ |dR/ds|.
+    /// At each end, for motions along the local axes x and y: the added mass per length is ρ π R²
+    /// Cₐ of a circle, where both are equal. For a rectangle with sides a along x and b along y it
+    /// is ρ π b²/4 Cₐ along x (CaB of the file) and ρ π a²/4 Cₐ along y (CaA).
+    pub across: [[f64; 2]; 2],
+    /// Along the axis: the added mass per length is 2 ρ π R² Cₓ |dR/ds| of a circle and ½ ρ Cₓ
+    /// (a |db/ds| + b |da/ds|) √(a b) of a rectangle.
     pub along: [f64; 2],
 }
 
@@ -62,10 +69,15 @@ pub(super) fn blend([from, to]: [f64; 2], fraction: f64) -> f64 {
 }
 
 impl Stretch {
-    /// Radius with growth at both ends, m.
-    pub fn grown_radius_m(&self) -> [f64; 2] {
-        let thickness_m = self.growth.map_or([0.0; 2], |growth| growth.thickness_m);
-        std::array::from_fn(|end| self.outer_radius_m[end] + thickness_m[end])
+    /// Its outside with growth at a fraction of it.
+    pub(super) fn grown(&self, fraction: f64) -> Outline {
+        let outer = self.section.outer(fraction);
+        outer.grown(blend(self.growth_m(), fraction))
+    }
+
+    /// The thickness of the growth at both ends, m.
+    pub(super) fn growth_m(&self) -> [f64; 2] {
+        self.growth.map_or([0.0; 2], |growth| growth.thickness_m)
     }
 }
 
@@ -84,5 +96,11 @@ impl StripMember {
     pub(super) fn axis(&self) -> Vector {
         let length = self.length_m();
         super::spatial::difference(self.ends_m[1], self.ends_m[0]).map(|x| x / length)
+    }
+
+    /// Its local axes x, y, z as rows, z along it.
+    pub(super) fn axes(&self) -> Tensor {
+        let [x, y, _] = member_axes(self.ends_m[0], self.ends_m[1], self.spin_deg);
+        [x, y, self.axis()]
     }
 }

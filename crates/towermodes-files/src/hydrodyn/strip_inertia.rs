@@ -1,11 +1,10 @@
 //! Added mass and rigid bodies of strip members: integrals over their stretches.
 
-use std::f64::consts::PI;
-
 use towermodes::space::SpatialMatrix;
 use towermodes::{Inertia, RigidBody};
 
 use super::ends::StripEnd;
+use super::section::Outline;
 use super::spatial::{NONE, Tensor, Vector, add, of_mass};
 use super::strip::{Stretch, StripMember, blend};
 
@@ -47,83 +46,111 @@ pub(super) fn slices(member: &StripMember, stretch: &Stretch, part: [f64; 2]) ->
     })
 }
 
-/// α 1 + β k kᵀ.
-fn axial(across: f64, along: f64, axis: Vector) -> Tensor {
+/// The tensor with these values along the axes x, y, z of a member: α x xᵀ + β y yᵀ + γ z zᵀ. It
+/// does not depend on x and y where α = β, as in a circle.
+fn principal([alpha, beta, gamma]: [f64; 3], [_, y, z]: &Tensor) -> Tensor {
     std::array::from_fn(|i| {
         std::array::from_fn(|j| {
-            let diagonal = if i == j { across } else { 0.0 };
-            diagonal + (along - across) * axis[i] * axis[j]
+            let diagonal = if i == j { alpha } else { 0.0 };
+            diagonal + (beta - alpha) * y[i] * y[j] + (gamma - alpha) * z[i] * z[j]
         })
     })
 }
 
+/// A part of a section that has mass: density (kg/m³), outside and inside.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Ring {
+    pub(super) density_kg_per_m3: f64,
+    pub(super) outer: Outline,
+    pub(super) inner: Option<Outline>,
+}
+
+impl Ring {
+    fn kg_per_m(&self) -> f64 {
+        let hole_m2 = self.inner.map_or(0.0, Outline::area_m2);
+        self.density_kg_per_m3 * (self.outer.area_m2() - hole_m2)
+    }
+
+    /// Its inertia per length about x, y and z.
+    fn rotary_kg_m(&self) -> [f64; 3] {
+        let hole_m4 = self.inner.map_or([0.0; 2], Outline::second_moments_m4);
+        let whole_m4 = self.outer.second_moments_m4();
+        let [x, y] = [0, 1].map(|i| self.density_kg_per_m3 * (whole_m4[i] - hole_m4[i]));
+        [x, y, x + y]
+    }
+
+    /// A slice of a member with these axes.
+    pub(super) fn disc(&self, slice: &Slice, axes: &Tensor) -> RigidBody {
+        let rotary = self.rotary_kg_m().map(|per_m| per_m * slice.length_m);
+        RigidBody {
+            mass_kg: self.kg_per_m() * slice.length_m,
+            center_m: slice.center_m,
+            inertia_kg_m2: Inertia::from_tensor(principal(rotary, axes)),
+        }
+    }
+}
+
 impl Stretch {
-    /// Added mass per length (kg/m) at a fraction of the stretch, which has this length (m):
-    /// ρ π R² [Cₐ (1 − k kᵀ) + 2 Cₓ |dR/ds| k kᵀ].
+    /// Added mass per length (kg/m) at a fraction of the stretch, which has this length (m), of a
+    /// member with these axes.
     pub(super) fn added_mass(
         &self,
         fraction: f64,
         length_m: f64,
-        axis: Vector,
+        axes: &Tensor,
         density_kg_per_m3: f64,
     ) -> Tensor {
         let Some(coefficients) = self.added_mass else {
             return [[0.0; 3]; 3];
         };
-        let ends_m = self.grown_radius_m();
-        let radius_m = blend(ends_m, fraction);
-        let displaced = density_kg_per_m3 * PI * radius_m * radius_m;
-        let slope = (ends_m[1] - ends_m[0]).abs() / length_m;
-        let across = displaced * blend(coefficients.across, fraction);
-        let along = 2.0 * displaced * slope * blend(coefficients.along, fraction);
-        axial(across, along, axis)
+        let outline = self.grown(fraction);
+        let areas_m2 = outline.reference_areas_m2();
+        let [from, to] = coefficients.across;
+        let [x, y] = [0, 1].map(|i| areas_m2[i] * blend([from[i], to[i]], fraction));
+        let along_m2 = self
+            .section
+            .axial_reference_m2(fraction, self.growth_m(), length_m);
+        let z = along_m2 * blend(coefficients.along, fraction);
+        principal([x, y, z].map(|area| density_kg_per_m3 * area), axes)
     }
 
-    /// Density, outer and inner radius of the growth at a fraction.
-    fn growth_ring(&self, fraction: f64) -> Option<[f64; 3]> {
+    /// The growth at a fraction.
+    fn growth_ring(&self, fraction: f64) -> Option<Ring> {
         let growth = self.growth?;
-        let inner_m = blend(self.outer_radius_m, fraction);
-        let outer_m = inner_m + blend(growth.thickness_m, fraction);
-        Some([blend(growth.density_kg_per_m3, fraction), outer_m, inner_m])
+        Some(Ring {
+            density_kg_per_m3: blend(growth.density_kg_per_m3, fraction),
+            outer: self.grown(fraction),
+            inner: Some(self.section.outer(fraction)),
+        })
     }
 
-    /// Density, outer and inner radius of the filling at a fraction.
-    fn filling_ring(&self, fraction: f64) -> Option<[f64; 3]> {
-        let density = self.fill_density_kg_per_m3;
-        (density > 0.0).then(|| [density, blend(self.inner_radius_m, fraction), 0.0])
+    /// The filling at a fraction.
+    fn filling_ring(&self, fraction: f64) -> Option<Ring> {
+        let density_kg_per_m3 = self.fill_density_kg_per_m3;
+        (density_kg_per_m3 > 0.0).then(|| Ring {
+            density_kg_per_m3,
+            outer: self.section.inner(fraction),
+            inner: None,
+        })
     }
 
-    /// Growth and filling per length (kg/m) at a fraction.
-    pub(super) fn solid_kg_per_m(&self, fraction: f64) -> f64 {
+    /// Growth and filling at a fraction.
+    pub(super) fn solids(&self, fraction: f64) -> impl Iterator<Item = Ring> {
         let rings = [self.growth_ring(fraction), self.filling_ring(fraction)];
-        let mass =
-            |[density, outer, inner]: [f64; 3]| density * PI * (outer * outer - inner * inner);
-        rings.into_iter().flatten().map(mass).sum()
-    }
-}
-
-/// A disc with a hole, by its density, radii and thickness.
-pub(super) fn disc([density, outer, inner]: [f64; 3], slice: &Slice, axis: Vector) -> RigidBody {
-    let squares = outer * outer + inner * inner;
-    let mass_kg = density * PI * (outer * outer - inner * inner) * slice.length_m;
-    let tensor = axial(0.25 * mass_kg * squares, 0.5 * mass_kg * squares, axis);
-    RigidBody {
-        mass_kg,
-        center_m: slice.center_m,
-        inertia_kg_m2: Inertia::from_tensor(tensor),
+        rings.into_iter().flatten()
     }
 }
 
 fn body_of(
     members: &[StripMember],
-    ring: impl Fn(&Stretch, f64) -> Option<[f64; 3]>,
+    ring: impl Fn(&Stretch, f64) -> Option<Ring>,
 ) -> Vec<RigidBody> {
     let mut bodies = Vec::new();
     for member in members {
-        let axis = member.axis();
+        let axes = member.axes();
         for stretch in &member.stretches {
             for slice in slices(member, stretch, [0.0, 1.0]) {
-                bodies.extend(ring(stretch, slice.fraction).map(|ring| disc(ring, &slice, axis)));
+                bodies.extend(ring(stretch, slice.fraction).map(|ring| ring.disc(&slice, &axes)));
             }
         }
     }
@@ -151,12 +178,12 @@ pub(super) fn added_mass(
 ) -> SpatialMatrix {
     let mut sum = NONE;
     for member in members {
-        let axis = member.axis();
+        let axes = member.axes();
         for stretch in &member.stretches {
             let length_m = member.length_m() * (stretch.range[1] - stretch.range[0]);
             for slice in slices(member, stretch, [0.0, 1.0]) {
                 let density = density_kg_per_m3;
-                let tensor = stretch.added_mass(slice.fraction, length_m, axis, density);
+                let tensor = stretch.added_mass(slice.fraction, length_m, &axes, density);
                 add(&mut sum, slice.length_m, &of_mass(&tensor, slice.center_m));
             }
         }

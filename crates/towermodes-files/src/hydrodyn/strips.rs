@@ -1,15 +1,14 @@
 //! The water of strip members of any source as that of one rigid body, and rings of material
 //! along them.
 
-use std::f64::consts::PI;
-
 use towermodes::RigidBody;
 use towermodes::space::SpatialMatrix;
 
 use super::ends::{self, Joint};
 use super::growth::Growth;
+use super::section::Outline;
 use super::strip::{Stretch, StripMember, blend};
-use super::strip_inertia::{added_mass, disc, slices};
+use super::strip_inertia::{Ring, added_mass, slices};
 use super::water::SeaWater;
 use super::water_plane;
 
@@ -68,15 +67,15 @@ fn moment_of_height(members: &[StripMember]) -> f64 {
     for member in members {
         for stretch in member.stretches.iter().filter(|stretch| stretch.is_wet) {
             for slice in slices(member, stretch, [0.0, 1.0]) {
-                let radius_m = blend(stretch.outer_radius_m, slice.fraction);
-                moment += PI * radius_m * radius_m * slice.length_m * slice.center_m[2];
+                let area_m2 = stretch.section.outer(slice.fraction).area_m2();
+                moment += area_m2 * slice.length_m * slice.center_m[2];
             }
         }
     }
     moment
 }
 
-/// A ring of material along a stretch of a member: density, outer and inner radii at both ends.
+/// A ring of material along a stretch of a circular member: density, outer and inner radii at both ends.
 pub(crate) fn ring(
     member: &StripMember,
     stretch: &Stretch,
@@ -84,10 +83,15 @@ pub(crate) fn ring(
     outer_radius_m: [f64; 2],
     inner_radius_m: [f64; 2],
 ) -> RigidBody {
-    let axis = member.axis();
+    let axes = member.axes();
     let discs = slices(member, stretch, [0.0, 1.0]).map(|slice| {
-        let [outer, inner] = [outer_radius_m, inner_radius_m].map(|of| blend(of, slice.fraction));
-        disc([density_kg_per_m3, outer, inner], &slice, axis)
+        let at = |radius_m| Outline::Circle(blend(radius_m, slice.fraction));
+        let ring = Ring {
+            density_kg_per_m3,
+            outer: at(outer_radius_m),
+            inner: Some(at(inner_radius_m)),
+        };
+        ring.disc(&slice, &axes)
     });
     RigidBody::combined(&discs)
 }

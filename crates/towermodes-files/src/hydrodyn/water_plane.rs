@@ -1,11 +1,10 @@
 //! Buoyancy and water plane of strip members as one rigid body.
 
-use std::f64::consts::PI;
-
 use towermodes::space::SpatialMatrix;
 
+use super::section::Outline;
 use super::spatial::{NONE, Vector, add, load_of, of_force};
-use super::strip::{Stretch, StripMember, blend};
+use super::strip::{Stretch, StripMember};
 use super::strip_inertia::slices;
 use super::water::SeaWater;
 
@@ -43,10 +42,10 @@ pub(super) fn planes(
     let level_m = water.level_m;
     let floating = members.iter().filter(|member| member.floats());
     floating.filter_map(move |member| {
-        let radius_m = radius_at_level(member, level_m)?;
+        let outline = outline_at_level(member, level_m)?;
         let [from_m, to_m] = member.ends_m.map(|end_m| end_m[2]);
         let center_m = member.point_m((level_m - from_m) / (to_m - from_m));
-        Some((center_m, water_plane(member, radius_m, center_m)))
+        Some((center_m, water_plane(member, outline, center_m)))
     })
 }
 
@@ -59,10 +58,9 @@ impl StripMember {
 
 impl Hydrostatics {
     fn add_buoyancy(&mut self, member: &StripMember, stretch: &Stretch) {
-        let ends_m = stretch.grown_radius_m();
         for slice in slices(member, stretch, [0.0, 1.0]) {
-            let radius_m = blend(ends_m, slice.fraction);
-            let volume = [0.0, 0.0, PI * radius_m * radius_m * slice.length_m];
+            let area_m2 = stretch.grown(slice.fraction).area_m2();
+            let volume = [0.0, 0.0, area_m2 * slice.length_m];
             add(&mut self.stiffness, 1.0, &of_force(volume, slice.center_m));
             let load = load_of(volume, slice.center_m);
             for (sum, load) in self.load.iter_mut().zip(load) {
@@ -72,8 +70,8 @@ impl Hydrostatics {
     }
 }
 
-/// The radius where a member crosses the water's surface, if it does.
-fn radius_at_level(member: &StripMember, level_m: f64) -> Option<f64> {
+/// The section where a member crosses the water's surface, if it does.
+fn outline_at_level(member: &StripMember, level_m: f64) -> Option<Outline> {
     let [from_m, to_m] = member.ends_m.map(|end_m| end_m[2]);
     if (from_m - level_m) * (to_m - level_m) >= 0.0 {
         return None;
@@ -81,26 +79,28 @@ fn radius_at_level(member: &StripMember, level_m: f64) -> Option<f64> {
     let mut wet = member.stretches.iter().filter(|stretch| stretch.is_wet);
     // The wet stretch next to the surface is the highest one.
     let (last, end) = match to_m > from_m {
-        true => (wet.next_back()?, 1),
-        false => (member.stretches.iter().find(|stretch| stretch.is_wet)?, 0),
+        true => (wet.next_back()?, 1.0),
+        false => (member.stretches.iter().find(|stretch| stretch.is_wet)?, 0.0),
     };
-    Some(last.grown_radius_m()[end])
+    Some(last.grown(end))
 }
 
-/// Stiffness of the ellipse in which an inclined circular cylinder crosses the surface, by ρ g:
-/// area π R²/cos φ, second moments A (R/cos φ)²/4 along the tilt and A R²/4 across it.
-fn water_plane(member: &StripMember, radius_m: f64, [x, y, _]: Vector) -> SpatialMatrix {
-    let [kx, ky, kz] = member.axis();
-    let cosine = kz.abs();
-    let area = PI * radius_m * radius_m / cosine;
-    let across = area * radius_m * radius_m / 4.0;
-    // The tilt (kx, ky)/sin φ has the second moment A R²/4 (1 + tan² φ).
-    let along = |a: f64, b: f64| across * a * b / (cosine * cosine);
-    let (xx, yy, xy) = (
-        across + along(kx, kx),
-        across + along(ky, ky),
-        along(kx, ky),
-    );
+/// Stiffness of the plane in which an inclined member crosses the surface, by ρ g: its area is that
+/// of the section by cos φ. A point of the section at u, v on the local axes x, y is in the plane at
+/// u g + v h, where g and h are x and y moved along the axis of the member to the surface.
+fn water_plane(member: &StripMember, outline: Outline, [x, y, _]: Vector) -> SpatialMatrix {
+    let [_, local_y, k] = member.axes();
+    let cosine = k[2].abs();
+    let area = outline.area_m2() / cosine;
+    // ∫ v² and ∫ u² over the plane.
+    let [across, along] = outline.second_moments_m4().map(|moment| moment / cosine);
+    let h: [f64; 2] = std::array::from_fn(|i| local_y[i] - local_y[2] / k[2] * k[i]);
+    // g gᵀ + h hᵀ = 1 + k kᵀ/cos² φ: an ellipse, where both second moments are equal.
+    let second = |i: usize, j: usize| {
+        let unit = if i == j { 1.0 } else { 0.0 };
+        along * (unit + k[i] * k[j] / (cosine * cosine)) + (across - along) * h[i] * h[j]
+    };
+    let (xx, yy, xy) = (second(0, 0), second(1, 1), second(0, 1));
     let mut matrix = NONE;
     matrix[2][2] = area;
     (matrix[2][3], matrix[2][4]) = (area * y, -area * x);

@@ -179,7 +179,7 @@ fn afloat(
         carried_kg: tower.mass_kg() + tower.rna().mass_kg,
         gravity_m_per_s2: tower.gravity_m_per_s2(),
         base_m: tower.base_m(),
-        whole_members: options.whole_members,
+        member_ends: options.member_ends,
     };
     if let Some(platform) = floater::float(outline, version, &afloat, reading)? {
         description.foundation = Foundation::Floating(Box::new(platform));

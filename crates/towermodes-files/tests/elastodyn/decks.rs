@@ -318,34 +318,6 @@ fn a_turbine_in_a_current_has_a_note() {
     }
 }
 
-#[test]
-fn structural_controls_are_left_out_with_a_warning() {
-    let servo = "------ SERVODYN\nx\n0 NumBStC - n\n\"unused\" BStCfiles\n2 NumTStC - n\n\
-                 \"a.dat\" \"b.dat\" TStCfiles\n1 NumSStC - n\n\"c.dat\" SStCfiles\n";
-    let said = |switch: &str| {
-        let fst =
-            format!("OpenFAST\nx\n\"main.dat\" EDFile\n{switch} CompServo\n\"s.dat\" ServoFile\n");
-        let mut companions = files(TOWER);
-        companions
-            .files
-            .insert("main.dat".into(), main_text(5, &[]));
-        companions.files.insert("s.dat".into(), servo.to_owned());
-        let deck = read_elastodyn(source("a.fst", fst), &companions, &ReadOptions::default());
-        let notes = deck.expect("a deck").input.notes;
-        let warnings = notes.iter().filter(|note| note.is_warning());
-        let said = warnings.map(|note| note.to_string());
-        said.filter(|note| note.contains("StC"))
-            .collect::<Vec<String>>()
-    };
-    let found = said("1");
-    assert_eq!(found.len(), 2, "{found:?}");
-    found[0].begins(
-        "s.dat:5: the 2 structural controls of the tower (NumTStC) are left out, with the mass",
-    );
-    found[1].begins("s.dat:7: the structural control of the platform or the substructure");
-    assert!(said("0").is_empty());
-}
-
 /// The tower of a floating turbine in a current: TowerHt −24 m, TowerBsHt −9 m, the nacelle below
 /// the top.
 #[test]

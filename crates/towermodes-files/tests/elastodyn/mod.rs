@@ -3,6 +3,7 @@
 
 mod assembly;
 mod controller;
+mod dampers;
 mod decks;
 mod doubts;
 mod hanging;

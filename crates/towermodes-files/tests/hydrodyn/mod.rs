@@ -3,5 +3,6 @@
 
 mod masses;
 mod public;
+mod rectangles;
 mod refused;
 pub mod texts;

@@ -119,10 +119,10 @@ fn a_wrong_file_of_wamit_is_refused_at_its_line() {
     found.says("one rigid body");
 }
 
-/// A rectangular member of the body with potential flow has no water of its own; one with strip
-/// theory or filling has.
+/// A rectangular member of the body with potential flow has no water of its own, and needs no
+/// section; one with strip theory or filling does.
 #[test]
-fn rectangular_members_are_read_where_they_have_no_part() {
+fn rectangular_members_need_a_section_where_they_have_a_part() {
     let rows = |geometry: u8, flow: &str| {
         format!("1 1 2 1 1 1 0.5 1 F\n2 1 2 9 9 {geometry} 0.5 1 {flow}")
     };
@@ -135,14 +135,16 @@ fn rectangular_members_are_read_where_they_have_no_part() {
     let input = read(&text(&rows(2, "T"), "")).unwrap_or_else(|error| panic!("{error}"));
     let names: Vec<&str> = input.members.iter().map(|member| &*member.name).collect();
     assert_eq!(names, ["1"]);
-    for (members, fillings) in [(rows(2, "F"), ""), (rows(2, "T"), "1 2 -5 1000")] {
-        let error = read(&text(&members, fillings)).expect_err("a rectangle");
-        error.says("only circular members can be read");
+    for (members, fillings) in [
+        (rows(2, "F"), ""),
+        (rows(2, "T"), "1 2 -5 1000"),
+        (rows(1, "T"), ""),
+    ] {
+        let error = read(&text(&members, fillings)).expect_err("no such section");
+        error.says("property set `9`");
     }
-    // Section 9 is in the table of rectangles.
-    read(&text(&rows(1, "T"), ""))
-        .expect_err("no such tube")
-        .says("property set `9`");
+    let error = read(&text(&rows(3, "F"), "")).expect_err("no such form");
+    error.says("1 (circular) or 2 (rectangular)");
 }
 
 /// The hull of GeoFile is not read.

@@ -5,15 +5,15 @@ use std::path::PathBuf;
 
 use towermodes::mooring::{Mooring, Pose};
 use towermodes::{FloatingPlatform, Foundation, Options, solve};
-use towermodes_files::{ReadOptions, Source, TowerInput, read_windio};
+use towermodes_files::{MemberEnds, ReadOptions, Source, TowerInput, read_windio};
 use towermodes_testing::Says;
 
 use super::texts::volturnus;
 
-fn read_as(text: String, whole_members: bool) -> TowerInput {
+fn read_as(text: String, member_ends: MemberEnds) -> TowerInput {
     let name = "floater.yaml".to_owned();
     let options = ReadOptions {
-        whole_members,
+        member_ends,
         ..ReadOptions::default()
     };
     let input = read_windio(Source { name, text }, &options);
@@ -21,7 +21,7 @@ fn read_as(text: String, whole_members: bool) -> TowerInput {
 }
 
 fn read(text: String) -> TowerInput {
-    read_as(text, false)
+    read_as(text, MemberEnds::Balance)
 }
 
 fn platform(input: &TowerInput) -> &FloatingPlatform {
@@ -46,11 +46,11 @@ fn assert_close(what: &str, found: f64, expected: f64, tolerance: f64) {
 }
 
 /// Mass (kg), centre (m) and M55 about the origin; A11, A33, A44, A66, A15; C33, C44, C55.
-type Digits = (bool, [f64; 3], [f64; 5], [f64; 3]);
+type Digits = (MemberEnds, [f64; 3], [f64; 5], [f64; 3]);
 
 const DIGITS: [Digits; 2] = [
     (
-        false,
+        MemberEnds::Cut,
         [15115840.884, -14.350_947_862_0, 15740972658.0],
         [
             13678314.729,
@@ -62,7 +62,7 @@ const DIGITS: [Digits; 2] = [
         [4491631.9644, 2636109626.5, 2636109394.9],
     ),
     (
-        true,
+        MemberEnds::Whole,
         [17627542.433, -14.629_676_482_9, 18086018798.0],
         [
             14934165.567,
@@ -77,8 +77,8 @@ const DIGITS: [Digits; 2] = [
 
 #[test]
 fn volturnus_has_mass_water_and_ballast_of_an_independent_program() {
-    for (whole_members, [mass, z, about_origin], a, c) in DIGITS {
-        let input = read_as(volturnus(top_kg()), whole_members);
+    for (member_ends, [mass, z, about_origin], a, c) in DIGITS {
+        let input = read_as(volturnus(top_kg()), member_ends);
         let platform = platform(&input);
         let [x, _, height] = platform.center_m;
         assert_close("mass", platform.mass_kg, mass, 1e-10);

@@ -39,5 +39,5 @@ pub use crate::tower::frame::{
     CoatKind, Frame, FrameCoat, FrameDescription, FrameError, FrameFoundation, FrameJoint,
     FrameMasses, FrameMember, FramePart, FramePlace, FrameProblem, FrameRider, FrameSoil,
     FrameSoilRow, FrameSpring, FrameSupport, GivenSection, JointKind, MarineGrowth, MemberKind,
-    MembersInWater, Rectangle, Restoring, SectionEnds, Transition, spin_of_axes,
+    MembersInWater, Rectangle, Restoring, SectionEnds, Transition, member_axes, spin_of_axes,
 };

@@ -2,6 +2,7 @@
 
 pub(super) mod blade_file;
 pub(super) mod controller;
+mod damper;
 pub(super) mod lump;
 pub(super) mod rotor;
 pub(super) mod servodyn;

@@ -2,7 +2,7 @@
 
 use towermodes::turbine::RotorError;
 use towermodes::turbine::{Generator, Hub, TurbineDescription, TurbineError};
-use towermodes::{BladeDescription, Plain};
+use towermodes::{BladeDescription, Plain, RigidBody};
 
 use super::super::main_input::main_file::MainFile;
 use super::super::main_input::main_reader::{BLADE_DOFS, BLADES, PITCH, PRECONE, TIP_MASS};
@@ -10,6 +10,7 @@ use super::blade_file::BladeFile;
 use super::lump::nacelle;
 use super::rotor;
 use super::servodyn::YawSpring;
+use super::structural_control::with_masses;
 use crate::input::RotorLock;
 use crate::note::Note;
 use crate::source::Source;
@@ -22,6 +23,8 @@ pub(crate) struct Parts<'a> {
     pub(crate) source: &'a Source,
     /// The content of each blade's file.
     pub(crate) blades: &'a [BladeFile],
+    /// The masses of structural controls on the nacelle, from the tower top.
+    pub(crate) on_nacelle: &'a [RigidBody],
     /// The yaw spring; none if the nacelle does not yaw or if there is no `.fst` file.
     pub(crate) yaw: Option<YawSpring>,
     pub(crate) lock: RotorLock,
@@ -128,7 +131,7 @@ fn missing_spring(main: &MainFile) -> Option<Reason> {
 fn description(parts: &Parts<'_>) -> TurbineDescription {
     let main = parts.main;
     TurbineDescription {
-        nacelle: nacelle(main),
+        nacelle: with_masses(nacelle(main), parts.on_nacelle),
         yaw_bearing_mass_kg: main.yaw_bearing_mass_kg,
         yaw_n_m_per_rad: match parts.yaw {
             Some(YawSpring::Given(stiffness)) => stiffness,

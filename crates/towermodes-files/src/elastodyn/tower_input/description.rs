@@ -42,6 +42,17 @@ impl Ends {
         Self { base_m, top_m }
     }
 
+    /// A body on the axis of the tower; its z is its distance along it from the base, which is
+    /// negative on a tower that hangs.
+    pub(crate) fn point_mass(&self, body: &RigidBody) -> PointMass {
+        let [_, _, z] = body.center_m;
+        PointMass {
+            height_m: (self.base_m + z.abs()).min(self.top_m),
+            mass_kg: body.mass_kg,
+            ..PointMass::default()
+        }
+    }
+
     fn height_m(&self, fraction: f64) -> f64 {
         if fraction == 1.0 {
             return self.top_m;

@@ -5,7 +5,7 @@ use super::super::text::table::{Table, suggestion};
 use super::super::text::values::{Value, every_row, list, number, text, truth, whole};
 use super::schema::READING;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::input::{ReadOptions, RotorLock, TowerPart};
+use crate::input::{MemberEnds, ReadOptions, RotorLock, TowerPart};
 
 /// The parts of a turbine by name.
 const PARTS: [(&str, TowerPart); 3] = [
@@ -16,6 +16,13 @@ const PARTS: [(&str, TowerPart); 3] = [
 
 /// The ways in which a rotor is held, by name.
 const ROTORS: [(&str, RotorLock); 2] = [("locked", RotorLock::Locked), ("free", RotorLock::Free)];
+
+/// Where members of a floating platform end, by name.
+const MEMBER_ENDS: [(&str, MemberEnds); 3] = [
+    ("balance", MemberEnds::Balance),
+    ("cut", MemberEnds::Cut),
+    ("whole", MemberEnds::Whole),
+];
 
 /// The options, by default those of [`ReadOptions::default`]; `None` after a mistake.
 pub(super) fn options(sweep: &Table<'_>, reading: &mut Reading) -> Option<ReadOptions> {
@@ -35,6 +42,7 @@ pub(super) fn options(sweep: &Table<'_>, reading: &mut Reading) -> Option<ReadOp
     let heights = ["tower_height", "tower_base"].map(|key| height(&table, key, reading));
     let part = named(&table, "part", &PARTS, reading);
     let rotor = named(&table, "rotor", &ROTORS, reading);
+    let member_ends = named(&table, "member_ends", &MEMBER_ENDS, reading);
     let subset = table.get("subset").map(|value| subset(value, reading));
     let [
         without_rna,
@@ -55,7 +63,7 @@ pub(super) fn options(sweep: &Table<'_>, reading: &mut Reading) -> Option<ReadOp
         without_gravity: without_gravity?,
         clamped: clamped?,
         at_equilibrium: at_equilibrium?,
-        whole_members: default.whole_members,
+        member_ends: member_ends?,
     })
 }
 

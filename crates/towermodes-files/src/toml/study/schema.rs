@@ -63,6 +63,7 @@ tables! {
         optional "rotor" Text "" "locked or free, of an ElastoDyn model";
         optional "bmodes_quirks" Flag "" "interpret a BModes deck exactly as BModes 3.00 does";
         optional "part" Text "" "all, tower or monopile of a windIO turbine";
+        optional "member_ends" Text "" "balance, cut or whole: where members of the floating platform of a windIO turbine end";
         optional "tower_height" Number "m" "top of an ElastoDyn tower file without its main file";
         optional "tower_base" Number "m" "base of an ElastoDyn tower file without its main file, or of a HAWC2 file";
         optional "subset" Numbers "" "set and subset of a HAWC2 file";

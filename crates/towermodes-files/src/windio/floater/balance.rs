@@ -17,6 +17,7 @@ use super::stiffeners::{longitudinal, note_angles, rings};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::hydrodyn::{SeaWater, StripMember, StripWater, strip_water};
+use crate::input::MemberEnds;
 use crate::mooring::MooringInput;
 use crate::note::Note;
 use crate::number::Rounded;
@@ -29,8 +30,7 @@ pub(crate) struct Afloat {
     pub(crate) gravity_m_per_s2: f64,
     /// Height of the tower's base, m.
     pub(crate) base_m: f64,
-    /// Whether members are whole by the choice of the user.
-    pub(crate) whole_members: bool,
+    pub(crate) member_ends: MemberEnds,
 }
 
 /// The platform of a file, at rest in its undisplaced position.
@@ -81,11 +81,12 @@ pub(crate) fn float(
         let lift_kg = sea.density_kg_per_m3 * hull.water.volume_m3 + pull_n / sea.gravity_m_per_s2;
         lift_kg - hull.dry_kg() - others.mass_kg - afloat.carried_kg
     });
-    let hull = match afloat.whole_members {
-        true => 1,
-        false => choose(&hulls, needed),
+    let hull = match afloat.member_ends {
+        MemberEnds::Balance => choose(&hulls, needed),
+        MemberEnds::Cut => 0,
+        MemberEnds::Whole => 1,
     };
-    note_ends(node, &hulls, hull, afloat.whole_members, reading);
+    note_ends(node, &hulls, hull, afloat.member_ends, reading);
     let (hull, needed_kg) = (&hulls[hull], needed[hull]);
     let ballast = ballast_water(hull, needed_kg, node, reading);
     note_strips(node, reading);
@@ -341,7 +342,7 @@ fn note_ends(
     node: &Node,
     hulls: &[Hull; 2],
     chosen: usize,
-    is_wanted: bool,
+    wanted: MemberEnds,
     reading: &mut Reading<'_>,
 ) {
     let [cut, whole] = hulls.each_ref().map(|hull| hull.water.volume_m3);
@@ -352,13 +353,13 @@ fn note_ends(
         "are cut at the surface of the members on which they begin",
         "reach to the axes of the members on which they begin",
     ];
-    let why = match chosen {
-        0 => "as in WISDEM",
-        _ if is_wanted => "as wanted",
-        _ => "because the platform is then closer to balance",
+    let why = match (wanted, chosen) {
+        (MemberEnds::Cut | MemberEnds::Whole, _) => "by the option member-ends",
+        (MemberEnds::Balance, 0) => "as in WISDEM",
+        (MemberEnds::Balance, _) => "because the platform is then closer to balance",
     };
     let message = format!(
-        "members of the floating platform {}, {why}: the members displace {cut:.1} m3 if they are cut and {whole:.1} m3 if they reach to the axes; compare with the known displacement, because frequencies differ by some percent",
+        "members of the floating platform {}, {why}: the members displace {cut:.1} m3 if they are cut (member-ends cut) and {whole:.1} m3 if they reach to the axes (member-ends whole); compare with the known displacement or mass of the platform, because frequencies differ by some percent",
         how[chosen]
     );
     reading.note_at(node.span.start, Note::assumption(message));

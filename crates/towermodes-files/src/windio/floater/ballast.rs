@@ -135,11 +135,17 @@ impl Ballast {
 
 /// The filling of a part of a member.
 fn core(strip: &StripMember, stretch: &Stretch, density: f64) -> RigidBody {
-    ring(strip, stretch, density, stretch.inner_radius_m, [0.0; 2])
+    ring(
+        strip,
+        stretch,
+        density,
+        stretch.section.inner_radius_m(),
+        [0.0; 2],
+    )
 }
 
 fn volume(strip: &StripMember, stretch: &Stretch) -> f64 {
-    let [a, b] = stretch.inner_radius_m;
+    let [a, b] = stretch.section.inner_radius_m();
     let [from, to] = strip.ends_m;
     let length_m = distance(from, to) * (stretch.range[1] - stretch.range[0]);
     PI / 3.0 * length_m * (a * a + a * b + b * b)
@@ -148,11 +154,10 @@ fn volume(strip: &StripMember, stretch: &Stretch) -> f64 {
 /// The part of a stretch from its first end that holds a volume (m³).
 fn lower_part(strip: &StripMember, stretch: &Stretch, volume_m3: f64) -> Stretch {
     let part = |share: f64| {
-        let [a, b] = stretch.inner_radius_m;
         let [from, to] = stretch.range;
         Stretch {
             range: [from, from + share * (to - from)],
-            inner_radius_m: [a, a + share * (b - a)],
+            section: stretch.section.part([0.0, share]),
             ..*stretch
         }
     };

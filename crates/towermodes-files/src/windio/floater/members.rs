@@ -11,7 +11,7 @@ use super::super::text::reading::Reading;
 use super::super::text::yaml::Node;
 use super::joints::{Joint, Joints, capped};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::hydrodyn::{SeaWater, Stretch, StripAddedMass, StripMember};
+use crate::hydrodyn::{SeaWater, Stretch, StripAddedMass, StripMember, StripSection};
 use crate::note::Note;
 use crate::number::Rounded;
 
@@ -332,6 +332,7 @@ impl Member<'_> {
         let member = StripMember {
             name: self.name.clone(),
             ends_m: range.map(point),
+            spin_deg: 0.0,
             is_potential_flow: false,
             has_hydrostatics: true,
             stretches: pieces.iter().map(|piece| piece.stretch).collect(),
@@ -350,16 +351,18 @@ impl Member<'_> {
         let middle_m = heights_m[0] + 0.5 * (from + to) * (heights_m[1] - heights_m[0]);
         let is_wet = middle_m <= 0.0 && middle_m >= -water.depth_m;
         let added_mass = is_wet.then_some(StripAddedMass {
-            across: [self.across; 2],
+            across: [[self.across; 2]; 2],
             along: [0.0; 2],
         });
         let stretch = Stretch {
             range: [local(from), local(to)],
-            outer_radius_m: [
-                0.5 * value(&self.diameter, from, true),
-                0.5 * value(&self.diameter, to, false),
-            ],
-            inner_radius_m: [self.inner_m(from, true), self.inner_m(to, false)],
+            section: StripSection::Circle {
+                outer_radius_m: [
+                    0.5 * value(&self.diameter, from, true),
+                    0.5 * value(&self.diameter, to, false),
+                ],
+                inner_radius_m: [self.inner_m(from, true), self.inner_m(to, false)],
+            },
             is_wet,
             growth: None,
             added_mass,

@@ -20,7 +20,7 @@ pub(super) fn walls(
 ) -> Result<Vec<RigidBody>, Diagnostic> {
     let mut bodies = Vec::new();
     for piece in pieces {
-        let mut outer = piece.stretch.outer_radius_m;
+        let mut outer = piece.stretch.section.outer_radius_m();
         for layer in &member.layers {
             let thickness = [
                 value(&layer.thickness, piece.from, true),

@@ -164,7 +164,7 @@ pub(super) fn longitudinal(
     let [width_m, flange_m] = profile.flange_m;
     let area = count * (height_m * web_m + width_m * flange_m);
     let bodies = pieces.iter().map(|piece| {
-        let outer = piece.stretch.inner_radius_m;
+        let outer = piece.stretch.section.inner_radius_m();
         // The ring between the wall and the flange has the area of the stiffeners.
         let inner = outer.map(|outer| (outer - height_m - flange_m).max(0.0));
         let ring_area = |end: usize| PI * (outer[end] * outer[end] - inner[end] * inner[end]);

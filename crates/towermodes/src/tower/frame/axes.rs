@@ -13,10 +13,11 @@ pub(crate) fn norm(a: Vector) -> f64 {
     a.iter().map(|a| a * a).sum::<f64>().sqrt()
 }
 
-/// The axes x, y, z of a member as rows, z along it: the axes of a vertical member are the global
-/// ones; x of any other is horizontal. They are turned about z by the spin.
-pub(crate) fn member_axes(from: Vector, to: Vector, spin_deg: f64) -> Axes {
-    let along = difference(to, from);
+/// The axes x, y, z of a member between two points as rows, z along it: the axes of a vertical
+/// member are the global ones; x of any other is horizontal. They are turned about z by the spin
+/// (degrees).
+pub fn member_axes(from_m: [f64; 3], to_m: [f64; 3], spin_deg: f64) -> [[f64; 3]; 3] {
+    let along = difference(to_m, from_m);
     let length = norm(along);
     let [dx, dy, dz] = along;
     let horizontal = dx.hypot(dy);

@@ -205,14 +205,27 @@ impl Rectangle {
         }
     }
 
+    /// Area of the section, m².
+    pub fn area_m2(&self) -> f64 {
+        let [inner_a, inner_b] = self.hole_m();
+        self.side_a_m * self.side_b_m - inner_a * inner_b
+    }
+
+    /// Second moments of area about the local x and y axes, m⁴.
+    pub fn second_moments_m4(&self) -> [f64; 2] {
+        let (a, b, [inner_a, inner_b]) = (self.side_a_m, self.side_b_m, self.hole_m());
+        [
+            (a * b.powi(3) - inner_a * inner_b.powi(3)) / 12.0,
+            (b * a.powi(3) - inner_b * inner_a.powi(3)) / 12.0,
+        ]
+    }
+
     /// Its section properties: torsion by Bredt's formula for a thin wall, or that of Roark (1954)
     /// for a solid section; shear areas by Cowper (1966).
     pub(crate) fn given(&self, material: &Material) -> GivenSection {
         let (a, b, t) = (self.side_a_m, self.side_b_m, self.wall_thickness_m);
-        let [inner_a, inner_b] = self.hole_m();
-        let area = a * b - inner_a * inner_b;
-        let about_x = (a * b.powi(3) - inner_a * inner_b.powi(3)) / 12.0;
-        let about_y = (b * a.powi(3) - inner_b * inner_a.powi(3)) / 12.0;
+        let area = self.area_m2();
+        let [about_x, about_y] = self.second_moments_m4();
         let torsion = match t {
             0.0 => solid_torsion_m4(a, b),
             _ => 2.0 * t * (a - t).powi(2) * (b - t).powi(2) / (a + b - 2.0 * t),

@@ -18,7 +18,7 @@ mod warning;
 
 pub(crate) use axes::difference;
 pub(in crate::tower) use axes::norm;
-pub use axes::spin_of_axes;
+pub use axes::{member_axes, spin_of_axes};
 pub(in crate::tower) use coat::Substance;
 pub use coat::{CoatKind, FrameCoat};
 pub use description::{
