@@ -2,6 +2,7 @@
 //! in a browser.
 
 mod answers;
+mod moves;
 mod page;
 mod seen;
 mod server;
