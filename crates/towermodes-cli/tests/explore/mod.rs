@@ -7,4 +7,6 @@ mod page;
 mod seen;
 mod server;
 mod strangers;
+mod taken;
+mod themes;
 mod whole;

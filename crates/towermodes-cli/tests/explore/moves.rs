@@ -65,7 +65,11 @@ fn random_moves(file: &str, moves: usize) {
         of.page.wait_long("window.wrong !== null");
         let wrong = of.page.value("window.wrong");
         assert_eq!(wrong, json!([]), "{file}, seed {seed}");
-        if of.page.value("document.querySelector('#view canvas').checkVisibility()") == json!(true) {
+        if of
+            .page
+            .value("document.querySelector('#view canvas').checkVisibility()")
+            == json!(true)
+        {
             of.page.drag("#view canvas", (35.0, 10.0 - round as f64));
         }
         of.is_shown();

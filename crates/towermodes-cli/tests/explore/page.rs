@@ -82,7 +82,7 @@ impl Explored {
     }
 
     /// Types into the field of a number.
-    fn enter(&self, name: &str, text: &str) {
+    pub fn enter(&self, name: &str, text: &str) {
         let row = self.row(name);
         self.page.value(&format!(
             "(() => {{ const field = {row}.querySelector('input.field'); field.focus(); field.select(); return 0; }})()"

@@ -146,6 +146,8 @@ impl OpenPage {
             "Tab" => ("Tab", 9),
             "ArrowLeft" => ("ArrowLeft", 37),
             "ArrowRight" => ("ArrowRight", 39),
+            "ArrowUp" => ("ArrowUp", 38),
+            "Escape" => ("Escape", 27),
             "+" => ("NumpadAdd", 107),
             "0" => ("Digit0", 48),
             _ => panic!("no code for the key {key}"),
