@@ -6,7 +6,6 @@ use serde_json::{Value, json};
 use towermodes_testing::Says;
 
 use super::server::Explorer;
-use crate::pages::root;
 
 /// A tower of every format, and every kind of tower.
 const TOWERS: [&str; 11] = [

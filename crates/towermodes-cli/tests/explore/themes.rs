@@ -244,10 +244,7 @@ fn the_value_at_the_pointer_is_of_the_present_tower() {
         let number = first.rsplit(' ').next().expect("a number");
         number.parse::<f64>().expect("a number")
     };
-    of.page.value(
-        "(() => { const slider = [...document.querySelectorAll('.row.column input[type=range]')].at(-1); slider.value = 1.3; \
-         slider.dispatchEvent(new Event('input', { bubbles: true })); return 0; })()",
-    );
+    of.slide("rna.mass", &[300e3]);
     of.is_shown();
     let after = text();
     assert_ne!(hz(&after), hz(&before), "{before} {after}");
