@@ -98,29 +98,10 @@ pub fn convert(
         OutputFormat::WindIo => to_windio(input),
     }?;
     converted.notes.splice(0..0, rotor_notes(input, format));
-    converted.notes.extend(prescription_note(input, format));
-    Ok(converted)
-}
-
-/// The note that the format does not store the method and the number of modes of a BModes deck.
-fn prescription_note(input: &TowerInput, format: OutputFormat) -> Option<Note> {
-    let method = input.prescribed.method?.name();
-    if matches!(format, OutputFormat::Bmodes | OutputFormat::ElastoDyn) {
-        return None;
+    if matches!(format, OutputFormat::Toml | OutputFormat::WindIo) {
+        converted.notes.extend(input.prescribed.left_out());
     }
-    let elements = input.prescribed.borders_m.as_ref().map(|borders| {
-        let count = borders.len().saturating_sub(1);
-        format!(" with {count} prescribed elements")
-    });
-    let modes = input
-        .prescribed
-        .modes
-        .map(|modes| format!(" for {modes} modes"));
-    Some(Note::left_out(format!(
-        "the deck is solved by the method {method}{}{}; the format cannot store this, so the converted tower is solved by the default method and number of modes unless others are given",
-        elements.unwrap_or_default(),
-        modes.unwrap_or_default(),
-    )))
+    Ok(converted)
 }
 
 /// The notes of the reader about the rotor, if the format stores a rotor.

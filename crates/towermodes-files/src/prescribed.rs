@@ -2,6 +2,8 @@
 
 use towermodes::{Method, Options};
 
+use crate::note::Note;
+
 /// Options that a file prescribes for the solution of its tower: a BModes deck its method, its
 /// elements and its number of modes; other files none.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -28,5 +30,20 @@ impl Prescribed {
             modes: self.modes.unwrap_or(default.modes),
             ..default
         }
+    }
+
+    /// The note that a format does not store the method and the number of modes.
+    pub(crate) fn left_out(&self) -> Option<Note> {
+        let method = self.method?.name();
+        let elements = self.borders_m.as_ref().map(|borders| {
+            let count = borders.len().saturating_sub(1);
+            format!(" with {count} prescribed elements")
+        });
+        let modes = self.modes.map(|modes| format!(" for {modes} modes"));
+        Some(Note::left_out(format!(
+            "the deck is solved by the method {method}{}{}; the format cannot store this, so the converted tower is solved by the default method and number of modes unless others are given",
+            elements.unwrap_or_default(),
+            modes.unwrap_or_default(),
+        )))
     }
 }

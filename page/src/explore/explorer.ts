@@ -19,7 +19,7 @@ import { ParameterPanel } from "./panels/parameters.js";
 import { ResonancePanel, seriesAt, type Checked } from "./panels/resonance.js";
 import { stemOf } from "./panels/save.js";
 import { Stage } from "./panels/stage.js";
-import { sentences, showRefusal, showStale, showTools, spoken } from "./panels/status.js";
+import { sentences, showFreshness, showRefusal, showTools, spoken } from "./panels/status.js";
 import { offerTable } from "./panels/tables.js";
 import { TakeMenu } from "./panels/take.js";
 import { TargetPanel } from "./panels/target.js";
@@ -74,7 +74,8 @@ export class Explorer {
   /** The whole turbine, if the file has one. */
   private turning: Turning | null;
   private bands: Latest<State, Band | Refusal>;
-  private band: Band | null = null;
+  /** Frequencies in softer and stiffer soil, and their tower. */
+  private soil: { state: State; band: Band } | null = null;
   private bandPanel = new BandPanel();
   private target: TargetPanel;
   private byName: Map<string, number>;
@@ -96,7 +97,7 @@ export class Explorer {
       settle: (key) => this.settle(key),
       opened: () => this.askElasticities(),
     });
-    this.influence = new Influence(this.numbers, (error) => this.failed(error));
+    this.influence = new Influence(this.numbers, () => this.showAge(), (error) => this.failed(error));
     if (memory.open) this.numbers.unfold(memory.open);
     const failed = (error: unknown): void => this.failed(error);
     this.turning = sheet.has_turbine ? new Turning({
@@ -104,12 +105,13 @@ export class Explorer {
         this.show();
         this.askLast();
       },
+      waits: () => this.showAge(),
       failed: (error) => {
         this.failed(error);
         this.askLast();
       },
     }) : null;
-    this.bands = new Latest(band, { done: (result) => this.banded(result), failed }, 0);
+    this.bands = new Latest(band, { done: (result, state) => this.banded(state, result), failed }, 0);
     this.resonance = new ResonancePanel({
       chooseMode: (number) => this.chooseNumber(number),
       chooseWhirl: (name) => this.turning?.choose(name),
@@ -272,6 +274,7 @@ export class Explorer {
     this.askedAt = at;
     this.influence.cancel();
     this.queue.want(this.history.present, at);
+    this.showState();
   }
 
   private done(state: State, result: Result, at: number, since: number): void {
@@ -381,7 +384,21 @@ export class Explorer {
   private showState(): void {
     showRefusal(this.refusal, this.reveal);
     const isOther = this.shown !== null && !isSame(this.shown.state, this.history.present);
-    showStale(this.refusal !== null || (this.isUnanswered && isOther));
+    if (!isOther) showFreshness("present");
+    else showFreshness(this.refusal !== null || this.isUnanswered ? "stale" : "late");
+    this.showAge();
+  }
+
+  /** Marks what is of another tower than the present one beside its modes: elasticities,
+   * frequencies in other soil, modes of the turbine. */
+  private showAge(): void {
+    const isOld = (state: State | null): boolean => state !== null && !isSame(state, this.history.present);
+    const mark = (id: string, is: boolean): unknown => byId(id).classList.toggle("old", is);
+    mark("parameters", isOld(this.influence.state));
+    mark("band", isOld(this.soil?.state ?? null));
+    const isWhirling = this.turning?.isWhirling ?? false;
+    mark("turbine", isWhirling);
+    mark("readout", isWhirling && this.isTurning);
   }
 
   /** Whether the verdicts are not those of the tower with a rigid rotor. */
@@ -410,7 +427,8 @@ export class Explorer {
       resonance: this.isGoverned ? null : variant.answer.resonance,
       coupled: turning?.diagramOfOther ?? null, modes: variant.answer.modes, followed: variant.followed,
     };
-    const band = own.coupled === null ? this.band : null;
+    const isOfThis = this.soil !== null && this.shown !== null && isSame(this.soil.state, this.shown.state);
+    const band = own.coupled === null && isOfThis ? this.soil?.band ?? null : null;
     this.resonance.show(own, other, band, { id: chosen, whirl: turning?.chosen ?? null }, turning?.isDrawing ?? false);
     turning?.show();
     const refused = turning?.refusal ? `The turbine cannot be solved: ${turning.refusal} The diagram shows the tower with a rigid rotor.` : "";
@@ -420,10 +438,12 @@ export class Explorer {
     this.target.showMode();
   }
 
-  private banded(result: Band | Refusal): void {
-    this.band = result.refused === null ? result : null;
-    if (this.band !== null) this.bandPanel.show(this.band, this.turning === null);
+  private banded(state: State, result: Band | Refusal): void {
+    const band = result.refused === null ? result : null;
+    this.soil = band && { state, band };
+    this.bandPanel.show(band, this.turning === null);
     if (this.shown !== null) this.showResonance(this.shown);
+    this.showAge();
   }
 
   private askBand(): void {

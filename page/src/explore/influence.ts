@@ -23,13 +23,15 @@ export class Influence {
   /** The question whose answers are shown or on their way. */
   private asked = "";
   private label = "";
+  /** The tower of the last answer that is shown; null if none is. */
+  state: State | null = null;
   private running: AbortController | null = null;
   /** Numbers and columns that have been answered. */
   private known = new Set<string>();
   private spent_ms = 0;
   private isFirst = true;
 
-  constructor(private panel: ParameterPanel, private failed: (error: unknown) => void) {}
+  constructor(private panel: ParameterPanel, private changed: () => void, private failed: (error: unknown) => void) {}
 
   get pending(): boolean {
     return this.running !== null;
@@ -53,6 +55,7 @@ export class Influence {
     this.cancel();
     this.asked = "";
     this.label = "";
+    this.state = null;
     this.panel.clearElasticities();
     setText(byId("elasticity-text"), reason);
   }
@@ -83,6 +86,8 @@ export class Influence {
         const result = await elasticities({ ...state, mode: number, label, names }, stop.signal);
         if (stop.signal.aborted) return;
         this.take(names, result.refused === null ? result : null);
+        this.state = state;
+        this.changed();
       }
     } catch (error) {
       if (stop.signal.aborted) return;

@@ -13,6 +13,8 @@ import type { TowerScene } from "../view/scene.js";
 export interface TurningEvents {
   /** Something has arrived, or another mode is chosen. */
   changed(): void;
+  /** The modes at a rotor speed are awaited. */
+  waits(): void;
   failed(error: unknown): void;
 }
 
@@ -31,6 +33,8 @@ export class Turning {
   private state: State | null = null;
   private panel: TurbinePanel;
   private isReady = false;
+  /** Whether the first answer has chosen a mode. */
+  private hasChosen = false;
   private diagrams: Latest<State, Coupled | Refusal>;
   private diagramsOfOther: Latest<State, Coupled | Refusal>;
   private whirls: Latest<WhirlQuestion, Whirl | Refusal>;
@@ -51,6 +55,11 @@ export class Turning {
   /** Whether the diagram is that of another state. */
   get pending(): boolean {
     return this.diagrams.pending || this.whirls.pending;
+  }
+
+  /** Whether the modes are those of another state or rotor speed. */
+  get isWhirling(): boolean {
+    return this.whirls.pending;
   }
 
   get isDrawing(): boolean {
@@ -88,7 +97,9 @@ export class Turning {
   }
 
   private askWhirl(): void {
-    if (this.state !== null && this.isReady) this.whirls.want({ ...this.state, rpm: this.panel.rpm });
+    if (this.state === null || !this.isReady) return;
+    this.whirls.want({ ...this.state, rpm: this.panel.rpm });
+    this.events.waits();
   }
 
   private drawn(result: Coupled | Refusal): void {
@@ -107,10 +118,11 @@ export class Turning {
   }
 
   private moved(result: Whirl | Refusal): void {
-    if (result.refused !== null) return;
-    const isFirst = this.whirl === null;
-    this.whirl = result;
-    if (isFirst) this.chosen ??= result.modes[0]?.name ?? null;
+    this.whirl = result.refused === null ? result : null;
+    if (!this.hasChosen && this.whirl !== null) {
+      this.hasChosen = true;
+      this.chosen ??= this.whirl.modes[0]?.name ?? null;
+    }
     this.events.changed();
   }
 
@@ -128,7 +140,7 @@ export class Turning {
   }
 
   show(): void {
-    if (this.whirl !== null) this.panel.show(this.whirl, this.diagram?.resonance ?? null, this.chosen);
+    this.panel.show(this.whirl, this.diagram?.resonance ?? null, this.chosen);
   }
 
   /** The chosen mode at the speed of the slider; none if no mode has its name there. */

@@ -6,7 +6,6 @@ use serde_json::{Value, json};
 use towermodes_testing::Says;
 
 use super::server::Explorer;
-use crate::pages::root;
 
 /// A tower of every format, and every kind of tower.
 const TOWERS: [&str; 11] = [
@@ -32,7 +31,7 @@ pub fn json_of(arguments: &[&str]) -> Value {
 }
 
 /// The frequencies of a list of modes, Hz.
-fn frequencies_hz(modes: &Value) -> Vec<f64> {
+pub fn frequencies_hz(modes: &Value) -> Vec<f64> {
     let modes = modes.as_array().expect("modes").iter();
     modes
         .map(|mode| mode["frequency_hz"].as_f64().expect("a number"))
@@ -40,7 +39,7 @@ fn frequencies_hz(modes: &Value) -> Vec<f64> {
 }
 
 /// The first number of a tower that every tower has: a property of its material or section.
-fn changed(sheet: &Value) -> (String, f64) {
+pub fn changed(sheet: &Value) -> (String, f64) {
     let parameters = sheet["parameters"].as_array().expect("parameters");
     let is_one = |of: &&Value| {
         let name = of["name"].as_str().unwrap_or_default();
@@ -318,39 +317,6 @@ fn elasticities_of_columns_are_those_of_factors() {
     }
 }
 
-/// A file that is taken away and solved has the digits of the page; comments of a tower file stay.
-#[test]
-fn towers_taken_away_have_the_digits_of_the_page() {
-    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("taken-away");
-    std::fs::create_dir_all(&folder).expect("a folder");
-    for tower in TOWERS {
-        let explorer = Explorer::start(&[tower, "--modes", "6", "--method", "rmje-exact"]);
-        let sheet: Value =
-            serde_json::from_slice(&explorer.ask("GET", "sheet", b"").body).expect("JSON");
-        let (name, value) = changed(&sheet);
-        let numbers = json!({ name: value });
-        let answer = explorer.answer("solve", &json!({ "numbers": numbers }));
-        let question = json!({ "numbers": numbers, "what": "tower" }).to_string();
-        let file = explorer.ask("POST", "take", question.as_bytes());
-        let expected = format!("attachment; filename=\"{}-variant.toml\"", stem(tower));
-        assert_eq!(file.header("content-disposition"), expected);
-        let path = folder.join(stem(tower)).with_extension("toml");
-        std::fs::write(&path, &file.body).expect("written");
-        let path = path.to_string_lossy().into_owned();
-        let solved = json_of(&["solve", &path, "--modes", "6", "--method", "rmje-exact"]);
-        let (own, theirs) = (
-            frequencies_hz(&answer["modes"]),
-            frequencies_hz(&solved["modes"]),
-        );
-        assert_eq!(own, theirs, "{tower}");
-        if tower.ends_with("nrel-5mw.toml") {
-            let original = std::fs::read_to_string(root().join(tower)).expect("a file");
-            let comments = |text: &str| text.matches('#').count();
-            assert_eq!(comments(&file.text()), comments(&original));
-        }
-    }
-}
-
 /// A file says what it lacks of the old one; where numbers are changed in the old text, nothing.
 #[test]
 fn towers_taken_away_say_what_they_lack() {
@@ -404,7 +370,7 @@ fn a_turbine_is_named_as_a_tower_with_a_rigid_rotor() {
     }
 }
 
-fn stem(tower: &str) -> String {
+pub fn stem(tower: &str) -> String {
     let stem = std::path::Path::new(tower).file_stem().expect("a name");
     stem.to_string_lossy().into_owned()
 }

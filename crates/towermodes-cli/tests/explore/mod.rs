@@ -2,8 +2,11 @@
 //! in a browser.
 
 mod answers;
+mod moves;
 mod page;
 mod seen;
 mod server;
 mod strangers;
+mod taken;
+mod themes;
 mod whole;

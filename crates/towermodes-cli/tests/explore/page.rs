@@ -1,8 +1,7 @@
 //! The page of the explorer in a browser: what is set, what is shown, what is taken away.
 //!
-//! `TOWERMODES_BROWSER` names a Chromium; without it these tests are skipped. `TOWERMODES_MOVES` is
-//! the number of random moves of sliders, 1000 by default. `TOWERMODES_SCREENSHOTS` names a folder
-//! for pictures of the page.
+//! `TOWERMODES_BROWSER` names a Chromium; without it these tests are skipped.
+//! `TOWERMODES_SCREENSHOTS` names a folder for pictures of the page.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -83,7 +82,7 @@ impl Explored {
     }
 
     /// Types into the field of a number.
-    fn enter(&self, name: &str, text: &str) {
+    pub fn enter(&self, name: &str, text: &str) {
         let row = self.row(name);
         self.page.value(&format!(
             "(() => {{ const field = {row}.querySelector('input.field'); field.focus(); field.select(); return 0; }})()"
@@ -142,7 +141,7 @@ fn solved(command: &mut Command) -> Vec<f64> {
 }
 
 #[track_caller]
-fn same_digits(own: &[f64], theirs: &[f64]) {
+pub fn same_digits(own: &[f64], theirs: &[f64]) {
     let count = own.len().min(theirs.len());
     assert!(count >= 4, "{own:?} {theirs:?}");
     assert_eq!(own[..count], theirs[..count]);
@@ -731,76 +730,3 @@ fn it_measures_how_long_a_move_takes() {
 const ROUNDS: usize = 10;
 /// A windIO turbine of the public models.
 const IEA_15: &str = "windio/v2/IEA-15-240-RWT.yaml";
-
-/// Many random moves of random sliders: no message on the console, no leak, and what is shown is
-/// what `solve` computes for the same numbers.
-#[test]
-fn random_moves_leave_no_trace() {
-    random_moves(MONOPILE, moves());
-}
-
-/// The same on a turbine, a tenth as many: each ends the diagram that is being solved.
-#[test]
-fn random_moves_of_a_turbine_leave_no_trace() {
-    random_moves(TURBINE, moves().div_ceil(10));
-}
-
-fn moves() -> usize {
-    let given = std::env::var("TOWERMODES_MOVES").ok();
-    let given = given.and_then(|text| text.parse().ok());
-    given.unwrap_or(1000)
-}
-
-fn random_moves(file: &str, moves: usize) {
-    let Some(of) = Explored::open(
-        &[file],
-        View {
-            width: 1000,
-            is_dark: false,
-        },
-    ) else {
-        return;
-    };
-    of.page
-        .value("(document.querySelectorAll('details.group').forEach(one => one.open = true), 0)");
-    let heap = || {
-        of.page.call("HeapProfiler.collectGarbage", &json!({}));
-        of.page.call("Runtime.getHeapUsage", &json!({}))["usedSize"]
-            .as_f64()
-            .expect("bytes")
-    };
-    let batch = 250.min(moves);
-    let mut warm = 0.0;
-    for round in 0..moves.div_ceil(batch) {
-        of.page.value(&format!(
-            "(async () => {{ window.movesDone = false; let seed = {round} * 7919 + 1; \
-             const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647; \
-             const sliders = [...document.querySelectorAll('.row:not(.column) input[type=range]')]; \
-             for (let k = 0; k < {batch}; k++) {{ const slider = sliders[Math.floor(random() * sliders.length)]; \
-             slider.value = Number(slider.min) + (Number(slider.max) - Number(slider.min)) * random(); \
-             slider.dispatchEvent(new Event('input', {{ bubbles: true }})); \
-             if (random() < 0.3) slider.dispatchEvent(new Event('change', {{ bubbles: true }})); \
-             if (random() < 0.02) document.getElementById('undo').click(); \
-             if (random() < 0.01) document.getElementById('reset').click(); \
-             await new Promise(next => setTimeout(next, 0)); }} \
-             while (window.towermodes.pending) await new Promise(next => setTimeout(next, 1)); window.movesDone = true; }})() && 0"
-        ));
-        of.page.wait_for("window.movesDone === true");
-        // What is shown is what `solve` computes, where the last move was no refusal.
-        if round % 8 == 0 && of.page.value("window.towermodes.isCurrent") == Value::Bool(true) {
-            same_digits(&of.frequencies_hz(), &of.solved_hz(file));
-        }
-        // The first rounds fill what is kept on purpose: steps of undo, measured times.
-        if round == moves.div_ceil(batch) / 4 {
-            warm = heap();
-        }
-    }
-    let after = heap();
-    eprintln!(
-        "{file}, {moves} moves: heap {:.1} MB, then {:.1} MB",
-        warm / 1e6,
-        after / 1e6
-    );
-    assert!(after < 1.2 * warm + 2e6, "{warm} bytes, then {after}");
-    of.page.was_quiet();
-}

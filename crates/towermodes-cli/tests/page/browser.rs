@@ -146,6 +146,8 @@ impl OpenPage {
             "Tab" => ("Tab", 9),
             "ArrowLeft" => ("ArrowLeft", 37),
             "ArrowRight" => ("ArrowRight", 39),
+            "ArrowUp" => ("ArrowUp", 38),
+            "Escape" => ("Escape", 27),
             "+" => ("NumpadAdd", 107),
             "0" => ("Digit0", 48),
             _ => panic!("no code for the key {key}"),
@@ -162,9 +164,18 @@ impl OpenPage {
 
     /// Waits until an expression is true; fails if it never is.
     pub fn wait_for(&self, expression: &str) {
+        self.wait_within(PATIENCE, expression);
+    }
+
+    /// The same for what may take minutes.
+    pub fn wait_long(&self, expression: &str) {
+        self.wait_within(20 * PATIENCE, expression);
+    }
+
+    fn wait_within(&self, patience: Duration, expression: &str) {
         let started = Instant::now();
         while self.value(expression) != Value::Bool(true) {
-            assert!(started.elapsed() < PATIENCE, "never true: {expression}");
+            assert!(started.elapsed() < patience, "never true: {expression}");
             std::thread::sleep(Duration::from_millis(20));
         }
     }

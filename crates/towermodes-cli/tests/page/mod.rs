@@ -15,7 +15,8 @@ use towermodes_testing::{Close, Says, changed};
 use browser::{OpenPage, View, WIDE};
 use report::{EXAMPLES, report_of};
 
-const READABLE: &str = include_str!("readable.js");
+/// Texts that cannot be read.
+pub const READABLE: &str = include_str!("readable.js");
 const LABELS: &str = include_str!("labels.js");
 
 /// Everything that moves.

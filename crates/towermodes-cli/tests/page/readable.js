@@ -26,5 +26,12 @@
     const ratio = contrast(color, ground(element.ownerSVGElement?.parentElement ?? element));
     if (ratio < 4.5) found.push(`${element.tagName} "${element.textContent.trim().slice(0, 30)}" ${ratio.toFixed(2)}`);
   }
+  for (const field of document.querySelectorAll('input:is([type=text], [type=search])')) {
+    if (!seen(field)) continue;
+    for (const part of [null, '::placeholder']) {
+      const ratio = contrast(channels(getComputedStyle(field, part).color), ground(field));
+      if (ratio < 4.5) found.push(`INPUT${part ?? ''} "${field.value || field.placeholder}" ${ratio.toFixed(2)}`);
+    }
+  }
   return found;
 })()

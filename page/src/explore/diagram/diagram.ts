@@ -40,6 +40,7 @@ export class Diagram {
   show(content: Content, words: string): void {
     this.content = content;
     this.words = words;
+    if (this.at !== null) this.at = { ...this.at, line: sameLine(content, this.at.line) };
     this.draw();
   }
 
@@ -131,6 +132,11 @@ export class Diagram {
     this.host.classList.toggle("touches", at.line !== null && !at.line.isOther);
     setText(this.text, describe(content, at));
   }
+}
+
+/** The line of the same mode in another diagram. */
+function sameLine({ lines }: Content, before: Line | null): Line | null {
+  return lines.find(({ label, isOther }) => label === before?.label && isOther === before.isOther) ?? null;
 }
 
 /** "9.1 rpm: 1st fore-aft bending 0.2765 Hz; 1P 0.1517, 3P 0.455 Hz". */

@@ -6,10 +6,11 @@ import type { Band } from "../protocol.js";
 export class BandPanel {
   private details = byId<HTMLDetailsElement>("band");
 
-  /** Without verdicts where another model governs. */
-  show(band: Band, isJudged: boolean): void {
+  /** Without verdicts where another model governs; hidden without a band. */
+  show(band: Band | null, isJudged: boolean): void {
     const { details } = this;
-    setHidden(details, false);
+    setHidden(details, band === null);
+    if (band === null) return;
     const head = make("tr", "", heading("Mode"), ...band.factors.map((factor) => heading(`soil \u00d7 ${factor}`, "number")));
     const rows = band.modes.map(({ label, at }) => {
       const name = make("th", "", label);

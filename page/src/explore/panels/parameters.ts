@@ -103,7 +103,7 @@ export class ParameterPanel {
     const meaning = plain?.meaning ?? key;
     const of = parameters.flatMap(({ column, also_in }, index) => (column === name || also_in === name ? [index] : []));
     const column: Column = { name, row: undefined as never, indices: of, base: null, words: `${name} ${meaning} ${section.group.title}`.toLowerCase() };
-    column.row = new Row({ id, name, label: `every ${meaning} ×`, meaning: "", unit: "" }, { low: 0.5, high: 1.5, home: 1 }, {
+    column.row = new Row({ id, name, label: `every ${meaning}\u00a0×`, meaning: "", unit: "" }, { low: 0.5, high: 1.5, home: 1 }, {
       input: (factor) => this.multiply(column, factor),
       settle: () => {
         column.base = null;

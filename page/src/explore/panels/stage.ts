@@ -30,6 +30,7 @@ export class Stage {
   private held = make("p", "held");
   /** Whether the tower moves again when the hand lets go. */
   private goesOn = false;
+  private hasHandles = false;
 
   constructor(private events: StageEvents) {
     this.player = new Player((pose, beside) => this.view?.pose(pose, beside), () => this.events.isAwaited());
@@ -92,6 +93,7 @@ export class Stage {
     if (turning !== null) this.view?.show(turning.scene, null);
     else this.view?.show(present.answer.scene, other?.answer.scene ?? null);
     this.view?.handles(handles);
+    this.hasHandles = this.view !== null && handles.length > 0;
     setHidden(byId("beside"), other === null || turning !== null || this.view === null);
     this.player.show(present, other);
     if (this.view !== null && this.player.isPlaying) this.player.paint();
@@ -185,8 +187,14 @@ export class Stage {
     setText(byId("amplitude-text"), `${(100 * setting.amplitude).toFixed(1)} % of the height`);
     setText(byId("speed-text"), paceText(this.player.timeFactor()));
     const tap = setting.tap;
-    setText(byId("motion-text"), tap === null ? "" :
+    setClass(byId("motion-text"), tap === null ? "remark hint" : "remark");
+    setText(byId("motion-text"), tap === null ? this.hint() :
       `Pushed at ${tap.height_m.toFixed(1)} m and released, without damping.`);
+  }
+
+  /** What a hand can do in the view: its handles are seen only under the pointer. */
+  private hint(): string {
+    return this.hasHandles ? "Drag the view to turn it, or a station to change the tower." : "";
   }
 
   /** The mode that is shown, in large figures. */

@@ -25,10 +25,17 @@ export function showRefusal(refusal: Refusal["refused"] | null, reveal: Reveal):
   setHidden(byId("refusal"), refusal === null);
 }
 
-/** Marks what is shown as that of the tower before, if the present one has no answer. */
-export function showStale(isStale: boolean): void {
-  setText(byId("readout-state"), isStale ? "last solved tower" : "");
-  document.body.classList.toggle("stale", isStale);
+/** What is shown is of the present tower, of one before whose successor is being solved, or of one
+ * before while the present one has no answer. */
+export type Freshness = "present" | "late" | "stale";
+
+const WORDS: Record<Freshness, string> = { present: "", late: "solving…", stale: "last solved tower" };
+
+/** Marks results of another tower than the present one; while it is solved, after a moment. */
+export function showFreshness(freshness: Freshness): void {
+  setText(byId("readout-state"), WORDS[freshness]);
+  document.body.classList.toggle("stale", freshness === "stale");
+  document.body.classList.toggle("late", freshness === "late");
 }
 
 /** Message and hint of the program as sentences. Names of numbers stay as they are. */

@@ -37,7 +37,7 @@ export class TurbinePanel {
   private rows: WhirlRow[] = [];
 
   constructor(private events: TurbineEvents) {
-    for (const id of ["rotor", "turbine", "rigid-title"]) setHidden(byId(id), false);
+    for (const id of ["rotor", "rigid-title"]) setHidden(byId(id), false);
     this.slider.addEventListener("input", () => {
       this.showSpeed();
       events.speed(this.rpm);
@@ -61,8 +61,11 @@ export class TurbinePanel {
     this.slider.setAttribute("aria-valuetext", `${this.rpm} rpm`);
   }
 
-  /** Shows the modes, with the verdicts and colours of a diagram if it is there. */
-  show(whirl: Whirl, resonance: Resonance | null, chosen: string | null): void {
+  /** Shows the modes, with the verdicts and colours of a diagram if it is there; none if they
+   * cannot be solved. */
+  show(whirl: Whirl | null, resonance: Resonance | null, chosen: string | null): void {
+    setHidden(byId("turbine"), whirl === null);
+    if (whirl === null) return;
     const { modes, scene } = whirl;
     setText(byId("turbine-title"), `Turbine at ${Number(scene.rotor_speed_rpm.toPrecision(4))} rpm`);
     byId("whirls").classList.toggle("no-rotor", !(resonance?.is_checked ?? false));

@@ -1,7 +1,7 @@
 // Questions of one kind whose answers take longer than a frame: a newer one ends the one before.
 
-export interface LatestListener<Answer> {
-  done(answer: Answer): void;
+export interface LatestListener<Question, Answer> {
+  done(answer: Answer, question: Question): void;
   failed(error: unknown): void;
 }
 
@@ -18,7 +18,7 @@ export class Latest<Question, Answer> {
    */
   constructor(
     private ask: (question: Question, signal: AbortSignal) => Promise<Answer>,
-    private listener: LatestListener<Answer>,
+    private listener: LatestListener<Question, Answer>,
     private patience_ms: number | null = 0,
   ) {}
 
@@ -57,7 +57,7 @@ export class Latest<Question, Answer> {
       if (stop.signal.aborted) return;
       this.running = null;
       this.answered = key;
-      this.listener.done(answer);
+      this.listener.done(answer, question);
     } catch (error) {
       if (stop.signal.aborted) return;
       this.running = null;

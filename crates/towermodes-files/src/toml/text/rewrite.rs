@@ -8,14 +8,13 @@ use thiserror::Error;
 use towermodes::{Parameter, TowerDescription};
 
 use super::super::describe;
-use super::super::write::{number, write_toml_with};
+use super::super::write::{can_be_written, number, write_toml_with};
 use super::values::Value;
-use crate::input::{FileFormat, RotorLock, TowerInput};
+use crate::input::{FileFormat, TowerInput};
 use crate::note::Note;
 use crate::places::Places;
 use crate::resolver::FileResolver;
 use crate::source::{FileError, Source};
-use crate::turbine::as_rigid_body;
 
 /// A tower file with changed numbers.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,7 +59,9 @@ pub enum WrittenAnew {
 /// The file of a tower with the numbers of another description of it: changed in the text of the
 /// old file, so that its comments stay, or written anew where that is not possible.
 ///
-/// The result is read again before it is returned: it describes exactly `changed`.
+/// A changed text is read again before it is returned: it describes exactly `changed`. A file that is
+/// written anew from another format has the turbine of the old one, whose rigid body may differ from
+/// that of `changed` by rounding.
 ///
 /// # Example
 /// ```
@@ -86,12 +87,10 @@ pub fn rewritten(input: &TowerInput, changed: &TowerDescription) -> Rewritten {
         },
         Err(reason) => {
             let turbine = input.turbine.as_ref();
-            // The rounding of a converted model would change digits.
-            let own = turbine.filter(|turbine| {
-                as_rigid_body(turbine, RotorLock::Locked).is_ok_and(|rna| rna == changed.rna)
-            });
-            let (text, mut notes) = write_toml_with(changed, own);
-            if own.is_none() && turbine.is_some() && input.format == FileFormat::Toml {
+            let is_written = turbine.is_some_and(|turbine| can_be_written(turbine, changed));
+            let (text, mut notes) = write_toml_with(changed, turbine);
+            notes.extend(input.prescribed.left_out());
+            if !is_written && turbine.is_some() && input.format == FileFormat::Toml {
                 let message = "nacelle, drivetrain and blades of the turbine are omitted: with the changed values they are one rigid body";
                 notes.push(Note::left_out(message));
             }
