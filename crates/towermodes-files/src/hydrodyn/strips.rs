@@ -75,7 +75,8 @@ fn moment_of_height(members: &[StripMember]) -> f64 {
     moment
 }
 
-/// A ring of material along a stretch of a circular member: density, outer and inner radii at both ends.
+/// A ring of material along a stretch of a circular member: density, outer and inner radii at both
+/// ends.
 pub(crate) fn ring(
     member: &StripMember,
     stretch: &Stretch,

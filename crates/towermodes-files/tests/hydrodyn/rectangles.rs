@@ -112,7 +112,8 @@ fn growth_is_around_the_box() {
 
 #[test]
 fn a_pyramid_has_added_mass_along_its_axis() {
-    // Squares of 6 m at −30 m and 2 m at 10 m: ½ (2 s s') s = s² |s'|, from s = 6 to 3 at the level.
+    // Squares of 6 m at −30 m and 2 m at 10 m: ½ (2 s s') s = s² |s'|, from s = 6 to 3 at the
+    // level.
     let row = [("NMembers", "1 1 2 1 2 2 0 0.5 1 F")];
     let input = input("1 6 6 0\n2 2 2 0", &row);
     let of_end = 0.6 * 2.0 / 3.0 * 36.0_f64.powf(1.5) / PI.sqrt();

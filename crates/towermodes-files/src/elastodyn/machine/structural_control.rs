@@ -109,7 +109,7 @@ pub(crate) fn structural_controls(
         match file_names.filter(|_| part != Part::Blades) {
             Some(file_names) => {
                 for path in servo.paths(file_names, count as usize) {
-                    controls.add(part, &servo, path, main);
+                    controls.add(part, &servo, &path, main);
                 }
             }
             None => controls.notes.push(left_out(&servo, name, part, count, at)),
@@ -155,7 +155,7 @@ impl Servo<'_> {
 
 impl Controls {
     /// Adds the structural control in a file.
-    fn add(&mut self, part: Part, servo: &Servo<'_>, path: Token<'_>, main: &MainFile) {
+    fn add(&mut self, part: Part, servo: &Servo<'_>, path: &Token<'_>, main: &MainFile) {
         let name = path.text.trim();
         let on_servo =
             |message: String| Note::missing_part(message).at(servo.source, path.span.start);

@@ -59,9 +59,9 @@ pub enum WrittenAnew {
 /// The file of a tower with the numbers of another description of it: changed in the text of the
 /// old file, so that its comments stay, or written anew where that is not possible.
 ///
-/// A changed text is read again before it is returned: it describes exactly `changed`. A file that is
-/// written anew from another format has the turbine of the old one, whose rigid body may differ from
-/// that of `changed` by rounding.
+/// A changed text is read again before it is returned: it describes exactly `changed`. A new file
+/// from another format has the turbine of the old file, whose rigid body may differ from the rigid
+/// body of `changed` by rounding.
 ///
 /// # Example
 /// ```
