@@ -4,8 +4,9 @@ use towermodes::frame::{FrameDescription, MemberKind, SectionEnds};
 
 use super::beams::{self, Lying};
 use super::input::HydrodynInput;
+use super::section::blend;
 use super::spatial::{difference, norm};
-use super::strip::{Stretch, blend};
+use super::strip::Stretch;
 
 /// The largest plausible ratio of the diameters of a member in both files.
 const FACTOR: f64 = 1.5;

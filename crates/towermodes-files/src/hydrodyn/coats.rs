@@ -3,7 +3,8 @@
 use towermodes::frame::CoatKind;
 
 use super::section::StripSection;
-use super::strip::{Stretch, blend};
+use super::section::blend;
+use super::strip::Stretch;
 
 impl Stretch {
     /// Whether something moves with it.

@@ -3,8 +3,8 @@
 //! Source: HydroDyn Theory Manual (2024), lumped loads at joints: V = Σ ±(2/3) π R³ k and
 //! A = Σ ±π R² k over the members of a joint, outward, with R on the growth; the added mass is
 //! Cₓ ρ V Vᵀ/|V| and the growth ρ t |A|. A rectangle counts as the circle of its area,
-//! R = √(a b/π). The volume of growth in the summary file of HydroDyn is that of the members without
-//! these ends.
+//! R = √(a b/π). The volume of growth in the summary file of HydroDyn is that of the members
+//! without these ends.
 
 use std::f64::consts::PI;
 

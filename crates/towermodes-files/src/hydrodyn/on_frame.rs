@@ -14,8 +14,9 @@ use super::coats::reversed;
 use super::ends::StripEnd;
 use super::input::HydrodynInput;
 use super::section::Form;
+use super::section::blend;
 use super::spatial::{NONE, add, difference, norm, of_body, of_mass};
-use super::strip::{Stretch, StripMember, blend};
+use super::strip::{Stretch, StripMember};
 use super::strip_inertia::slices;
 use crate::note::Note;
 

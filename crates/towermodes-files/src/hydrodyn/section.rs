@@ -4,8 +4,6 @@ use std::f64::consts::PI;
 
 use towermodes::frame::Rectangle;
 
-use super::strip::blend;
-
 /// The form of a section (MSecGeom).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Form {
@@ -39,6 +37,11 @@ pub(super) enum Outline {
     Circle(f64),
     /// A rectangle with sides along x and y (m).
     Rectangle([f64; 2]),
+}
+
+/// A value that is linear between two ends, at a fraction of the way.
+pub(super) fn blend([from, to]: [f64; 2], fraction: f64) -> f64 {
+    from + fraction * (to - from)
 }
 
 impl StripSection {

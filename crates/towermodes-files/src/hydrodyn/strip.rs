@@ -3,7 +3,7 @@
 
 use towermodes::frame::member_axes;
 
-use super::section::{Outline, StripSection};
+use super::section::{Outline, StripSection, blend};
 use super::spatial::{Tensor, Vector};
 
 /// A straight member.
@@ -61,11 +61,6 @@ pub struct StripAddedMass {
     /// Along the axis: the added mass per length is 2 ρ π R² Cₓ |dR/ds| of a circle and ½ ρ Cₓ
     /// (a |db/ds| + b |da/ds|) √(a b) of a rectangle.
     pub along: [f64; 2],
-}
-
-/// A value of a stretch at a fraction of it.
-pub(super) fn blend([from, to]: [f64; 2], fraction: f64) -> f64 {
-    from + fraction * (to - from)
 }
 
 impl Stretch {

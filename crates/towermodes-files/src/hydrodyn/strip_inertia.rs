@@ -5,8 +5,9 @@ use towermodes::{Inertia, RigidBody};
 
 use super::ends::StripEnd;
 use super::section::Outline;
+use super::section::blend;
 use super::spatial::{NONE, Tensor, Vector, add, of_mass};
-use super::strip::{Stretch, StripMember, blend};
+use super::strip::{Stretch, StripMember};
 
 /// Points and weights of Gauss's rule on 0 to 1; exact for polynomials of degree 7, where those of
 /// the integrals have at most degree 5.

@@ -87,7 +87,8 @@ fn outline_at_level(member: &StripMember, level_m: f64) -> Option<Outline> {
 
 /// Stiffness of the plane in which an inclined member crosses the surface, divided by ρ g: its area
 /// is the area of the section, divided by cos φ. A point of the section at u, v on the local axes
-/// x, y is in the plane at u g + v h, where g and h are x and y moved along the axis of the member to the surface.
+/// x, y is in the plane at u g + v h, where g and h are x and y moved along the axis of the member
+/// to the surface.
 fn water_plane(member: &StripMember, outline: Outline, [x, y, _]: Vector) -> SpatialMatrix {
     let [_, local_y, k] = member.axes();
     let cosine = k[2].abs();

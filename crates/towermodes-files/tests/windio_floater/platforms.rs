@@ -291,7 +291,10 @@ fn a_public_spar_has_the_volume_and_mass_of_an_independent_program() {
         .notes
         .iter()
         .find(|note| note.message.contains("m3 if they are cut"));
-    volume.expect("a note").message.says("8030.4 m3 if they are cut");
+    volume
+        .expect("a note")
+        .message
+        .says("8030.4 m3 if they are cut");
     let tower = input.tower().unwrap_or_else(|error| panic!("{error}"));
     let solution = solve(&tower, &Options::default()).unwrap_or_else(|e| panic!("{e}"));
     assert!(solution.certificate.complete);
