@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use towermodes::{Options, SolveError};
-use towermodes_analysis::resonance::{reach_hz, solve_to_reach};
+use towermodes_analysis::resonance::{WeightLeftOut, reach_hz, solve_to_reach};
 use towermodes_analysis::whirl::{
     AgainstRigid, CoupledCampbell, CoupledOptions, RotorSpeeds, coupled_campbell, coupled_limit_hz,
 };
@@ -18,6 +18,7 @@ use crate::answer::{Answer, Shown};
 use crate::campbell::RotorOptions;
 use crate::error::of_coupled;
 use crate::interrupt::{interruptible, looking};
+use crate::lock::released;
 use crate::model::Model;
 use crate::tower::Tower;
 use crate::turbine::turbine_of;
@@ -87,9 +88,14 @@ pub fn turbine_campbell(
     })?;
     let diagram = diagram.map_err(|error| of_coupled(&error))?;
     let remarks = diagram.remarks(&turbine);
+    let remarks = remarks.iter().map(ToString::to_string);
+    let weight = released(py, || {
+        WeightLeftOut::of_verdicts(&model.tower, &diagram.campbell)
+    });
+    let weight = weight.map(|weight| weight.to_string());
     Ok(Answer::of(TurbineCampbell {
         against: diagram.against(&rigid),
-        remarks: remarks.iter().map(ToString::to_string).collect(),
+        remarks: remarks.chain(weight).collect(),
         model,
         diagram,
     }))

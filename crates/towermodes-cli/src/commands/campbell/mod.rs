@@ -121,10 +121,10 @@ impl Analysis for CampbellArguments {
 impl CampbellArguments {
     /// The note on the weight that verdicts are without, unless --no-gravity was given.
     fn weight_left_out(&self, tower: &Tower, campbell: &Campbell) -> Vec<Note> {
-        if self.input.reading.options().without_gravity || !campbell.not_checked.is_empty() {
+        if self.input.reading.options().without_gravity {
             return Vec::new();
         }
-        let weight = WeightLeftOut::of(tower);
+        let weight = WeightLeftOut::of_verdicts(tower, campbell);
         let weight = weight.map(|weight| Note::suspicious(weight.to_string()));
         weight.into_iter().collect()
     }
