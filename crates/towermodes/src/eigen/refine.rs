@@ -79,7 +79,9 @@ pub(crate) fn refine(
         if index + 1 == wanted {
             is_complete = refined.count == wanted && above < refined.shift;
         }
-        if above >= end {
+        // Two guesses may lead to one eigenvalue. Its two values differ by rounding, which residuals
+        // do not contain.
+        if above * (1.0 + NEAREST) >= end {
             return false;
         }
         end = refined.lambda - refined.residual;
