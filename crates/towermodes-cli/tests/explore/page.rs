@@ -220,7 +220,7 @@ fn what_is_rigid_is_shown_as_rigid() {
     };
     let column = |key: &str| {
         format!(
-            "[...document.querySelectorAll('.row.column')].find(row => row.textContent.includes('every {key} '))"
+            "[...document.querySelectorAll('.row.column')].find(row => row.textContent.includes('every {key}\\u00a0'))"
         )
     };
     assert_eq!(of.page.text(&field), "rigid");
@@ -635,10 +635,10 @@ fn a_program_that_has_ended_is_named() {
     let readout = "document.querySelector('#readout-state').textContent";
     assert_eq!(of.page.text(readout), "last solved tower");
     let opacity = "getComputedStyle(document.querySelector('#results')).opacity";
-    assert_eq!(of.page.text(opacity), "0.6");
+    of.page.wait_for(&format!("{opacity} === '0.6'"));
     of.page.click("#undo");
     of.page.wait_for(&format!("{readout} === ''"));
-    assert_eq!(of.page.text(opacity), "1");
+    of.page.wait_for(&format!("{opacity} === '1'"));
 }
 
 /// Every control has a name, nothing is wider than the window, in every width and theme.
