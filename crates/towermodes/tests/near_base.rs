@@ -100,7 +100,7 @@ fn rows_near_a_base_have_the_frequencies_of_solves_from_nothing() {
             all.rows += tally.rows;
             all.near += tally.near;
         }
-        // So far from the base that the guesses of two modes may lead to one eigenvalue: in row 4 of
+        // So far from the base, the guesses of two modes may lead to one eigenvalue: in row 4 of
         // base 2 of the plain towers both guesses of fore-aft bending lead to the first mode.
         check(class, 3, 6, 0.4);
     }

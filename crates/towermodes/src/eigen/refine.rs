@@ -79,8 +79,8 @@ pub(crate) fn refine(
         if index + 1 == wanted {
             is_complete = refined.count == wanted && above < refined.shift;
         }
-        // Two guesses may lead to one eigenvalue. Its two values differ by rounding, which residuals
-        // do not contain.
+        // Two guesses may lead to one eigenvalue. Its two values differ by rounding, which is not
+        // in the residuals.
         if above * (1.0 + NEAREST) >= end {
             return false;
         }
