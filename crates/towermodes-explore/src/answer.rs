@@ -10,9 +10,9 @@ use towermodes_report::figures::{AnimationData, animation_data};
 use towermodes_report::wording::{buckling_load_factor, completeness, computed_by, mode_shape};
 
 use super::explorer::{Explorer, Solved};
+use super::linked::numbers;
 use super::refusal::{Refusal, names_at};
 use super::resonance::{Resonance, Verdicted, verdict_on};
-use super::sheet::numbers;
 use super::state::State;
 
 /// A solved tower.

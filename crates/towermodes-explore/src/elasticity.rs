@@ -1,6 +1,6 @@
 //! The elasticities of a frequency.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use towermodes::number::digits;
@@ -10,7 +10,7 @@ use towermodes_analysis::influence::{Influence, Influences, influences};
 use super::explorer::{Explorer, Wanted};
 use super::linked::Linked;
 use super::refusal::Refusal;
-use super::sheet::{also_in, column_of, numbers};
+use super::sheet::{also_in, column_of};
 use super::state::State;
 
 /// An answer to a question that names its numbers ends after this time, ms: the page asks again for
@@ -127,20 +127,17 @@ impl Explorer {
 
     /// The sliders with names, in their order, or all. What moves together is that of the file.
     fn sliders(&self, description: &TowerDescription, names: Option<&[String]>) -> Vec<Slider> {
-        let file = &self.exploration.input;
-        let linked = Linked::new(numbers(file), &file.description);
+        let linked = Linked::of(&self.exploration.input);
         let columns = columns(&linked, description);
-        let asked: Option<BTreeSet<&str>> =
-            names.map(|names| names.iter().map(String::as_str).collect());
-        let is_asked = |name: &str| asked.as_ref().is_none_or(|asked| asked.contains(name));
-        let singles = linked.with_sliders().filter(|one| !one.is_of_rotor());
-        let singles = singles.filter(|one| is_asked(&one.to_string()));
-        let singles = singles.filter_map(|one| single(&linked.moved_by(one), description));
-        let columns = columns.into_iter().filter(|one| is_asked(&one.name));
-        let mut sliders: Vec<Slider> = singles.chain(columns).collect();
         let places = names.into_iter().flatten().enumerate();
         let places: BTreeMap<&str, usize> =
             places.map(|(place, name)| (name.as_str(), place)).collect();
+        let is_asked = |name: &str| names.is_none() || places.contains_key(name);
+        let singles = linked.with_sliders().filter(|one| !one.is_of_rotor());
+        let singles = singles.filter(|one| is_asked(&one.to_string()));
+        let singles = singles.filter_map(|one| single(&linked, one, description));
+        let columns = columns.into_iter().filter(|one| is_asked(&one.name));
+        let mut sliders: Vec<Slider> = singles.chain(columns).collect();
         sliders.sort_by_key(|one| places.get(one.name.as_str()).copied());
         sliders
     }
@@ -215,18 +212,13 @@ impl NoElasticity {
 }
 
 /// A number with those that follow it.
-fn single(moved: &[Parameter], description: &TowerDescription) -> Option<Slider> {
-    let numbers: Vec<String> = moved.iter().map(ToString::to_string).collect();
-    let name = numbers.first()?.clone();
-    let written = match &numbers[..] {
-        [one] => one.clone(),
-        several => format!("add({})", several.join(",")),
-    };
-    let change = Change::parse(&written, description).ok()?;
+fn single(linked: &Linked, leader: Parameter, description: &TowerDescription) -> Option<Slider> {
+    let change = Change::parse(&linked.change("add", leader), description).ok()?;
+    let numbers = linked.moved_by(leader).into_iter();
     Some(Slider {
-        name,
+        name: leader.to_string(),
         change,
-        numbers,
+        numbers: numbers.map(|one| one.to_string()).collect(),
     })
 }
 

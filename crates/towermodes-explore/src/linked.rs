@@ -4,6 +4,17 @@
 use std::collections::HashMap;
 
 use towermodes::{Parameter, Place, TowerDescription};
+use towermodes_files::TowerInput;
+
+/// The numbers of a page. The assembly of a turbine follows from nacelle, hub and blades: the file
+/// has no table of it, and with another one there is no turbine.
+pub(crate) fn numbers(input: &TowerInput) -> Vec<Parameter> {
+    let is_derived =
+        |one: &Parameter| input.turbine.is_some() && matches!(one.place(), Place::Rna { .. });
+    let mut numbers = Parameter::all(&input.description);
+    numbers.retain(|one| !is_derived(one));
+    numbers
+}
 
 /// The numbers of a tower that move with others.
 pub(crate) struct Linked {
@@ -16,8 +27,13 @@ pub(crate) struct Linked {
 }
 
 impl Linked {
-    /// The links between the numbers of a page, which are in the order of the tower file.
-    pub(crate) fn new(numbers: Vec<Parameter>, description: &TowerDescription) -> Self {
+    /// The links between the numbers of the page of a file.
+    pub(crate) fn of(file: &TowerInput) -> Self {
+        Self::new(numbers(file), &file.description)
+    }
+
+    /// The links between these numbers, which are in the order of the tower file.
+    fn new(numbers: Vec<Parameter>, description: &TowerDescription) -> Self {
         let mut at: HashMap<u64, Vec<Parameter>> = HashMap::new();
         let mut leaders = HashMap::new();
         let mut others: HashMap<Parameter, Vec<Parameter>> = HashMap::new();
@@ -54,6 +70,17 @@ impl Linked {
     pub(crate) fn moved_by(&self, leader: Parameter) -> Vec<Parameter> {
         let others = self.others.get(&leader).into_iter().flatten();
         [leader].into_iter().chain(others.copied()).collect()
+    }
+
+    /// The change of all numbers that the slider of a number moves, in the words of `--set`: by the
+    /// function `add` or `set` if there are several.
+    pub(crate) fn change(&self, function: &str, leader: Parameter) -> String {
+        let moved = self.moved_by(leader);
+        let names: Vec<String> = moved.iter().map(ToString::to_string).collect();
+        match &names[..] {
+            [name] => name.clone(),
+            names => format!("{function}({})", names.join(",")),
+        }
     }
 
     /// The numbers with a slider of their own.

@@ -7,7 +7,7 @@ use towermodes::{Parameter, Place};
 use towermodes_files::TowerInput;
 
 use super::explorer::Explorer;
-use super::linked::Linked;
+use super::linked::{Linked, numbers};
 use super::slider::Sliders;
 use super::state::State;
 
@@ -132,27 +132,17 @@ pub struct Dragged {
     pub quantity: &'static str,
 }
 
-/// The numbers of a page. The assembly of a turbine follows from nacelle, hub and blades: the file
-/// has no table of it, and with another one there is no turbine.
-pub(crate) fn numbers(input: &TowerInput) -> Vec<Parameter> {
-    let is_derived =
-        |one: &Parameter| input.turbine.is_some() && matches!(one.place(), Place::Rna { .. });
-    let mut numbers = Parameter::all(&input.description);
-    numbers.retain(|one| !is_derived(one));
-    numbers
-}
-
 /// Groups and numbers of a tower.
 fn groups_and_parameters(input: &TowerInput) -> (Vec<Group>, Vec<SheetParameter>) {
     let description = &input.description;
     let sliders = Sliders::new(description);
-    let all = numbers(input);
-    let linked = Linked::new(all.clone(), description);
-    let places = all.iter().enumerate().map(|(index, one)| (*one, index));
+    let linked = Linked::of(input);
+    let places = linked.numbers().iter().enumerate();
+    let places = places.map(|(index, one)| (*one, index));
     let places: HashMap<Parameter, usize> = places.collect();
     let mut groups: Vec<Group> = Vec::new();
     let mut parameters = Vec::new();
-    for &parameter in &all {
+    for &parameter in linked.numbers() {
         let name = parameter.to_string();
         let parts = Name::new(parameter);
         let found = groups.iter().position(|group| group.name == parts.group);

@@ -9,7 +9,7 @@ use towermodes_design::design::{Design, DesignProblem, Goal, Variable, design_wh
 use super::explorer::{Explorer, Wanted};
 use super::linked::Linked;
 use super::refusal::Refusal;
-use super::sheet::{also_in, numbers};
+use super::sheet::also_in;
 use super::state::State;
 
 /// A question for a tower with a frequency in a band.
@@ -90,8 +90,10 @@ impl TargetQuestion {
         explorer: &Explorer,
     ) -> Result<DesignProblem, Refusal> {
         let mode: Result<ModeName, _> = self.mode.parse();
+        let input = &explorer.exploration.input;
+        let (file, linked) = (&input.description, Linked::of(input));
         let variable = |of: &TargetVariable| {
-            let change = Change::parse(&moved_by_slider(&of.name, explorer), base);
+            let change = Change::parse(&moved_by_slider(&of.name, file, &linked), base);
             let change = change.map_err(|error| Refusal::of(&error))?;
             Ok(Variable {
                 change,
@@ -116,29 +118,19 @@ impl TargetQuestion {
 
 /// A slider of the page as a change of all numbers that it moves: numbers that follow another are
 /// set with it, and a factor on the heights of stations moves point masses too.
-fn moved_by_slider(name: &str, explorer: &Explorer) -> String {
-    let file = &explorer.exploration.input;
-    let linked = Linked::new(numbers(file), &file.description);
+fn moved_by_slider(name: &str, file: &TowerDescription, linked: &Linked) -> String {
     let column = name
         .strip_prefix("scale(")
         .and_then(|rest| rest.strip_suffix(')'));
     if let Some(column) = column {
         let all = linked.numbers().iter();
-        let also = all.filter(|one| also_in(**one, &linked).as_deref() == Some(column));
+        let also = all.filter(|one| also_in(**one, linked).as_deref() == Some(column));
         let also: String = also.map(|one| format!(",{one}")).collect();
         return format!("scale({column}{also})");
     }
-    let Ok(parameter) = Parameter::parse(name, &file.description) else {
-        return name.to_owned();
-    };
-    let names: Vec<String> = linked
-        .moved_by(parameter)
-        .iter()
-        .map(ToString::to_string)
-        .collect();
-    match &names[..] {
-        [name] => name.clone(),
-        names => format!("set({})", names.join(",")),
+    match Parameter::parse(name, file) {
+        Ok(parameter) => linked.change("set", parameter),
+        Err(_) => name.to_owned(),
     }
 }
 

@@ -81,20 +81,19 @@ const QUANTITIES: [Quantity; 12] = [
     mass("water depth", "m", |of| of.water_depth_m()),
 ];
 
+/// A quantity with the limit of masses.
 const fn mass(
     name: &'static str,
     unit: &'static str,
     of: fn(&Described<'_>) -> Option<f64>,
 ) -> Quantity {
-    let limit = Limit::Mass;
     Quantity {
-        name,
-        unit,
-        limit,
-        of,
+        limit: Limit::Mass,
+        ..stiffness(name, unit, of)
     }
 }
 
+/// A quantity with the limit of stiffnesses.
 const fn stiffness(
     name: &'static str,
     unit: &'static str,

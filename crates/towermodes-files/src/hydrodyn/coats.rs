@@ -2,8 +2,7 @@
 
 use towermodes::frame::CoatKind;
 
-use super::section::StripSection;
-use super::section::blend;
+use super::section::{StripSection, blend};
 use super::strip::Stretch;
 
 impl Stretch {

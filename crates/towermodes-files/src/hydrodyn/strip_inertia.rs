@@ -4,8 +4,7 @@ use towermodes::space::SpatialMatrix;
 use towermodes::{Inertia, RigidBody};
 
 use super::ends::StripEnd;
-use super::section::Outline;
-use super::section::blend;
+use super::section::{Outline, blend};
 use super::spatial::{NONE, Tensor, Vector, add, of_mass};
 use super::strip::{Stretch, StripMember};
 

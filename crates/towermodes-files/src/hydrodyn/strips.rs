@@ -6,8 +6,7 @@ use towermodes::space::SpatialMatrix;
 
 use super::ends::{self, Joint};
 use super::growth::Growth;
-use super::section::Outline;
-use super::section::blend;
+use super::section::{Outline, blend};
 use super::strip::{Stretch, StripMember};
 use super::strip_inertia::{Ring, added_mass, slices};
 use super::water::SeaWater;

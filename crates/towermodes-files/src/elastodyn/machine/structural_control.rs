@@ -49,9 +49,9 @@ impl Part {
 }
 
 /// The number of structural controls with the name of the line of their files (since OpenFAST 3.0),
-/// or whether there is one (before), in a file of ServoDyn.
+/// or whether there is one (before), in a file of ServoDyn. The files of blades are not read.
 const CONTROLS: [(&str, Option<&str>, Part); 6] = [
-    ("NumBStC", Some("BStCfiles"), Part::Blades),
+    ("NumBStC", None, Part::Blades),
     ("NumNStC", Some("NStCfiles"), Part::Nacelle),
     ("NumTStC", Some("TStCfiles"), Part::Tower),
     ("NumSStC", Some("SStCfiles"), Part::Platform),
@@ -106,7 +106,7 @@ pub(crate) fn structural_controls(
         let Some((count, at)) = switch(servo.source, name).filter(|(count, _)| *count > 0) else {
             continue;
         };
-        match file_names.filter(|_| part != Part::Blades) {
+        match file_names {
             Some(file_names) => {
                 for path in servo.paths(file_names, count as usize) {
                     controls.add(part, &servo, &path, main);
