@@ -4,15 +4,12 @@ use std::fmt;
 
 use super::Campbell;
 use towermodes::modes::Family;
-use towermodes::tower::Tower;
+use towermodes::tower::{STANDARD_GRAVITY_M_PER_S2, Tower};
 use towermodes::{Method, Options, Solution, Solver};
 
 /// A smaller relative change of the first frequencies is not reported: it is a fifth of the usual
 /// margin, and other inputs are not known so well.
 const WORTH_A_WARNING: f64 = 0.01;
-
-/// Standard gravity, m/s².
-const GRAVITY_M_PER_S2: f64 = 9.80665;
 
 /// The weight of a tower that is described without gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,7 +28,7 @@ impl WeightLeftOut {
             return None;
         }
         let without = first_bending_hz(tower)?;
-        let with = first_bending_hz(&tower.with_gravity(GRAVITY_M_PER_S2))?;
+        let with = first_bending_hz(&tower.with_gravity(STANDARD_GRAVITY_M_PER_S2))?;
         let changes = without.into_iter().zip(with);
         let changes = changes.filter_map(|(without, with)| Some(with? / without? - 1.0));
         let change = changes.max_by(|a, b| a.abs().total_cmp(&b.abs()))?;

@@ -4,12 +4,13 @@
 use std::ops::Range;
 
 use towermodes::frame::{FrameFoundation, Restoring};
+use towermodes::tower::STANDARD_GRAVITY_M_PER_S2;
 use towermodes::{
     FloatingPlatform, Foundation, Inertia, MissingPart, MooringLines, Place, RigidBody,
 };
 
 use super::agreement::doubts;
-use super::fst::{STANDARD_M_PER_S2, gravity_of_fst, is_on, switch};
+use super::fst::{gravity_of_fst, is_on, switch};
 use super::hanging;
 use super::machine::structural_control::with_masses;
 use super::main_input::main_file::{MainFile, Platform};
@@ -346,7 +347,7 @@ impl<'a> Model<'a> {
         let of_fst = gravity_of_fst(self.fst).ok().flatten();
         of_fst
             .or(self.main.gravity_m_per_s2)
-            .unwrap_or(STANDARD_M_PER_S2)
+            .unwrap_or(STANDARD_GRAVITY_M_PER_S2)
     }
 }
 

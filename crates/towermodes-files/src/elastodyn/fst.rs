@@ -1,6 +1,7 @@
 //! The `.fst` file of OpenFAST: the name of the main file of ElastoDyn, gravity, and the modules.
 
 use towermodes::MissingPart;
+use towermodes::tower::STANDARD_GRAVITY_M_PER_S2;
 
 use super::main_input::main_file::MainFile;
 use super::names::{is_fst, is_main_file, is_named, line_of};
@@ -318,9 +319,6 @@ pub(super) fn switch(source: &Source, name: &str) -> Option<(i64, usize)> {
     first(&value).or_else(|| first(&flag))
 }
 
-/// Standard acceleration of gravity, m/s² (3rd General Conference on Weights and Measures, 1901).
-pub(super) const STANDARD_M_PER_S2: f64 = 9.80665;
-
 /// The acceleration of gravity, and a note on its source.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Gravity {
@@ -352,15 +350,15 @@ pub(super) fn gravity(
         (_, Some(of_main)) => (of_main, None),
         (Some((None, name)), None) => {
             let message = format!(
-                "neither {name} nor {main_name} has Gravity: {STANDARD_M_PER_S2} m/s2 is assumed (--no-gravity omits it)"
+                "neither {name} nor {main_name} has Gravity: {STANDARD_GRAVITY_M_PER_S2} m/s2 is assumed (--no-gravity omits it)"
             );
-            (STANDARD_M_PER_S2, Some(message))
+            (STANDARD_GRAVITY_M_PER_S2, Some(message))
         }
         (None, None) => {
             let message = format!(
-                "{main_name} has no Gravity, which is in the .fst file: {STANDARD_M_PER_S2} m/s2 is assumed (--no-gravity omits it)"
+                "{main_name} has no Gravity, which is in the .fst file: {STANDARD_GRAVITY_M_PER_S2} m/s2 is assumed (--no-gravity omits it)"
             );
-            (STANDARD_M_PER_S2, Some(message))
+            (STANDARD_GRAVITY_M_PER_S2, Some(message))
         }
     };
     let note = message.map(Note::assumption);

@@ -15,6 +15,11 @@ use super::parts::surroundings::{AddedMassRow, SoilRow, Water, Wires};
 use super::pieces::shear::Shear;
 use crate::inputs::{Input, Inputs, Limit};
 
+/// Standard acceleration of gravity, m/s².
+///
+/// Source: 3rd General Conference on Weights and Measures (1901).
+pub const STANDARD_GRAVITY_M_PER_S2: f64 = 9.806_65;
+
 /// One row of the tower's geometry: the tube at a height. Diameter and wall thickness are linear in
 /// the height between rows.
 ///

@@ -23,7 +23,9 @@ mod warning;
 pub use attachment::Attachment;
 pub(crate) use attachment::spatial_inertia;
 pub use closed_form::*;
-pub use description::{PointMass, PropertyStation, Rna, Station, TowerDescription};
+pub use description::{
+    PointMass, PropertyStation, Rna, STANDARD_GRAVITY_M_PER_S2, Station, TowerDescription,
+};
 pub use error::{FreeMotions, Place, Problem, TowerError};
 pub use floating::balance::{EquilibriumPose, StaticBalance};
 pub use floating::mistake::EquilibriumError;

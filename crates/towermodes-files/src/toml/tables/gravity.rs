@@ -1,15 +1,11 @@
 //! `[gravity]`.
 
 use towermodes::Place;
+use towermodes::tower::STANDARD_GRAVITY_M_PER_S2;
 
 use super::super::schema;
 use super::super::text::reading::Reading;
 use super::super::text::table::Table;
-
-/// Standard acceleration of gravity, m/s².
-///
-/// Source: 3rd General Conference on Weights and Measures (1901).
-const STANDARD_M_PER_S2: f64 = 9.806_65;
 
 /// The acceleration of gravity, m/s²; 0 without the table.
 pub(crate) fn gravity(root: &Table<'_>, reading: &mut Reading) -> Option<f64> {
@@ -17,7 +13,12 @@ pub(crate) fn gravity(root: &Table<'_>, reading: &mut Reading) -> Option<f64> {
         return Some(0.0);
     };
     let table = Table::of(value, "[gravity]", &schema::GRAVITY, reading)?;
-    let acceleration = table.number_or(STANDARD_M_PER_S2, "acceleration", Place::Gravity, reading);
+    let acceleration = table.number_or(
+        STANDARD_GRAVITY_M_PER_S2,
+        "acceleration",
+        Place::Gravity,
+        reading,
+    );
     if acceleration == Some(0.0) {
         let message = "[gravity] with acceleration = 0 has no effect: remove [gravity], or write acceleration = 9.81 (m/s2)";
         reading.note(value.span().start, message);
