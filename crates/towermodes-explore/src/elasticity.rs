@@ -72,7 +72,7 @@ pub struct NoElasticity {
 struct Slider {
     name: String,
     change: Change,
-    /// The names of the numbers; none of a column.
+    /// The names of the numbers; empty for a column.
     numbers: Vec<String>,
 }
 
@@ -125,7 +125,8 @@ impl Explorer {
         Ok(found)
     }
 
-    /// The sliders with names, in their order, or all. What moves together is that of the file.
+    /// The sliders with these names, in this order, or all sliders. The file decides which numbers
+    /// move together.
     fn sliders(&self, description: &TowerDescription, names: Option<&[String]>) -> Vec<Slider> {
         let linked = Linked::of(&self.exploration.input);
         let columns = columns(&linked, description);

@@ -18,11 +18,12 @@ pub(crate) fn numbers(input: &TowerInput) -> Vec<Parameter> {
 
 /// The numbers of a tower that move with others.
 pub(crate) struct Linked {
-    /// Of each number that has no slider of its own the one whose slider moves it.
+    /// For each number without a slider of its own: the number whose slider moves it.
     leaders: HashMap<Parameter, Parameter>,
-    /// The others that a slider moves, in the order of the tower file.
+    /// For each number with a slider: the other numbers that this slider moves, in the order of the
+    /// tower file.
     others: HashMap<Parameter, Vec<Parameter>>,
-    /// In the order of the tower file.
+    /// All numbers, in the order of the tower file.
     numbers: Vec<Parameter>,
 }
 

@@ -107,7 +107,7 @@ fn spread(summary: &Summary) -> Option<String> {
     let [least, most] = margin.probability_within_errors();
     (most - least > 1e-3).then(|| {
         format!(
-            "the errors of the frequencies can change these shares: that of {}P and {} is between {} and {} %; more segments make it certain",
+            "the errors of the frequencies can change these shares: the share of {}P with {} is between {} and {} %; more segments narrow this range",
             margin.multiple,
             mode.name.label(),
             digits(100.0 * least, 3),

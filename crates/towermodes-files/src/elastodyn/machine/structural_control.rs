@@ -248,7 +248,7 @@ fn locked(part: Part, damper: &Damper) -> Note {
         Part::Blades | Part::Nacelle | Part::Tower | Part::Platform => "",
     };
     Note::approximation(format!(
-        "the damper of the {} is locked: its mass of {} kg moves rigidly, at ({x}, {y}, {z}) m from {origin}{axis}{own}; the modes of a damper that moves are others",
+        "the damper of the {} is locked: its mass of {} kg moves rigidly, at ({x}, {y}, {z}) m from {origin}{axis}{own}; a moving damper would change the modes",
         part.name(),
         Rounded(damper.mass_kg)
     ))
