@@ -276,6 +276,9 @@ fn a_target_moves_the_sliders() {
     };
     let before = of.frequencies_hz();
     of.page.click("#target summary");
+    // The event that marks the usual input values comes after the click.
+    of.page
+        .wait_for("document.body.classList.contains('is-marking')");
     let find = |hz: &str| {
         of.page.value(&format!(
             "(() => {{ document.querySelector('#target-low').value = '{hz}'; document.querySelector('#target-high').value = ''; \
