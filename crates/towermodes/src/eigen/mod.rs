@@ -104,6 +104,8 @@ pub struct EigenWorkspace {
     lambdas: Vec<f64>,
     residuals: Vec<Residual>,
     eigenvalues: Vec<Eigenvalue>,
+    /// No eigenvalue beyond those of the list is below this; 0 without a proof.
+    gap_end: f64,
     scratch: Vec<f64>,
 }
 
@@ -120,6 +122,18 @@ impl EigenWorkspace {
     pub fn vector(&self, index: usize) -> &[f64] {
         assert!(index < self.eigenvalues.len(), "no eigenvector {index}");
         &self.vectors[index]
+    }
+
+    /// The number of eigenvalues below λ, if the proof of the last list gives it.
+    pub(crate) fn proved_count(&self, lambda: f64) -> Option<usize> {
+        let above = self.eigenvalues.last().map_or(0.0, |e| e.lambda + e.error);
+        (above < lambda && lambda <= self.gap_end).then_some(self.eigenvalues.len())
+    }
+
+    /// Begins with an empty list; a count proved that no eigenvalue is below `gap_end`.
+    pub(crate) fn begin_empty(&mut self, gap_end: f64) {
+        self.eigenvalues.clear();
+        self.gap_end = gap_end;
     }
 
     /// Replaces the eigenvectors `first..first + count`, which have one eigenvalue, by orthonormal
@@ -242,6 +256,10 @@ impl EigenWorkspace {
             let error = relative * lambda;
             self.eigenvalues.push(Eigenvalue { lambda, error });
         }
+        self.gap_end = self
+            .lambdas
+            .last()
+            .map_or(0.0, |last| last * (1.0 + margin));
         Ok(())
     }
 }
@@ -270,6 +288,7 @@ pub fn lowest(
     if wanted == 0 {
         return Ok(Statistics::default());
     }
+    workspace.begin_empty(0.0);
     factorize(pencil)?;
     workspace.lanczos.reset(size);
     let (mut wanted, mut restarts) = (wanted, 0);
@@ -312,6 +331,7 @@ pub(crate) fn lowest_near(
     if wanted > pencil.size() {
         return None;
     }
+    workspace.begin_empty(0.0);
     if !refine(pencil, known, wanted, refine::OF_LISTS, refinement) {
         return None;
     }
@@ -359,7 +379,7 @@ pub(crate) fn least(
     workspace: &mut EigenWorkspace,
 ) -> Result<f64, EigenError> {
     factorize(pencil)?;
-    workspace.eigenvalues.clear();
+    workspace.begin_empty(0.0);
     workspace.lanczos.reset(pencil.size());
     let mut below = 0;
     for restarts in 0..=MAX_RESTARTS {

@@ -87,19 +87,27 @@ pub fn given_inputs(inputs: &dyn Inputs) -> Vec<(&'static Input, Given)> {
 pub(crate) fn without_needed(
     inputs: &dyn Inputs,
 ) -> Vec<(&'static Input, &'static str, &'static str)> {
-    let all = given_inputs(inputs);
-    let is_there = |key: &str| {
-        let mut values = all.iter().filter(|(input, _)| input.key == key);
-        values.any(|(input, given)| match given {
-            Given::Name(place, _) => place.is_some(),
-            other => !input.is_default(*other),
-        })
-    };
-    let given = all
-        .iter()
-        .filter(|(input, given)| !input.is_default(*given));
-    let needing = given.filter_map(|(input, _)| Some((*input, input.needs?.0, input.needs?.1)));
-    needing.filter(|(_, needed, _)| !is_there(needed)).collect()
+    let mut all = Vec::new();
+    inputs.visit(&mut |input, given| {
+        if let Some((needed, remedy)) = input.needs.filter(|_| !input.is_default(given)) {
+            all.push((input, needed, remedy));
+        }
+    });
+    all.retain(|(_, needed, _)| !has_value(inputs, needed));
+    all
+}
+
+/// Whether the value of a key is given.
+fn has_value(inputs: &dyn Inputs, key: &str) -> bool {
+    let mut is_there = false;
+    inputs.visit(&mut |input, given| {
+        is_there |= input.key == key
+            && match given {
+                Given::Name(place, _) => place.is_some(),
+                other => !input.is_default(other),
+            };
+    });
+    is_there
 }
 
 /// Multiplies the values that are proportional to the stiffness of the soil.

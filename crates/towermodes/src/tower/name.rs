@@ -19,6 +19,11 @@ pub fn is_printable(c: char) -> bool {
 /// assert_eq!(towermodes::printable("NREL\u{202e}5\tMW"), "NREL 5 MW");
 /// ```
 pub fn printable(name: &str) -> String {
+    // Most names need no look at each character.
+    let is_plain = |byte: u8| byte == b' ' || byte.is_ascii_graphic();
+    if name.bytes().all(is_plain) {
+        return name.to_owned();
+    }
     name.chars()
         .map(|c| if is_printable(c) { c } else { ' ' })
         .collect()

@@ -311,7 +311,7 @@ pub fn gauss_hinges(
 /// panel, with so many panels that no dimension changes by 10 % or more over a panel.
 #[inline]
 fn integrate(piece: &Piece, base_m: f64, top_m: f64, add: &mut impl FnMut(f64, f64, &Section)) {
-    if piece.steepness(base_m, top_m) <= STEEPEST {
+    if !piece.is_steeper(base_m, top_m, STEEPEST) {
         integrate_panel(piece, base_m, top_m, add);
     } else {
         integrate_steep(piece, base_m, top_m, add);
@@ -346,7 +346,7 @@ fn integrate_steep(
 ) {
     let middle = 0.5 * (base_m + top_m);
     let divisible = base_m < middle && middle < top_m;
-    if divisible && piece.steepness(base_m, top_m) > STEEPEST {
+    if divisible && piece.is_steeper(base_m, top_m, STEEPEST) {
         integrate_steep(piece, base_m, middle, add);
         integrate_steep(piece, middle, top_m, add);
     } else {

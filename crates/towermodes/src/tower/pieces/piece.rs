@@ -194,6 +194,20 @@ impl Piece {
         ratio(self.steepest(base_m, top_m))
     }
 
+    /// Whether the [`steepness`](Self::steepness) between two heights (m) is more than `most`.
+    #[inline]
+    pub(super) fn is_steeper(&self, base_m: f64, top_m: f64, most: f64) -> bool {
+        let Profile::Tube { base, top, .. } = &self.profile else {
+            return self.steepness(base_m, top_m) > most;
+        };
+        // Without divisions: this is asked for each segment.
+        let at = |height_m| base.blend(top, self.share_at(height_m));
+        let (a, b) = (at(base_m), at(top_m));
+        let changes = |x: f64, y: f64| x.max(y) > most * x.min(y);
+        changes(a.outer_diameter_m, b.outer_diameter_m)
+            || changes(a.wall_thickness_m, b.wall_thickness_m)
+    }
+
     /// The height (m) between two others that halves what is steepest between them: there it is the
     /// geometric mean of what it is at both. None if its ratio at the two is no more than `most`,
     /// or if there is no number between them.

@@ -1,6 +1,6 @@
 //! A quantity with the usual range of towers.
 
-use crate::inputs::{Input, Inputs, given_inputs, without_needed};
+use crate::inputs::{Input, Inputs, without_needed};
 use crate::tower::Warning;
 use crate::tower::{Ineffective, Place, Quantity, Site};
 
@@ -72,14 +72,14 @@ pub(super) fn check_inputs(
     at: impl Fn(&'static str) -> Place,
     warnings: &mut Vec<Warning>,
 ) {
-    for (input, given) in given_inputs(inputs) {
+    inputs.visit(&mut |input, given| {
         let finite = given.number().or(given.pair().map(checked_of_pair));
         let finite = finite.filter(|value| value.is_finite());
         if let (Some((quantity, [least, most])), Some(value)) = (input.usual, finite) {
             let usual = Usual::new(quantity, least, most);
             usual.check(value, Site::at(at(input.key)), warnings);
         }
-    }
+    });
     for (Input { key, .. }, needed, remedy) in without_needed(inputs) {
         let (site, what) = (
             Site::at(at(key)),

@@ -148,13 +148,12 @@ fn join(sets: &mut Vec<Motions>, a: Motion, b: Motion) {
 
 /// Whether a matrix is the same in both bending planes.
 pub(crate) fn planes_are_equal(matrix: &SpatialMatrix) -> bool {
-    let block = |plane| {
-        let components = Motion::Bending(plane).components();
-        let entry = move |(i, s): &(usize, f64), (j, t): &(usize, f64)| s * t * matrix[*i][*j];
-        let entries = components
-            .iter()
-            .flat_map(move |a| components.iter().map(move |b| entry(a, b)));
-        entries.collect::<Vec<f64>>()
-    };
-    block(Plane::ForeAft) == block(Plane::SideSide)
+    let [fore_aft, side_side] =
+        [Plane::ForeAft, Plane::SideSide].map(|plane| Motion::Bending(plane).components());
+    let entry = |(i, s): Component, (j, t): Component| s * t * matrix[i][j];
+    let mut rows = fore_aft.iter().zip(side_side);
+    rows.all(|(a, b)| {
+        let mut columns = fore_aft.iter().zip(side_side);
+        columns.all(|(c, d)| entry(*a, *c) == entry(*b, *d))
+    })
 }

@@ -3,7 +3,7 @@
 use super::scale::{
     above_zero, coordinate, error, finite, length, not_negative, positive, stiffness,
 };
-use crate::inputs::{Given, Input, Inputs, Limit, given_inputs};
+use crate::inputs::{Given, Input, Inputs, Limit};
 use crate::tower::error::{Place, Problem, TowerError};
 
 /// Checks each value of a table against its limit; `at` gives the place of a key.
@@ -11,20 +11,25 @@ pub(super) fn check_inputs(
     inputs: &dyn Inputs,
     at: impl Fn(&'static str) -> Place,
 ) -> Result<(), TowerError> {
-    for (input, given) in given_inputs(inputs) {
-        let numbers = match given {
-            // Strength and stiffness can be zero at one end, as in normally consolidated clay.
-            Given::Pair(Some([0.0, other] | [other, 0.0])) if other > 0.0 => {
-                [Some(other), None, None]
-            }
-            Given::Pair(Some([top, bottom])) => [Some(top), Some(bottom), None],
-            Given::Triple(triple) => triple.map(Some),
-            _ => [given.number(), None, None],
-        };
-        let mut numbers = numbers.into_iter().flatten();
-        numbers.try_for_each(|value| check_input(input, value, at(input.key)))?;
+    let mut result = Ok(());
+    inputs.visit(&mut |input, given| {
+        if result.is_ok() {
+            let mut numbers = numbers_of(given).into_iter().flatten();
+            result = numbers.try_for_each(|value| check_input(input, value, at(input.key)));
+        }
+    });
+    result
+}
+
+/// The numbers of a value to be checked.
+fn numbers_of(given: Given) -> [Option<f64>; 3] {
+    match given {
+        // Strength and stiffness can be zero at one end, as in normally consolidated clay.
+        Given::Pair(Some([0.0, other] | [other, 0.0])) if other > 0.0 => [Some(other), None, None],
+        Given::Pair(Some([top, bottom])) => [Some(top), Some(bottom), None],
+        Given::Triple(triple) => triple.map(Some),
+        _ => [given.number(), None, None],
     }
-    Ok(())
 }
 
 pub(super) fn check_input(input: &Input, value: f64, place: Place) -> Result<(), TowerError> {
