@@ -401,6 +401,36 @@ fn tables_pictures_and_films_are_saved() {
     of.page.was_quiet();
 }
 
+/// Rows have names in words, and a number without an elasticity has the reason in its place; speeds
+/// that a file gives in rad/s are as short as others.
+#[test]
+fn rows_and_speeds_are_in_words_and_short() {
+    let Some(of) = Explored::open(&["examples/floating.toml"], WIDE) else {
+        return;
+    };
+    let places = of.page.value(
+        "[...document.querySelectorAll('#parameters .row .name b')].map(name => name.textContent).filter(name => name.includes('[]'))",
+    );
+    assert_eq!(places, json!([]));
+    let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
+        return;
+    };
+    let row = of.row("stations[0].height");
+    of.page
+        .wait_for(&format!("{row}.querySelector('.elasticity').title !== ''"));
+    let reason = of.page.value(&format!(
+        "[{row}.querySelector('.elasticity-text').textContent, {row}.querySelector('.elasticity').title.startsWith('No elasticity')]"
+    ));
+    assert_eq!(reason, json!(["\u{2013}", true]));
+    let Some(of) = Explored::open(&["examples/small-turbine/ElastoDyn.dat"], WIDE) else {
+        return;
+    };
+    let long = of.page.value(
+        "[...document.querySelectorAll('text, td, p, span')].map(one => one.textContent).filter(text => /\\d\\.\\d{9,} rpm/.test(text))",
+    );
+    assert_eq!(long, json!([]));
+}
+
 /// Without a pointer: the diagram has its keys, and every control can be reached.
 #[test]
 fn the_diagram_has_keys() {
