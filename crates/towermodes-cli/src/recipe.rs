@@ -9,7 +9,7 @@ use crate::explained::explained;
 use crate::failure::Failure;
 use crate::input::tower_input;
 use crate::messages::{note, warn};
-use crate::output::{check_not_input, check_not_inputs, deliver};
+use crate::output::{Finished, check_not_input, check_not_inputs};
 
 /// A command that reads a tower, computes something and shows it.
 pub(crate) trait Analysis {
@@ -44,7 +44,7 @@ pub(crate) trait Analysis {
 
 /// A result in its format, with what is said about it.
 pub(crate) struct Answer {
-    result: Vec<u8>,
+    result: Finished,
     notes: Vec<Note>,
     warnings: Vec<Warning>,
     verdict: Result<(), Failure>,
@@ -58,12 +58,11 @@ impl Answer {
         json: impl FnOnce(&mut Vec<u8>) -> Result<(), ResultError>,
         csv: impl FnOnce(&mut Vec<u8>) -> Result<(), ResultError>,
     ) -> Result<Self, Failure> {
-        let mut result = Vec::new();
-        match format {
-            Format::Table => result = table().into_bytes(),
-            Format::Json => json(&mut result)?,
-            Format::Csv => csv(&mut result)?,
-        }
+        let result = match format {
+            Format::Table => Finished::Text(table()),
+            Format::Json => Finished::data(json)?,
+            Format::Csv => Finished::data(csv)?,
+        };
         Ok(Self {
             result,
             notes: Vec::new(),
@@ -105,6 +104,6 @@ pub(crate) fn run<A: Analysis>(arguments: &Deferred<A>) -> Result<(), Failure> {
     note(&input.notes);
     note(&answer.notes);
     warn(&answer.warnings, &input);
-    deliver(&answer.result, output)?;
+    answer.result.deliver(output)?;
     answer.verdict
 }

@@ -138,7 +138,10 @@ fn studies_have_a_bar() {
         let Some(sent) = on_a_terminal("", &arguments) else {
             return;
         };
-        assert_eq!(screen(&sent), lines(&piped(&arguments).stdout));
+        // The terminal has narrower lines.
+        let words = |lines: Vec<String>| lines.join(" ").split_whitespace().collect::<String>();
+        let text = piped(&arguments).stdout;
+        assert_eq!(words(screen(&sent)), words(lines(&text)));
         let levels = segments.split(',').count();
         if sent.contains(&format!("of {levels}, ")) {
             sent.says(" s left: ");
@@ -234,4 +237,85 @@ fn a_long_sweep_says_its_rate_and_leaves_one_line() {
         assert!(rows < 2_000_000, "two million rows in half a second");
     }
     std::fs::remove_dir_all(&folder).expect("ours");
+}
+
+/// The arguments of a command with the paths of the examples.
+fn with_examples(arguments: &str) -> String {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/");
+    arguments.replace("examples/", folder)
+}
+
+/// Everything that a pipe gets is on a narrow terminal too, in lines that fit.
+#[test]
+fn tables_fit_the_terminal() {
+    for arguments in [
+        "solve examples/jacket.toml",
+        "solve examples/floating.toml examples/monopile.toml",
+        "campbell examples/nrel-5mw-turbine.toml",
+        "campbell examples/monopile-layers.toml",
+        "compare examples/nrel-5mw.toml",
+        "converge examples/cans.toml --segments 10,20",
+        "sensitivities examples/monopile.toml",
+        "damping examples/jacket.toml",
+        "parameters examples/monopile-foundation.toml",
+        "check examples/nrel-5mw.toml",
+        "check examples/nrel-5mw.toml examples/nrel-5mw.bmi",
+        "verify elements",
+    ] {
+        let arguments = with_examples(arguments);
+        let Some(sent) = on_a_terminal(
+            "stty rows 24 cols 80; ",
+            &format!("{arguments} 2>/dev/null"),
+        ) else {
+            return;
+        };
+        let shown = screen(&sent);
+        let too_wide = shown.iter().find(|line| line.chars().count() > 80);
+        assert_eq!(too_wide, None, "{arguments}");
+        let shown: Vec<&str> = shown.iter().flat_map(|line| line.split(' ')).collect();
+        let text = piped(&arguments).stdout;
+        let text = String::from_utf8(text).expect("text");
+        // Times differ from run to run, and pictures are drawn for their width.
+        let is_measured =
+            |line: &&str| line.contains("time per solve") || line.contains('\u{2524}');
+        let words = text.lines().filter(|line| !is_measured(line));
+        let mut words = words.take_while(|line| !line.contains('\u{2502}'));
+        let lacking = words.find(|line| !line.split(' ').all(|word| shown.contains(&word)));
+        assert_eq!(lacking, None, "{arguments}");
+    }
+}
+
+/// A conclusion is wrapped for the terminal, not for a file and then again.
+#[test]
+fn sentences_are_wrapped_once() {
+    let arguments = with_examples("campbell examples/nrel-5mw-turbine.toml");
+    let Some(sent) = on_a_terminal("stty rows 24 cols 70; ", &arguments) else {
+        return;
+    };
+    let shown = screen(&sent);
+    let begin = shown.iter().position(|line| line.starts_with("6 warnings"));
+    let lines = shown[begin.expect("the conclusion")..].iter();
+    let lines: Vec<&String> = lines.take_while(|line| !line.is_empty()).collect();
+    let (_, full) = lines.split_last().expect("lines");
+    assert!(full.len() > 3, "{lines:?}");
+    // The longest word, a number with its unit, and a space are 13 characters.
+    assert!(
+        full.iter().all(|line| line.chars().count() > 70 - 13),
+        "{lines:#?}"
+    );
+}
+
+#[test]
+fn verdicts_have_colours_on_a_terminal_only() {
+    let arguments = with_examples("campbell examples/monopile-layers.toml");
+    let Some(sent) = on_a_terminal("", &arguments) else {
+        return;
+    };
+    sent.says("\u{1b}[32mPASS\u{1b}[0m");
+    assert!(sent.contains("mWARN\u{1b}[0m"), "{sent}");
+    let plain = on_a_terminal("NO_COLOR=1 ", &arguments);
+    assert!(plain.is_some_and(|sent| !sent.contains('\u{1b}') && sent.contains("PASS")));
+    assert!(!piped(&arguments).stdout.contains(&0x1b));
+    let json = on_a_terminal("", &format!("{arguments} --format json"));
+    assert!(json.is_some_and(|sent| !sent.contains('\u{1b}')));
 }

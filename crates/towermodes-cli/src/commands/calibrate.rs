@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::found::{check_output, study_source, write_tower};
 use crate::input::tower_input;
 use crate::messages::{note, warn};
-use crate::output::{check_not_inputs, deliver};
+use crate::output::{Finished, check_not_inputs};
 use crate::progress::Progress;
 use crate::studies::calibration::{document, located, problem};
 use crate::table;
@@ -94,18 +94,16 @@ pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
     let done = calibrate(&problem, &mut solver);
     drop((solver, progress));
     let fit = done.map_err(|error| failure(error, &file))?;
-    let mut result = Vec::new();
-    match arguments.found.format {
-        TextFormat::Json => write_calibration_json(&document(&input, &fit), &mut result)?,
-        TextFormat::Table => {
-            let text = table::calibration(&input.description.name, &fit);
-            result.extend(text.into_bytes());
+    let result = match arguments.found.format {
+        TextFormat::Json => {
+            Finished::data(|json| write_calibration_json(&document(&input, &fit), json))?
         }
-    }
+        TextFormat::Table => Finished::Text(table::calibration(&input.description.name, &fit)),
+    };
     if let Some(output) = output {
         write_tower(&input, &fit.description, output)?;
     }
-    deliver(&result, None)
+    result.deliver(None)
 }
 
 /// The problem of a file, with the unknowns of the command line if there are some.

@@ -11,7 +11,7 @@ use crate::args::{InputArguments, TextFormat};
 use crate::failure::Failure;
 use crate::input::{input_of, tower_input};
 use crate::messages::{note, warn};
-use crate::output::deliver;
+use crate::output::Finished;
 use crate::table;
 
 const EXAMPLES: &str = "Examples:
@@ -50,16 +50,13 @@ fn of_one(arguments: &CheckArguments) -> Result<(), Failure> {
     let input = tower_input(&arguments.input)?;
     let tower = input.tower()?;
     let examination = examine(&input.description)?;
-    let mut result = Vec::new();
-    match arguments.format {
-        TextFormat::Table => {
-            result.extend(table::examination(&tower, &examination).into_bytes());
-        }
-        TextFormat::Json => write_result_json(&examination, &mut result)?,
-    }
+    let result = match arguments.format {
+        TextFormat::Table => Finished::Text(table::examination(&tower, &examination)),
+        TextFormat::Json => Finished::data(|json| write_result_json(&examination, json))?,
+    };
     note(&input.notes);
     warn(tower.warnings(), &input);
-    deliver(&result, None)
+    result.deliver(None)
 }
 
 fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
@@ -95,15 +92,14 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
         }
         Failure::failed(error.to_string())
     })?;
-    let mut result = Vec::new();
-    match arguments.format {
+    let result = match arguments.format {
         TextFormat::Table => {
             let names = [&arguments.input.file, other].map(|path| path.display().to_string());
-            result.extend(table::agreement(&names, &agreement).into_bytes());
+            Finished::Text(table::agreement(&names, &agreement))
         }
-        TextFormat::Json => write_result_json(&agreement, &mut result)?,
-    }
-    deliver(&result, None)?;
+        TextFormat::Json => Finished::data(|json| write_result_json(&agreement, json))?,
+    };
+    result.deliver(None)?;
     match agreement.verdict {
         Verdict::Fail => Err(Failure::failed("the two models do not agree")
             .hint("see `fail` above, in the line of the compared heights or in the table")),

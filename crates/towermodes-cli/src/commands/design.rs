@@ -15,7 +15,7 @@ use crate::failure::Failure;
 use crate::found::{check_output, study_source, write_tower};
 use crate::input::tower_input;
 use crate::messages::{note, warn, warn_texts};
-use crate::output::{check_not_input, check_not_inputs, check_place, deliver};
+use crate::output::{Finished, check_not_input, check_not_inputs, check_place};
 use crate::progress::searching;
 use crate::studies::design::{StudyError, document, located, options, problem, warnings};
 use crate::table;
@@ -87,17 +87,15 @@ pub(crate) fn run(arguments: &DesignArguments) -> Result<(), Failure> {
     drop(line);
     let found = found.map_err(|error| failure(error, &study, &input.description))?;
     let warnings = warnings(&found);
-    let mut result = Vec::new();
-    match arguments.found.format {
+    let result = match arguments.found.format {
         TextFormat::Json => {
             let document = document(&input, &problem, &found, &warnings);
-            write_design_json(&document, &mut result)?;
+            Finished::data(|json| write_design_json(&document, json))?
         }
         TextFormat::Table => {
-            let text = table::design(&input.description.name, &problem, &found);
-            result.extend(text.into_bytes());
+            Finished::Text(table::design(&input.description.name, &problem, &found))
         }
-    }
+    };
     warn_texts(&warnings);
     if let Some(file) = picture {
         deliver_picture(figure(&input.description, &found), &tower, file)?;
@@ -105,7 +103,7 @@ pub(crate) fn run(arguments: &DesignArguments) -> Result<(), Failure> {
     if let Some(output) = arguments.found.output() {
         write_tower(&input, &found.tower, output)?;
     }
-    deliver(&result, None)
+    result.deliver(None)
 }
 
 /// The tower before and after.

@@ -8,7 +8,7 @@ use crate::args::{Destination, Format, InputArguments, csv_lines};
 use crate::failure::Failure;
 use crate::input::tower_input;
 use crate::messages::note;
-use crate::output::{check_not_inputs, deliver};
+use crate::output::{Finished, check_not_inputs};
 use crate::table;
 
 const EXAMPLES: &str = "Examples:
@@ -67,14 +67,13 @@ pub(crate) fn run(arguments: &ParametersArguments) -> Result<(), Failure> {
     let input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), arguments.destination.output())?;
     let listed = listed(&input, arguments)?;
-    let mut result = Vec::new();
-    match format {
-        Format::Table => result.extend(table::parameters(&input.description, &listed).into_bytes()),
-        Format::Json => write_parameters_json(&input, &listed, &mut result)?,
-        Format::Csv => write_parameters_csv(&input, &listed, &mut result)?,
-    }
+    let result = match format {
+        Format::Table => Finished::Text(table::parameters(&input.description, &listed)),
+        Format::Json => Finished::data(|json| write_parameters_json(&input, &listed, json))?,
+        Format::Csv => Finished::data(|csv| write_parameters_csv(&input, &listed, csv))?,
+    };
     note(&input.notes);
-    deliver(&result, arguments.destination.output())
+    result.deliver(arguments.destination.output())
 }
 
 /// The input values that at least one filter selects, each once.

@@ -7,7 +7,7 @@ use towermodes_verify::{CHAPTERS, Row, Verification, manual, markdown};
 
 use crate::args::{Destination, Ending};
 use crate::failure::Failure;
-use crate::output::deliver;
+use crate::output::Finished;
 use crate::progress::Progress;
 use crate::table;
 
@@ -82,16 +82,15 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     drop(progress);
     let verification = Verification::of(rows);
     let rows = &verification.rows;
-    let mut result = Vec::new();
-    match format {
-        VerifyFormat::Table => result.extend(table::verification(rows).into_bytes()),
-        VerifyFormat::Json => write_result_json(&verification, &mut result)?,
-        VerifyFormat::Csv => {
-            write_records_csv(Row::COLUMNS, rows.iter().map(Row::record), &mut result)?;
-        }
-        VerifyFormat::Markdown => result.extend(markdown(rows).into_bytes()),
-    }
-    deliver(&result, arguments.destination.output())?;
+    let result = match format {
+        VerifyFormat::Table => Finished::Text(table::verification(rows)),
+        VerifyFormat::Json => Finished::data(|json| write_result_json(&verification, json))?,
+        VerifyFormat::Csv => Finished::data(|csv| {
+            write_records_csv(Row::COLUMNS, rows.iter().map(Row::record), csv)
+        })?,
+        VerifyFormat::Markdown => Finished::Data(markdown(rows).into_bytes()),
+    };
+    result.deliver(arguments.destination.output())?;
     match verification.failures {
         0 => Ok(()),
         failures => Err(Failure::failed(format!(

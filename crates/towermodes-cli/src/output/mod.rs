@@ -1,10 +1,13 @@
 //! Output of the results.
 
 mod closed;
+mod finished;
 mod place;
 mod streamed;
+mod verdicts;
 mod whole;
 
+pub(crate) use finished::Finished;
 pub(crate) use streamed::Streamed;
 
 use std::io::{ErrorKind, IsTerminal, Write};
@@ -16,7 +19,7 @@ use towermodes_report::wording::printable;
 use crate::failure::Failure;
 use crate::terminal::NOT_SHOWN;
 
-/// Writes a finished result to a file or to standard output. For a terminal control characters are
+/// Writes data to a file or to standard output. For a terminal control characters are
 /// replaced.
 pub(crate) fn deliver(result: &[u8], output: Option<&Path>) -> Result<(), Failure> {
     match std::str::from_utf8(result) {

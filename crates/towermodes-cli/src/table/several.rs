@@ -8,14 +8,12 @@ use towermodes_files::SolvedFile;
 use towermodes_report::wording::mesh;
 
 use super::coupled::coupled_modes;
-use super::text::{align_right, aligned, plain_table, wrapped};
+use super::text::{GAP, align_right, aligned, plain_table, wrapped};
 
 /// The cell of a mode that is not in the list of a file.
 const NOT_LISTED: &str = "-";
 /// Marks a list that ends inside a pair.
 const CUTS_A_PAIR: &str = "*";
-/// Spaces beside a cell.
-const GAP: usize = 2;
 
 /// A table of frequencies, then masses, method and certificate of each file. Columns that do not
 /// fit into `width` characters follow below in a table of their own.

@@ -5,7 +5,8 @@ use towermodes::{Tower, printable};
 
 use crate::terminal::WIDTH_OF_FILES;
 
-/// A table without lines.
+/// A table without lines. Each of its lines begins with a space, by which [`super::fitted`]
+/// distinguishes tables from sentences.
 pub(super) fn plain_table() -> Table {
     let mut table = Table::new();
     table.load_style(presets::NOTHING);
@@ -62,9 +63,46 @@ pub(super) fn aligned(numbers: impl Iterator<Item = String>) -> Vec<String> {
 /// Units, which stay with their number.
 const UNITS: [&str; 3] = ["Hz", "rpm", "%"];
 
-/// A text in lines of at most [`WIDTH_OF_FILES`] characters, broken between words and not before a
-/// unit; lines after the first are indented.
+/// What the lines of a sentence after the first begin with.
+pub(super) const CONTINUATION: &str = "  ";
+
+/// Characters between two columns, at least.
+pub(super) const GAP: usize = 2;
+
+/// A text in lines of at most [`WIDTH_OF_FILES`] characters: [`wrapped_to`].
 pub(super) fn wrapped(text: &str) -> String {
+    wrapped_to(text, WIDTH_OF_FILES)
+}
+
+/// A text in lines of at most so many characters, broken between words and not before a unit; lines
+/// after the first are indented.
+pub(super) fn wrapped_to(text: &str, width: usize) -> String {
+    let mut lines = vec![String::new()];
+    for word in words(text) {
+        let Some(line) = lines.last_mut() else { break };
+        if line.chars().count() + 1 + word.chars().count() > width {
+            lines.push(format!("{CONTINUATION}{word}"));
+        } else {
+            if !line.is_empty() {
+                line.push(' ');
+            }
+            line.push_str(&word);
+        }
+    }
+    lines.join("\n")
+}
+
+/// Whether [`wrapped`] has broken a sentence between two lines.
+pub(super) fn continues(line: &str, next: &str) -> bool {
+    let length = line.chars().count();
+    let rest = next.strip_prefix(CONTINUATION);
+    let word = rest.and_then(|rest| words(rest).into_iter().next());
+    let is_full = |word: String| length + 1 + word.chars().count() > WIDTH_OF_FILES;
+    length <= WIDTH_OF_FILES && word.is_some_and(is_full)
+}
+
+/// The words of a text, numbers with their units.
+fn words(text: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     for word in text.split(' ') {
         match words.last_mut() {
@@ -75,19 +113,7 @@ pub(super) fn wrapped(text: &str) -> String {
             _ => words.push(word.to_owned()),
         }
     }
-    let mut lines = vec![String::new()];
-    for word in &words {
-        let Some(line) = lines.last_mut() else { break };
-        if line.chars().count() + 1 + word.chars().count() > WIDTH_OF_FILES {
-            lines.push(format!("  {word}"));
-        } else {
-            if !line.is_empty() {
-                line.push(' ');
-            }
-            line.push_str(word);
-        }
-    }
-    lines.join("\n")
+    words
 }
 
 /// "RNA 350.000 t", "no RNA".

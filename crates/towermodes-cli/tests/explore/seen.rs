@@ -401,6 +401,38 @@ fn tables_pictures_and_films_are_saved() {
     of.page.was_quiet();
 }
 
+/// Rows have names in words, and a number without an elasticity has the reason in its place; speeds
+/// that a file gives in rad/s are as short as others.
+#[test]
+fn rows_and_speeds_are_in_words_and_short() {
+    let Some(of) = Explored::open(&["examples/floating.toml"], WIDE) else {
+        return;
+    };
+    let places = of.page.value(
+        "[...document.querySelectorAll('#parameters .row .name b')].map(name => name.textContent).filter(name => name.includes('[]'))",
+    );
+    assert_eq!(places, json!([]));
+    let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
+        return;
+    };
+    let row = of.row("stations[0].height");
+    of.page
+        .wait_for(&format!("{row}.querySelector('.elasticity').title !== ''"));
+    let reason = of.page.value(&format!(
+        "[{row}.querySelector('.elasticity-text').textContent, {row}.querySelector('.elasticity').title.startsWith('No elasticity')]"
+    ));
+    assert_eq!(reason, json!(["\u{2013}", true]));
+    let set = ["--set", "rotor.rpm[0]=6.900001169217498"];
+    let Some(of) = Explored::open(&[MONOPILE, set[0], set[1]], WIDE) else {
+        return;
+    };
+    of.page
+        .wait_for("document.querySelector('#diagram').textContent.includes('operation')");
+    of.page
+        .text("document.querySelector('#diagram').textContent")
+        .says("operation 6.9 to 12.1 rpm");
+}
+
 /// Without a pointer: the diagram has its keys, and every control can be reached.
 #[test]
 fn the_diagram_has_keys() {

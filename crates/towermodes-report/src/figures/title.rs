@@ -3,6 +3,7 @@
 use towermodes::Tower;
 
 use crate::svg::{Figure, Heading};
+use crate::wording::conclusion_text;
 
 /// The texts above a picture.
 #[derive(Debug, Clone, Copy)]
@@ -45,7 +46,7 @@ fn default_heading(name: &str, subject: &str, words: &TitleWords<'_>) -> Heading
             (name, Some(parts.collect::<Vec<String>>().join(" \u{b7} ")))
         }
     };
-    let conclusion = (!words.conclusion.is_empty()).then(|| words.conclusion.join(" "));
+    let conclusion = (!words.conclusion.is_empty()).then(|| conclusion_text(words.conclusion));
     Heading {
         title: title.to_owned(),
         lines: [first, conclusion].into_iter().flatten().collect(),
@@ -85,7 +86,7 @@ mod tests {
         let words = TitleWords {
             title,
             computed: Some("rmje, 10 segments"),
-            conclusion: &["It stands.".to_owned(), "It does.".to_owned()],
+            conclusion: &["It stands.".to_owned(), "Close to 3P (-8.6 %).".to_owned()],
         };
         let count = plain.labels().len();
         let figure = titled(plain, &tower, &words);
@@ -104,14 +105,18 @@ mod tests {
             [
                 "Tower 7",
                 "The tower \u{b7} rmje, 10 segments",
-                "It stands. It does."
+                "It stands. Close to 3P (\u{2212}8.6 %)."
             ]
         );
         assert_eq!(title, "Tower 7: The tower");
         let (texts, title) = said("", None);
         assert_eq!(
             texts,
-            ["The tower", "rmje, 10 segments", "It stands. It does."]
+            [
+                "The tower",
+                "rmje, 10 segments",
+                "It stands. Close to 3P (\u{2212}8.6 %)."
+            ]
         );
         assert_eq!(title, "The tower");
     }

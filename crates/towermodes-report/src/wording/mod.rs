@@ -18,6 +18,8 @@ pub use model::{
     buckling_load_factor, compared_segments, computed_by, levels, mesh, structure_mass,
 };
 pub use remedy::remedy;
-pub use rotor::{operation, operation_of, speed_range, verdict_counts, verdict_word};
+pub use rotor::{
+    conclusion_text, operation, operation_of, speed_range, verdict_counts, verdict_word,
+};
 pub use text::{counted, listed, printable, sentence};
 pub use turbine::{STRUCTURE_ONLY, proved};

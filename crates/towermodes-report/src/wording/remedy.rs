@@ -8,9 +8,9 @@ pub fn remedy(error: &SolveError) -> Option<&'static str> {
         SolveError::TooManyModes { .. } => {
             Some("increase --segments (for --method spectral: --degree) or reduce --modes")
         }
-        SolveError::TooLarge { .. } | SolveError::TooSlow { .. } => Some(
-            "reduce --modes or --segments (an even number of segments needs no finer mesh for the error estimate), or use --no-limits",
-        ),
+        SolveError::TooLarge { .. } | SolveError::TooSlow { .. } => {
+            Some("reduce --modes or --segments, or use --no-limits")
+        }
         SolveError::Buckles { .. } => Some(
             "reduce the mass, increase the diameter or the wall thickness (of a substructure check supports, sections and marine growth), or use --no-gravity to omit gravity",
         ),

@@ -34,6 +34,11 @@ pub fn operation_of(campbell: &Campbell) -> String {
     }
 }
 
+/// The sentences of a conclusion as one text, with minus signs as in the tables beside it.
+pub fn conclusion_text(sentences: &[String]) -> String {
+    sentences.join(" ").replace("(-", "(\u{2212}")
+}
+
 /// The verdict in upper case: `PASS`, `WARN`, `FAIL`; `-` where there is none.
 pub fn verdict_word(verdict: Verdict) -> &'static str {
     match verdict {

@@ -256,6 +256,15 @@ fn the_numbers_of_a_diagram_fit_on_paper() {
         let head = &table[..table.find("</thead>").expect("an end")];
         assert!(head.matches("<th ").count() <= 14, "{head}");
     }
+    // Where a curve changes its name a cell has two numbers; it is aligned as the others.
+    let cells = page[start..].split("<td").skip(1);
+    let cells = cells.map(|cell| &cell[..cell.find("</td>").expect("an end")]);
+    let changed: Vec<&str> = cells.filter(|cell| cell.contains(" \u{2192} ")).collect();
+    assert!(!changed.is_empty());
+    let aligned = changed
+        .iter()
+        .filter(|cell| cell.starts_with(" class=\"number"));
+    assert_eq!(aligned.count(), changed.len(), "{changed:?}");
 }
 
 /// The coupled turbine governs, and every section on the other model says which it is.

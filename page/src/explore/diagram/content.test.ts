@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Band, DiagramLine, Resonance } from "../protocol.js";
-import { contentOf, hzAt, lastRpm, type Source } from "./content.js";
+import { contentOf, hzAt, lastRpm, speedText, type Source } from "./content.js";
 import { apart, ticks } from "./ticks.js";
 
 const line = (label: string, mode: number, hz: number): DiagramLine =>
@@ -14,6 +14,10 @@ const RESONANCE: Resonance = {
 };
 
 const source = (resonance = RESONANCE): Source => ({ resonance, look: ({ mode }) => ({ series: (mode ?? 1) - 1, isChosen: mode === 1 }) });
+
+test("speeds of files in rad/s are as short as others", () => {
+  assert.deepEqual([5.000011692174984, 7.559987120819503, 6.9, 12.1, 0].map(speedText), ["5", "7.56", "6.9", "12.1", "0"]);
+});
 
 test("the near part ends above the first modes and the blade passing frequency", () => {
   const near = contentOf(source(), null, null, false);

@@ -67,6 +67,9 @@ const ABOVE_RAY = 1.03;
 /** The whole diagram ends at this multiple of its highest excitation or line. */
 const ABOVE_ALL = 1.06;
 
+/** A rotor speed with three decimals at most, as the program prints it. */
+export const speedText = (rpm: number): string => String(Number(rpm.toFixed(3)));
+
 const hzOf = (multiple: number, rpm: number): number => (multiple * rpm) / 60;
 
 /** The content of a diagram; `isWhole` shows all that the excitations reach. */

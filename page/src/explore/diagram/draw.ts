@@ -1,6 +1,6 @@
 // The resonance diagram as SVG in pixels of the page: texts have the size of the page's.
 
-import type { Content, Line, Place } from "./content.js";
+import { speedText, type Content, type Line, type Place } from "./content.js";
 import { apart, ticks } from "./ticks.js";
 
 /** Room for numbers and names of the axes, in pixels: a multiple of the size of the text. */
@@ -129,7 +129,7 @@ function names(content: Content, scale: Scale, { height, text }: Frame): string[
 
 /** The operating speeds in words, the middle of these above the field, and half their width. */
 function titleOf([from, to]: Place, { x, left, right }: Scale, text: number): { at: number; half: number; words: string } {
-  const words = `operation ${from === to ? from : `${from} to ${to}`} rpm`;
+  const words = `operation ${from === to ? "" : `${speedText(from)} to `}${speedText(to)} rpm`;
   const half = 0.3 * text * words.length;
   return { at: Math.min(Math.max(x(0.5 * (from + to)), left + half), right - half), half, words };
 }

@@ -1,6 +1,7 @@
 // The table of modes: frequencies with errors, verdicts, differences from A; a choice of the mode
 // that is shown.
 
+import { speedText } from "../diagram/content.js";
 import { byId, make, setClass, setCount, setHidden, setText, swatch } from "../dom.js";
 import type { Followed } from "../modes/follow.js";
 import type { Mode } from "../protocol.js";
@@ -107,7 +108,7 @@ class ModeRow {
 /** The damping ratio of the structure, and that of the running rotor beside it. */
 function showDamping(cell: HTMLElement, { damping }: Mode): void {
   const percent = (ratio: number): string => (100 * ratio).toPrecision(3);
-  const running = damping?.running.map(([rpm, ratio]) => `${percent(ratio)} at ${rpm} rpm`) ?? [];
+  const running = damping?.running.map(([rpm, ratio]) => `${percent(ratio)} at ${speedText(rpm)} rpm`) ?? [];
   const ratio = damping?.ratio ?? null;
   setText(cell, [ratio === null ? "" : percent(ratio), ...running].filter(Boolean).join("; "));
   cell.dataset["full"] = ratio === null ? "" : String(100 * ratio);

@@ -66,7 +66,7 @@ export class Row {
   constructor(private text: RowText, private given: RowRange, private events: RowEvents) {
     this.value = given.home;
     this.before = given.home;
-    this.heading = this.headingOf().heading;
+    this.heading = headingOf(this.text).heading;
     this.range = this.firstRange();
     this.back = button("↺", () => this.goBack(), "back");
     this.element = this.build();
@@ -74,20 +74,9 @@ export class Row {
     this.showValue();
   }
 
-  /** "1: diameter" with "outer diameter" is "1: outer diameter". */
-  private headingOf(): { heading: string; more: string } {
-    const { label, meaning } = this.text;
-    const key = label.slice(label.lastIndexOf(" ") + 1);
-    const isNamed = meaning.split(" ").includes(key);
-    return {
-      heading: isNamed ? label.slice(0, -key.length) + meaning : label,
-      more: isNamed || label.endsWith(meaning) ? "" : meaning,
-    };
-  }
-
   private build(): HTMLElement {
     const { id, label, unit } = this.text;
-    const { heading, more } = this.headingOf();
+    const { heading, more } = headingOf(this.text);
     const name = make("span", "name", make("b", "", heading));
     if (more) name.append(` ${more}`);
     name.id = `${id}-name`;
@@ -312,7 +301,7 @@ export class Row {
   /** Shows the elasticity of a frequency, with a bar in the scale of the largest one; null if
    * there is none, with the reason. */
   elasticity(value: number | null, largest: number, reason: NoElasticity | null): void {
-    setText(this.elasticityText, value === null ? reason?.short ?? "" : writeElasticity(value));
+    setText(this.elasticityText, value === null ? reason === null ? "" : reason.short || "–" : writeElasticity(value));
     const { elasticityCell } = this;
     const title = reason?.text ?? "";
     if (elasticityCell.title !== title) elasticityCell.title = title;
@@ -321,6 +310,18 @@ export class Row {
     this.bar.style.setProperty("--part", String(Math.abs(part)));
     setClass(this.bar, part < 0 ? "bar negative" : "bar");
   }
+}
+
+/** The name of a row, and its meaning where the name does not say it: "1: diameter" with "outer
+ * diameter" is "1: outer diameter"; a place in a table of the file is no name. */
+export function headingOf({ label, meaning }: { label: string; meaning: string }): { heading: string; more: string } {
+  const key = label.slice(label.lastIndexOf(" ") + 1);
+  const isPlace = key.endsWith("[]");
+  const isNamed = isPlace || meaning.split(" ").includes(key);
+  return {
+    heading: isNamed ? label.slice(0, -key.length) + meaning : label,
+    more: isNamed || label.endsWith(meaning) ? "" : meaning,
+  };
 }
 
 /** With three decimals; a small one with two significant digits. */

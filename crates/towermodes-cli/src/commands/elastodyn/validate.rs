@@ -8,7 +8,7 @@ use super::arguments::ValidateArguments;
 use super::deck::judged;
 use crate::args::TextFormat;
 use crate::failure::Failure;
-use crate::output::deliver;
+use crate::output::Finished;
 use crate::table;
 
 /// Compares the mode shapes of a deck with the computed modes of its tower.
@@ -21,18 +21,20 @@ pub(crate) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
     let limits = ValidationLimits::default();
     let validation =
         validate_shapes(&model, &file.modes(), &judged.shapes, &limits).map_err(Failure::failed)?;
-    let mut result = Vec::new();
-    match arguments.format {
+    let result = match arguments.format {
         TextFormat::Table => {
             let title = &judged.deck.tower_source.name;
-            result.extend(
-                table::judgements(title, &judged.tower, judged.from_m, &validation.shapes)
-                    .into_bytes(),
-            );
+            let shapes = &validation.shapes;
+            Finished::Text(table::judgements(
+                title,
+                &judged.tower,
+                judged.from_m,
+                shapes,
+            ))
         }
-        TextFormat::Json => write_result_json(&validation, &mut result)?,
-    }
-    deliver(&result, None)?;
+        TextFormat::Json => Finished::data(|json| write_result_json(&validation, json))?,
+    };
+    result.deliver(None)?;
     match validation
         .shapes
         .iter()

@@ -20,7 +20,7 @@ use crate::explained::explained;
 use crate::failure::Failure;
 use crate::input::input;
 use crate::messages::{note, warn};
-use crate::output::{check_not_input, check_not_inputs, deliver};
+use crate::output::{Finished, check_not_input, check_not_inputs};
 use crate::progress::solve;
 use crate::table;
 use crate::terminal;
@@ -46,14 +46,14 @@ pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         Input::Substructure(input) => of_substructure(&input, arguments, format)?,
         Input::Mooring(input) => of_mooring(&input, arguments, format)?,
     };
-    deliver(&result, arguments.destination.output())
+    result.deliver(arguments.destination.output())
 }
 
 fn of_tower(
     input: &TowerInput,
     arguments: &SolveArguments,
     format: SolveFormat,
-) -> Result<Vec<u8>, Failure> {
+) -> Result<Finished, Failure> {
     check_not_inputs(input.files(), arguments.destination.output())?;
     arguments.reading.check(&[input.format])?;
     let borders_m = input.prescribed.borders_m.clone();
@@ -67,27 +67,30 @@ fn of_tower(
     }
     let solution = solve(&tower, &options);
     let solution = explained(solution, (&tower, input))?;
-    let mut result = Vec::new();
-    match format {
+    let result = match format {
         SolveFormat::Table => {
             let mut text = table::solution(&tower, &solution);
             if input.turbine.is_some() {
                 text += RIGID;
             }
             let draw = |width| shapes(&tower, &solution, width);
-            result.extend(with_picture(text, draw, arguments).into_bytes());
+            Finished::Text(with_picture(text, draw, arguments))
         }
         SolveFormat::Json if arguments.sensitivities => {
             let influences = influences_of(&input.description, None, &options);
             let influences = explained(influences, (&tower, input))?;
             let of_numbers = (&input.description, &influences);
             let notes = &input.notes;
-            write_json_with_sensitivities(&tower, &solution, of_numbers, notes, &mut result)?;
+            Finished::data(|json| {
+                write_json_with_sensitivities(&tower, &solution, of_numbers, notes, json)
+            })?
         }
-        SolveFormat::Json => write_json(&tower, &solution, &input.notes, &mut result)?,
-        SolveFormat::Csv => write_csv(&solution, &mut result)?,
-        SolveFormat::Bmodes => result = nodes.of_solution(&tower, &solution).into_bytes(),
-    }
+        SolveFormat::Json => {
+            Finished::data(|json| write_json(&tower, &solution, &input.notes, json))?
+        }
+        SolveFormat::Csv => Finished::data(|csv| write_csv(&solution, csv))?,
+        SolveFormat::Bmodes => Finished::Data(nodes.of_solution(&tower, &solution).into_bytes()),
+    };
     note(&input.notes);
     warn(&solution.warnings, input);
     Ok(result)
@@ -97,7 +100,7 @@ fn of_blade(
     input: &BladeInput,
     arguments: &SolveArguments,
     format: SolveFormat,
-) -> Result<Vec<u8>, Failure> {
+) -> Result<Finished, Failure> {
     check_not_inputs(input.files(), arguments.destination.output())?;
     arguments.check_for_blade()?;
     arguments.reading.check(&[FileFormat::Bmodes])?;
@@ -118,13 +121,16 @@ fn of_blade(
             note(&notes);
             Failure::from(error)
         })?;
-    let mut result = Vec::new();
-    match format {
-        SolveFormat::Table => result.extend(blade_text(&blade, &solution, arguments).into_bytes()),
-        SolveFormat::Json => write_blade_json(&blade, &solution, &notes, &mut result)?,
-        SolveFormat::Csv => write_blade_csv(&solution, &mut result)?,
-        SolveFormat::Bmodes => result = nodes.of_blade_solution(&blade, &solution).into_bytes(),
-    }
+    let result = match format {
+        SolveFormat::Table => Finished::Text(blade_text(&blade, &solution, arguments)),
+        SolveFormat::Json => {
+            Finished::data(|json| write_blade_json(&blade, &solution, &notes, json))?
+        }
+        SolveFormat::Csv => Finished::data(|csv| write_blade_csv(&solution, csv))?,
+        SolveFormat::Bmodes => {
+            Finished::Data(nodes.of_blade_solution(&blade, &solution).into_bytes())
+        }
+    };
     note(&notes);
     note(&coarse(&solution));
     Ok(result)
@@ -134,7 +140,7 @@ fn of_substructure(
     input: &SubdynInput,
     arguments: &SolveArguments,
     format: SolveFormat,
-) -> Result<Vec<u8>, Failure> {
+) -> Result<Finished, Failure> {
     check_not_inputs(input.files(), arguments.destination.output())?;
     arguments.reading.check(&[FileFormat::SubDyn])?;
     arguments.check_for_substructure(format)?;
@@ -158,14 +164,11 @@ fn of_substructure(
         warning.message += "; --clamped fixes the interface joints";
     }
     notes.extend(fewer.into_iter().chain(mechanism));
-    let mut result = Vec::new();
-    match format {
-        SolveFormat::Table | SolveFormat::Bmodes => {
-            result.extend(table::substructure(&solved).into_bytes());
-        }
-        SolveFormat::Json => write_substructure_json(&solved, &notes, &mut result)?,
-        SolveFormat::Csv => write_substructure_csv(&solved, &mut result)?,
-    }
+    let result = match format {
+        SolveFormat::Table | SolveFormat::Bmodes => Finished::Text(table::substructure(&solved)),
+        SolveFormat::Json => Finished::data(|json| write_substructure_json(&solved, &notes, json))?,
+        SolveFormat::Csv => Finished::data(|csv| write_substructure_csv(&solved, csv))?,
+    };
     note(&notes);
     Ok(result)
 }
@@ -202,7 +205,7 @@ fn of_mooring(
     input: &MooringInput,
     arguments: &SolveArguments,
     format: SolveFormat,
-) -> Result<Vec<u8>, Failure> {
+) -> Result<Finished, Failure> {
     arguments.reading.check(&[FileFormat::MoorDyn])?;
     arguments.check_for_mooring(format)?;
     let mooring = input.mooring()?;
@@ -213,14 +216,11 @@ fn of_mooring(
         mooring: &mooring,
         state: &state,
     };
-    let mut result = Vec::new();
-    match format {
-        SolveFormat::Table | SolveFormat::Bmodes => {
-            result.extend(table::mooring(&solved).into_bytes());
-        }
-        SolveFormat::Json => write_mooring_json(&solved, &notes, &mut result)?,
-        SolveFormat::Csv => write_mooring_csv(&solved, &mut result)?,
-    }
+    let result = match format {
+        SolveFormat::Table | SolveFormat::Bmodes => Finished::Text(table::mooring(&solved)),
+        SolveFormat::Json => Finished::data(|json| write_mooring_json(&solved, &notes, json))?,
+        SolveFormat::Csv => Finished::data(|csv| write_mooring_csv(&solved, csv))?,
+    };
     note(&notes);
     Ok(result)
 }

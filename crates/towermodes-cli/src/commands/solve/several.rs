@@ -14,7 +14,7 @@ use super::{SolveArguments, SolveFormat};
 use crate::failure::Failure;
 use crate::input::input;
 use crate::messages::{note, warn_texts, warning_text};
-use crate::output::{check_not_input, check_not_inputs, deliver};
+use crate::output::{Finished, check_not_input, check_not_inputs};
 use crate::progress::Progress;
 use crate::table;
 use crate::terminal;
@@ -42,10 +42,7 @@ pub(super) fn run(arguments: &SolveArguments, format: SolveFormat) -> Result<(),
     drop(progress);
     let (solved, failed) = reported(solved);
     if !solved.is_empty() {
-        deliver(
-            &result(&solved, arguments, format)?,
-            arguments.destination.output(),
-        )?;
+        result(&solved, arguments, format)?.deliver(arguments.destination.output())?;
     }
     match failed {
         None => Ok(()),
@@ -193,7 +190,7 @@ fn result(
     solved: &[(String, Solved)],
     arguments: &SolveArguments,
     format: SolveFormat,
-) -> Result<Vec<u8>, Failure> {
+) -> Result<Finished, Failure> {
     let files: Vec<SolvedFile<'_>> = solved
         .iter()
         .map(|(file, solved)| SolvedFile {
@@ -203,14 +200,12 @@ fn result(
             notes: &solved.input.notes,
         })
         .collect();
-    let mut result = Vec::new();
     match format {
-        SolveFormat::Json => write_several_json(&files, &mut result)?,
-        SolveFormat::Csv => write_several_csv(&files, &mut result)?,
+        SolveFormat::Json => Finished::data(|json| write_several_json(&files, json)),
+        SolveFormat::Csv => Finished::data(|csv| write_several_csv(&files, csv)),
         SolveFormat::Table | SolveFormat::Bmodes => {
             let width = terminal::width_of(arguments.destination.output());
-            result = table::several(&files, width).into_bytes();
+            Ok(Finished::Text(table::several(&files, width)))
         }
     }
-    Ok(result)
 }

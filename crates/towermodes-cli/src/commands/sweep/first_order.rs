@@ -8,7 +8,7 @@ use super::arguments::{SweepArguments, SweepFormat};
 use super::planned::Planned;
 use crate::failure::Failure;
 use crate::messages::warn_texts;
-use crate::output::deliver;
+use crate::output::Finished;
 use crate::studies::first_order::document;
 use crate::table;
 
@@ -26,20 +26,19 @@ pub(super) fn run(planned: &Planned, arguments: &SweepArguments) -> Result<(), F
         .first_order(sampling, check.as_ref(), Solver::default());
     let found = found.map_err(failure)?;
     warn_texts(&found.doubts());
-    let mut result = Vec::new();
-    match arguments.format == Some(SweepFormat::Json) {
+    let result = match arguments.format == Some(SweepFormat::Json) {
         true => {
             let document = document(&planned.input, sampling, &found, check.as_ref());
-            write_first_order_json(&document, &mut result)?;
+            Finished::data(|json| write_first_order_json(&document, json))?
         }
         false => {
             let tower = planned.input.tower()?;
             let correlated = !sampling.correlations.is_empty();
             let text = table::first_order(&tower, &found, check.as_ref(), correlated);
-            result.extend(text.into_bytes());
+            Finished::Text(text)
         }
-    }
-    deliver(&result, None)
+    };
+    result.deliver(None)
 }
 
 fn failure(error: FirstOrderError) -> Failure {

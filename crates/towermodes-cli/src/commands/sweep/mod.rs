@@ -14,7 +14,7 @@ pub(crate) use arguments::SweepArguments;
 use towermodes_sweep::Slices;
 
 use crate::failure::Failure;
-use crate::output::deliver;
+use crate::output::Finished;
 use crate::table;
 use planned::Planned;
 
@@ -55,5 +55,5 @@ fn summarize(planned: &Planned, slices: &Slices<'_>) -> Result<(), Failure> {
     let summary = slices.summary(check.as_ref())?;
     let tower = planned.input.tower()?;
     let text = table::sweep_summary(&tower, &summary, check.as_ref());
-    deliver(text.as_bytes(), None)
+    Finished::Text(text).deliver(None)
 }

@@ -17,7 +17,7 @@ use towermodes_analysis::whirl::CoupledCampbell;
 
 use crate::number::digits;
 use crate::svg::Figure;
-use crate::wording::{STRUCTURE_ONLY, operation_of, proved};
+use crate::wording::{STRUCTURE_ONLY, conclusion_text, operation_of, proved};
 
 use above::{above_text, unresisted_text};
 use field::drawing;
@@ -66,7 +66,7 @@ pub fn coupled_campbell_beside_conclusion(coupled: &CoupledCampbell) -> Figure {
 }
 
 fn with_conclusion(campbell: &Campbell, figure: Figure) -> Figure {
-    let conclusion = campbell.conclusion().join(" ").replace("(-", "(\u{2212}");
+    let conclusion = conclusion_text(&campbell.conclusion());
     Figure {
         description: format!("{conclusion} {}", figure.description),
         ..figure

@@ -167,8 +167,9 @@ fn all_name(table: &Table) -> String {
     }
 }
 
-/// Whether a cell is a number, or empty.
+/// Whether a cell is a number, or one that becomes another ("0.7039 → 0.6876"), or empty.
 fn is_number(cell: Option<&String>) -> bool {
-    let text = cell.map_or("", |text| text.trim());
-    text.is_empty() || text.replace('\u{2212}', "-").parse::<f64>().is_ok()
+    let text = cell.map_or("", |text| text.trim()).replace('\u{2212}', "-");
+    let mut numbers = text.split(" \u{2192} ");
+    text.is_empty() || numbers.all(|number| number.parse::<f64>().is_ok())
 }

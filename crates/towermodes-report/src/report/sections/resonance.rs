@@ -11,7 +11,7 @@ use super::{RIGID, paragraph, picture, table};
 use crate::figures;
 use crate::number::{four_digits, margin_percent, typeset};
 use crate::svg::Figure;
-use crate::wording::{operation, operation_of, verdict_counts};
+use crate::wording::{conclusion_text, operation, operation_of, verdict_counts};
 
 /// The lines of a tower file that this section needs.
 const ROTOR: &str = "[rotor]\nblades = 3\nrpm = [6.9, 12.1]   # lowest and highest operating speed";
@@ -65,7 +65,7 @@ pub(super) fn conclusion(campbell: &Campbell, lead: &'static str) -> Statement {
     let is_checked = campbell.not_checked.is_empty();
     Statement {
         lead,
-        text: campbell.conclusion().join(" ").replace("(-", "(\u{2212}"),
+        text: conclusion_text(&campbell.conclusion()),
         verdict: is_checked.then(|| Mark::of(campbell.verdict())),
     }
 }
