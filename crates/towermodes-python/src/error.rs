@@ -258,7 +258,7 @@ fn hint(error: &SolveError) -> Option<&'static str> {
             Some("reduce modes or segments, or give limits=False")
         }
         SolveError::Buckles { .. } => Some(
-            "reduce the mass, increase the diameter or the wall thickness (of a substructure check supports, sections and marine growth), or leave out gravity",
+            "reduce the mass, increase the diameter or the wall thickness (for a substructure check supports, sections and marine growth), or leave out gravity",
         ),
         SolveError::Eigen(EigenError::TooStiff | EigenError::NotFinite) => remedy(error),
         SolveError::Eigen(_) => Some("reduce modes, or check the units of all values"),

@@ -54,7 +54,7 @@ pub struct ModeDamping {
     pub family: Family,
     /// Order within the family, from 1.
     pub order: usize,
-    /// The name of the mode, as "1st fore-aft bending".
+    /// The name of the mode, for example "1st fore-aft bending".
     pub label: String,
     /// Its frequency, extrapolated, Hz.
     pub frequency_hz: f64,

@@ -39,7 +39,7 @@ pub struct SoilBand {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BandMode {
-    /// Its name, as "1st fore-aft bending".
+    /// Its name, for example "1st fore-aft bending".
     pub label: String,
     /// Its family.
     pub family: Family,

@@ -34,12 +34,12 @@ pub(crate) struct ReadingArguments {
     #[arg(help_heading = MODEL, long)]
     pub(crate) no_rna: bool,
 
-    /// Omit gravity (no geometric stiffness); not for a floating tower, whose buoyancy is gravity
+    /// Omit gravity (no geometric stiffness); not for a floating tower, because buoyancy exists only with gravity
     #[arg(help_heading = MODEL, long)]
     no_gravity: bool,
 
     /// Clamp a tower of OpenFAST or windIO at its base, without the jacket or platform below it;
-    /// for a SubDyn file, hold the interface joints
+    /// for a SubDyn file, fix the interface joints
     #[arg(help_heading = OTHERS, long)]
     pub(crate) clamped: bool,
 
@@ -69,8 +69,8 @@ pub(crate) struct ReadingArguments {
     #[arg(help_heading = OTHERS, long, value_enum, default_value_t = Part::All)]
     part: Part,
 
-    /// Where members of the floating platform of a windIO turbine end that begin at the axis of
-    /// another member; the file does not say it, and frequencies differ by some percent
+    /// Ends of the members of the floating platform of a windIO turbine that the file lets begin at
+    /// the axis of another member; the choice changes frequencies by some percent
     #[arg(help_heading = OTHERS, long, value_name = "ENDS", value_enum, default_value_t = Ends::Balance)]
     member_ends: Ends,
 
@@ -103,7 +103,7 @@ enum Part {
 /// Where members of a floating platform end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Ends {
-    /// Cut, or whole if weight, buoyancy and lines are nearer to balance then.
+    /// Cut, or whole if the sum of weight, buoyancy and mooring force is then closer to zero.
     Balance,
     /// At the surface of the other member, as in WISDEM.
     Cut,

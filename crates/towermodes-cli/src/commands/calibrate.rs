@@ -33,7 +33,7 @@ MEASURED is a TOML file with the measured frequencies and the input values to be
   frequency = 0.2585
   deviation = 0.001
 
-A prior has mean and standard deviation, a measurement frequency and standard deviation in Hz. A good fit does not show that the model is valid. `towermodes parameters FILE` lists the names of the input values.
+A prior consists of a mean and a standard deviation; a measurement consists of a frequency and a standard deviation in Hz. A good fit does not show that the model is valid. `towermodes parameters FILE` lists the names of the input values.
 
 Exit codes: 0 the values are fitted, 1 the measurements do not determine them, the computation or the output failed, 2 wrong usage or wrong input.";
 

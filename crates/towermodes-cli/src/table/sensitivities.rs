@@ -189,7 +189,7 @@ fn footer(shown: &[&Influence], hidden: usize, has_tolerances: bool) -> Vec<Stri
     }
     if lacks(NoDerivative::OneSided) {
         sentences.push(
-            "one-sided: the frequency changes differently, or cannot change, in the two directions"
+            "one-sided: the derivatives for an increase and a decrease differ, or one of them does not exist"
                 .to_owned(),
         );
     }

@@ -218,7 +218,7 @@ impl Carried<'_> {
         // Joints of both modules may differ in their last digit.
         if self.length_m > self.piece_m {
             let message = format!(
-                "{:.0} m of members lie on no member of the substructure: their water moves rigidly with the nearest point of the nearest member, in pieces of {:.0} m",
+                "members of HydroDyn with a total length of {:.0} m do not coincide with members of the substructure: the added mass of their water is attached rigidly to the nearest point of the nearest member, in pieces of {:.0} m",
                 self.length_m, self.piece_m
             );
             notes.push(Note::approximation(message));

@@ -141,7 +141,7 @@ pub(super) fn index(
     let mistake = Diagnostic::new(span, DiagnosticKind::UnknownName { what, name });
     Err(mistake.with_hint(match count {
         0 => "its table has no rows".to_owned(),
-        1 => "its table has only number 1".to_owned(),
+        1 => "the only number in its table is 1".to_owned(),
         count => format!("its table has the numbers 1 to {count}"),
     }))
 }

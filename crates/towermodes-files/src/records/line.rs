@@ -105,7 +105,7 @@ pub(crate) fn decimal_comma(what: &str, rest: &Token<'_>) -> Diagnostic {
         rest: rest.text.chars().take(40).collect(),
     };
     rest.wrong(kind).with_hint(
-        "write a decimal point, as 3.5, no comma between thousands, and a blank between values",
+        "write a decimal point, for example 3.5, no comma between thousands, and a blank between values",
     )
 }
 

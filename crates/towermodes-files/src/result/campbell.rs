@@ -101,7 +101,7 @@ struct LineJson<'a> {
     family: String,
     /// Order within the family, from 1.
     order: usize,
-    /// The name of the mode, as "1st fore-aft bending".
+    /// The name of the mode, for example "1st fore-aft bending".
     label: &'a str,
     /// Rotor speeds, rpm, rising.
     rotor_speed_rpm: Vec<f64>,

@@ -122,5 +122,5 @@ static COLUMNS: [Column<LineAtRest>; 10] = [
     Column { key: "horizontal_n", unit: "N", meaning: "horizontal tension", value: |l| Number(l.state.horizontal_n) },
     Column { key: "vertical_n", unit: "N", meaning: "downward force at the upper end", value: |l| Number(l.state.vertical_n) },
     Column { key: "on_seabed_m", unit: "m", meaning: "length on the seabed", value: |l| Number(l.state.on_seabed_m) },
-    Column { key: "extreme_z_m", unit: "m", meaning: "lowest height; of a line lighter than water the greatest one", value: |l| Number(l.state.extreme_z_m) },
+    Column { key: "extreme_z_m", unit: "m", meaning: "lowest height of the line; greatest height if the line is lighter than water", value: |l| Number(l.state.extreme_z_m) },
 ];

@@ -186,11 +186,11 @@ fn notes_on_kinds(members: &[FrameMember], sections: &Sections<'_>, source: &Sou
         ),
         (
             rigid,
-            "the mass of a rigid link is distributed as in SubDyn, by the cubic shapes of a cable: its inertia about an end is 11 % too large across the link",
+            "the mass of a rigid link is distributed as in SubDyn, with the cubic shape functions of a cable: its moment of inertia about an end, normal to the link, is 11 % too large",
         ),
         (
             spring,
-            "a spring has no lever arm, as in SubDyn: if its joints are apart, its shear forces are not in balance",
+            "a spring has no lever arm, as in SubDyn: if its joints are apart, the moment of its shear forces is not in equilibrium",
         ),
     ];
     let notes = messages.into_iter().filter_map(|(place, message)| {

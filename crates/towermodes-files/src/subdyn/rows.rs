@@ -163,7 +163,7 @@ impl Ids {
                         self.indices.len()
                     )
                 }
-                (Some(only), _) => format!("the table has only number {only}"),
+                (Some(only), _) => format!("the only number in the table is {only}"),
                 _ => "its table has no rows".to_owned(),
             })
         };

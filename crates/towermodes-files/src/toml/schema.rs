@@ -701,7 +701,7 @@ tables! {
     /// `[[substructure.rider]]`.
     SUBSTRUCTURE_RIDER = "[[substructure.rider]]":
         required "member" Text "" "its name";
-        required "fraction" Number "" "of the length from the first joint";
+        required "fraction" Number "" "distance from the first joint as a fraction of the member length";
         required "matrix" Matrix "kg, kg m, kg m2" "x, y, z, rotation about x, y, z";
 
     /// `[[substructure.water_plane]]`.

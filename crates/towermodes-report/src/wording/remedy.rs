@@ -12,7 +12,7 @@ pub fn remedy(error: &SolveError) -> Option<&'static str> {
             "reduce --modes or --segments (an even number of segments needs no finer mesh for the error estimate), or use --no-limits",
         ),
         SolveError::Buckles { .. } => Some(
-            "reduce the mass, increase the diameter or the wall thickness (of a substructure check supports, sections and marine growth), or use --no-gravity to omit gravity",
+            "reduce the mass, increase the diameter or the wall thickness (for a substructure check supports, sections and marine growth), or use --no-gravity to omit gravity",
         ),
         SolveError::Eigen(EigenError::TooStiff) => Some(
             "check the units: foundation, soil, guy wires and members are not a million times stiffer than the tower",

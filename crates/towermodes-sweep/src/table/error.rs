@@ -222,7 +222,7 @@ pub enum TableProblem {
 fn and_others(count: usize) -> String {
     match count {
         0 => String::new(),
-        1 => " (and 1 other column is not one either)".to_owned(),
+        1 => " (and 1 other column is not an input value either)".to_owned(),
         count => format!(" (and {count} other columns are not either)"),
     }
 }

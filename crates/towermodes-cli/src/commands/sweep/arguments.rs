@@ -92,7 +92,7 @@ pub(crate) struct SweepArguments {
 
     /// Solve no rows, but print mean and standard deviation of each frequency from derivatives at
     /// the mean values of a study, the share of each varied input in the variance and, if the
-    /// rotor is known, the probability that an excitation is closer than 5 %
+    /// rotor is known, the probability that an excitation is closer than 5 % to the frequency
     #[arg(long)]
     pub(crate) first_order: bool,
 

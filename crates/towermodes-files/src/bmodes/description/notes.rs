@@ -190,7 +190,7 @@ fn pitch(deck: &Deck, compatible: bool, notes: &mut Notes) -> Result<(), Diagnos
     let (flap, edge) = (deck.multipliers.flap.value, deck.multipliers.edge.value);
     if flap == edge {
         let message = format!(
-            "bl_thp is {}; a tower has no pitch; with equal stiffness in both planes it has no effect",
+            "bl_thp (pitch angle) is {}; it has no effect on a tower with equal stiffness in both planes",
             pitch.value
         );
         notes.on(pitch, Note::left_out(message));
@@ -202,7 +202,7 @@ fn pitch(deck: &Deck, compatible: bool, notes: &mut Notes) -> Result<(), Diagnos
     );
     if compatible {
         let kind = DiagnosticKind::Unsupported(message);
-        let hint = "a tower has no pitch: write 0, or omit --bmodes-quirks";
+        let hint = "write 0, because a tower has no pitch angle, or omit --bmodes-quirks";
         return Err(pitch.wrong(kind).with_hint(hint));
     }
     let message = format!("{message}; here 0 is used");

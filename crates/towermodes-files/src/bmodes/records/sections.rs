@@ -72,7 +72,7 @@ fn row(
     let extra = values.get(COLUMNS.len()).map(|value| value.span.start);
     if extra.is_some() && has_joined_numbers(&first) {
         let kind = DiagnosticKind::wrong_count_of("numbers", what, values.len(), COLUMNS.len());
-        let hint = "write decimal points, as 0.5, and blanks between numbers";
+        let hint = "write decimal points, for example 0.5, and blanks between numbers";
         return Err(Diagnostic::new(first.span(), kind).with_hint(hint));
     }
     let mut values = values.into_iter();

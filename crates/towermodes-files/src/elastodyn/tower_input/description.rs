@@ -79,7 +79,7 @@ pub(crate) fn upside_down(body: &RigidBody) -> RigidBody {
 /// The note that a hanging tower is solved upside down.
 pub(crate) fn hanging_note(ends: Ends) -> Note {
     Note::approximation(format!(
-        "the tower hangs from z = {} m down to {} m: it is solved upside down, its heights are depths, and self-weight and buoyancy, which act against each other, are left out",
+        "the tower hangs from z = {} m down to {} m: it is solved upside down, heights in the results are depths, and self-weight and buoyancy, which act against each other, are left out",
         0.0 - ends.base_m,
         0.0 - ends.top_m
     ))

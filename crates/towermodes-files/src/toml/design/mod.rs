@@ -21,7 +21,7 @@ use schema::{DESIGN, LIMITS, STUDY};
 pub use schema::design_study_schema;
 
 /// The minimum content of a study.
-const LEAST: &str = "a design file needs [design.variables] with the design variables, as \"stations[*].wall\" = { between = [0.012, 0.060] }, and [design.frequencies], as \"fore-aft 1\" = { min = 0.3 }";
+const LEAST: &str = "a design file needs [design.variables] with the design variables, for example \"stations[*].wall\" = { between = [0.012, 0.060] }, and [design.frequencies], as \"fore-aft 1\" = { min = 0.3 }";
 
 /// Reads the study of a design from a TOML file.
 ///

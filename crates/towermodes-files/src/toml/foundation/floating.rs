@@ -122,7 +122,7 @@ fn referred(
 
 /// The height of the point that a matrix is about, m.
 fn about(table: &Table<'_>, height_key: &str, reading: &mut Reading) -> Option<f64> {
-    let hint = "height in m, in the datum of the stations, of the reference point of the matrix";
+    let hint = "height of the reference point of the matrix in m, in the datum of the stations";
     let value = table.require(height_key, hint, reading)?;
     number(value, height_key, reading)
 }

@@ -31,7 +31,7 @@ tables! {
 
     /// `[[measured]]`.
     MEASURED = "[[measured]]":
-        optional "mode" Text "" "the mode, as fore-aft 1; without it the mode is found by shape and frequency";
+        optional "mode" Text "" "the mode, for example fore-aft 1; without it the mode is found by shape and frequency";
         required "frequency" Number "Hz" "measured natural frequency";
         required "deviation" Number "Hz" "its standard deviation";
         optional "shape" Any "" "rows of height, fore-aft and side-side displacement, used to identify the mode";

@@ -112,7 +112,7 @@ fn subset(value: &Value<'_>, reading: &mut Reading) -> Option<(usize, usize)> {
         _ => {
             let kind = DiagnosticKind::wrong_count("subset", numbers.len(), 2);
             let mistake = Diagnostic::new(value.span(), kind);
-            reading.refuse(mistake.with_hint("set and subset, as [1, 2]"))
+            reading.refuse(mistake.with_hint("set and subset, for example [1, 2]"))
         }
     }
 }

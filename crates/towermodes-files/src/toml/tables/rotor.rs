@@ -22,7 +22,7 @@ pub(crate) fn rotor(root: &Table<'_>, reading: &mut Reading) -> Option<Option<Ro
     reading.remember(at(TABLE), value.span());
     let table = Table::of(value, "[rotor]", &schema::ROTOR, reading)?;
     let blades = table
-        .require("blades", "number of blades, as 3", reading)
+        .require("blades", "number of blades, for example 3", reading)
         .and_then(|value| {
             reading.remember(at("blades"), value.span());
             blades(value, 1, reading)

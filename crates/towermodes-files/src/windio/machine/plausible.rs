@@ -34,7 +34,7 @@ pub(crate) fn angle(
         let kind = DiagnosticKind::out_of_range_in(key, written, unit, rule);
         let hint = match version {
             Version::One => "in windIO 1 it is in radians: 6 degrees are 0.10472",
-            Version::Two => "in windIO 2 it is in degrees, as 6.0",
+            Version::Two => "in windIO 2 it is in degrees, for example 6.0",
         };
         return Err(Diagnostic::new(node.span.clone(), kind).with_hint(hint));
     }

@@ -63,7 +63,7 @@ fn notes(modes: &TurbineModes) -> [String; 2] {
         more => format!(" The {more} modes above are not drawn."),
     };
     let arrow = match modes.rotor_speed_rpm > 0.0 {
-        true => ", the arrow is the rotation of the rotor",
+        true => ", the arrow shows the direction of rotation",
         false => "",
     };
     [

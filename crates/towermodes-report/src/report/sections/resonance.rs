@@ -109,7 +109,7 @@ fn classes(campbell: &Campbell) -> String {
     let class = |(family, class): &(Family, StiffnessClass)| {
         let class = match class {
             StiffnessClass::Coincident { multiple } => {
-                format!("no class, because {multiple}P crosses it in operation")
+                format!("no class, because {multiple}P crosses its frequency in operation")
             }
             class => class.name().to_owned(),
         };
