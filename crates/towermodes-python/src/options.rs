@@ -25,7 +25,8 @@ pub struct SolveOptions {
 
 /// The method with this name.
 ///
-/// # Errors `ValueError` with the valid names.
+/// # Errors
+/// `ValueError` with the valid names.
 pub fn method_named(name: &str) -> PyResult<Method> {
     Method::named(name).ok_or_else(|| {
         let names = Method::ALL.map(Method::name).join(", ");

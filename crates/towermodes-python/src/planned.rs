@@ -51,7 +51,8 @@ pub fn of_table(
 /// The sweep of a study, of the tower that it names or of another one, with the files that it
 /// names, which are relative to it.
 ///
-/// # Errors `TowerError` with the mistakes of the study and of the tower; errors of [`of_table`].
+/// # Errors
+/// `TowerError` with the mistakes of the study and of the tower; errors of [`of_table`].
 pub fn of_study(
     study: &Source,
     tower: Option<&TowerInput>,

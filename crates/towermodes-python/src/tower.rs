@@ -37,7 +37,8 @@ pub struct Tower {
 impl Tower {
     /// The tower of an input.
     ///
-    /// # Errors `TowerError` with the place of an invalid value.
+    /// # Errors
+    /// `TowerError` with the place of an invalid value.
     pub fn of_input(input: TowerInput) -> PyResult<Self> {
         let tower = input.tower().map_err(of_read)?;
         let model = Arc::new(Model { tower, input });

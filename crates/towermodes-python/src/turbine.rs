@@ -26,7 +26,8 @@ pub struct TurbineModes {
 
 /// The turbine of a tower.
 ///
-/// # Errors `ValueError` if there is none.
+/// # Errors
+/// `ValueError` if there is none.
 pub fn turbine_of(model: &Model) -> PyResult<Turbine> {
     let turbine = model.input.whole_turbine().map_err(of_read)?;
     turbine.ok_or_else(|| usage(model.missing_turbine()))

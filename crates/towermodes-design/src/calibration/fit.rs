@@ -22,8 +22,8 @@ const FIRST_DAMPING: f64 = 1e-3;
 const LEAST_DAMPING: f64 = 1e-15;
 /// Above this damping no step improves anything.
 const MOST_DAMPING: f64 = 1e14;
-/// At a solution the undamped step decreases the sum of squares by less than this, relative to the
-/// larger of the sum and 1.
+/// At a solution the undamped step decreases the sum of squares by less than this, relative to
+/// 1 + the sum of squares.
 const STATIONARY: f64 = 1e-6;
 /// A residual has a jump if it changes by more than this in the last rejected step.
 const JUMP: f64 = 1e-3;

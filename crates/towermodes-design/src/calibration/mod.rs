@@ -44,8 +44,9 @@ const MOST_PAIRINGS: usize = 4;
 /// [`towermodes::Options::modes`] is the initial number of modes; more modes are computed if a
 /// measurement needs them.
 ///
-/// # Errors [`CalibrationError`]: the problem is contradictory or not determined, a tower of the
-/// iteration cannot be solved, or a measured mode does not exist.
+/// # Errors
+/// [`CalibrationError`]: the problem is contradictory or not determined, a tower of the iteration
+/// cannot be solved, or a measured mode does not exist.
 ///
 /// # Example
 /// The rocking stiffness that explains a first frequency of 0.28094 ± 0.002 Hz:

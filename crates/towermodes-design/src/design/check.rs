@@ -75,7 +75,8 @@ impl DesignProblem {
         variables.try_for_each(|variable| variable.check_width(base))
     }
 
-    /// # Errors [`DesignError`] for a contradiction within the problem, whatever the tower.
+    /// # Errors
+    /// [`DesignError`] for a contradiction within the problem, whatever the tower.
     pub fn check(&self) -> Result<(), DesignError> {
         if self.variables.is_empty() {
             return Err(DesignError::NoVariables);

@@ -197,8 +197,8 @@ fn start(towers: &mut Towers<'_>, present: &[f64]) -> Result<Vec<f64>, DesignErr
 
 /// The lightest tower that is found, without stepped values.
 ///
-/// # Errors [`DesignError::Infeasible`] if the smallest violation found is larger than rounding
-/// errors.
+/// # Errors
+/// [`DesignError::Infeasible`] if the smallest violation found is larger than rounding errors.
 fn lightest(towers: &mut Towers<'_>, start: &[f64], all: &[usize]) -> Result<Minimum, DesignError> {
     let found = minimum(towers, start, all, Least::Mass)?;
     if found.is_feasible() {

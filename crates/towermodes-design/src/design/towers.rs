@@ -343,8 +343,8 @@ fn sign(side: Side) -> f64 {
 
 /// The indices of the modes with the lowest and the highest frequency to which each goal applies.
 ///
-/// # Errors The name of a goal for which one of these modes may be above the list, except the last
-/// mode.
+/// # Errors
+/// The name of a goal for which one of these modes may be above the list, unless `is_last`.
 fn ends(
     goals: &[Goal],
     modes: &[ModeFrequency],
