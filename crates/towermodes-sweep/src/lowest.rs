@@ -94,7 +94,7 @@ impl Lowest {
         mode.is_some_and(|mode| mode.shares.is_coupled(name.family))
     }
 
-    /// The name, if several modes share the motion that it states.
+    /// The modes that share the motion which a name states; none if only one mode has it.
     pub(crate) fn shared(&self, name: ModeName) -> Option<SharedMotion> {
         let all = self
             .modes

@@ -76,7 +76,7 @@ fn separated(names: &str) -> Vec<&str> {
     names.split(is_end).map(str::trim).collect()
 }
 
-/// Fits numbers of a tower to measured frequencies, and writes the fitted tower.
+/// Fits input values of a tower to measured frequencies, and writes the fitted tower.
 pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
     check_output(&arguments.found, &arguments.input, &arguments.measured)?;
     let output = arguments.found.output();
@@ -108,7 +108,8 @@ pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
     deliver(&result, None)
 }
 
-/// The problem of a file, with the unknowns of the command line if there are some.
+/// The problem of a calibration file; the unknowns of the command line, if given, replace those of
+/// the file.
 fn problem_of(
     base: &TowerDescription,
     file: &MeasuredFile,
@@ -126,7 +127,7 @@ fn problem_of(
     }
 }
 
-/// Errors that the file explains name it, with the line.
+/// Adds the line of the calibration file to an error that such a line explains.
 fn failure(error: CalibrationError, file: &MeasuredFile) -> Failure {
     match error {
         CalibrationError::Tower(error) => Failure::from(error),

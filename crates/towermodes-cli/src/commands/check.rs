@@ -111,8 +111,8 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     }
 }
 
-/// The notes of two files, each once. That a file has no data to omit is reported only if neither
-/// file has.
+/// The notes of two files, each once. The note that a file has no data to omit is reported only if
+/// neither file has such data.
 fn notes_of_both(first: &TowerInput, second: &TowerInput) -> Vec<Note> {
     let is_on_nothing = |note: &&Note| note.message == NOTHING_LEFT_OUT;
     let neither_has = [first, second]

@@ -14,11 +14,11 @@ use super::text::{align_right, aligned, plain_table, wrapped};
 const NOT_LISTED: &str = "-";
 /// Marks a list that ends inside a pair.
 const CUTS_A_PAIR: &str = "*";
-/// Spaces beside a cell.
+/// Number of blanks between columns.
 const GAP: usize = 2;
 
 /// A table of frequencies, then masses, method and certificate of each file. Columns that do not
-/// fit into `width` characters follow below in a table of their own.
+/// fit into `width` characters follow below in another table.
 pub(crate) fn several(files: &[SolvedFile<'_>], width: usize) -> String {
     let rows = rows(files);
     let heads: Vec<String> = rows.iter().map(|(_, head)| head.clone()).collect();
@@ -60,7 +60,7 @@ pub(crate) fn several(files: &[SolvedFile<'_>], width: usize) -> String {
     format!("{tables}\n{note}{note_on_pairs}{coupled}{missing}")
 }
 
-/// The modes of a file whose motions others share, if any.
+/// The modes of a file that share their motion with others, if any.
 fn coupled((file, name): (&SolvedFile<'_>, String)) -> String {
     let modes = file.solution.modes.iter();
     let modes = modes.map(|mode| (mode.label(), mode.family, &mode.shares));
@@ -73,7 +73,7 @@ fn missing((file, name): (&SolvedFile<'_>, String)) -> Option<String> {
     Some(format!("\n{}\n", wrapped(&format!("{name}: {missing}"))))
 }
 
-/// The footnotes below the frequencies.
+/// The rows below the frequencies.
 const ABOUT: [&str; 7] = [
     "",
     "tower mass, t",
@@ -137,8 +137,8 @@ fn about(file: &SolvedFile<'_>) -> [String; 7] {
     ]
 }
 
-/// The end of the complete list: if the list ends inside a pair of equal frequencies, one more mode
-/// is below.
+/// The end of the complete list: if the list ends within a pair of equal frequencies, one more mode
+/// is below this frequency.
 fn complete_below(solution: &Solution) -> String {
     let below_hz = four_digits(solution.certificate.below_hz);
     match solution.certificate.count > solution.modes.len() {
@@ -166,7 +166,7 @@ fn short_names(files: &[SolvedFile<'_>]) -> Vec<String> {
     names.iter().map(|name| printable(name)).collect()
 }
 
-/// The columns in groups that fit into the width beside the first column.
+/// The columns in groups that fit into the width together with the first column.
 fn blocks<'a>(
     first: &[String],
     columns: &'a [Vec<String>],

@@ -1,4 +1,4 @@
-//! Numbers and names in tables.
+//! Formats of numbers and names in tables.
 
 use comfy_table::{CellAlignment, Table, presets};
 use towermodes::{Tower, printable};
@@ -62,7 +62,7 @@ pub(super) fn aligned(numbers: impl Iterator<Item = String>) -> Vec<String> {
 /// Units, which stay with their number.
 const UNITS: [&str; 3] = ["Hz", "rpm", "%"];
 
-/// A text in lines of at most [`WIDTH_OF_FILES`] characters, broken between words and not before a
+/// A text in lines of at most [`WIDTH_OF_FILES`] characters, broken between words but not before a
 /// unit; lines after the first are indented.
 pub(super) fn wrapped(text: &str) -> String {
     let mut words: Vec<String> = Vec::new();

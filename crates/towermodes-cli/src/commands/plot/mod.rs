@@ -61,7 +61,8 @@ pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
     deliver_bytes(&picture, output)
 }
 
-/// Writes a picture that a command draws beside its result, with the name of the tower above it.
+/// Writes the picture that a command draws in addition to its result, with the name of the tower
+/// above it.
 pub(crate) fn deliver_picture(
     figure: Figure,
     tower: &Tower,
@@ -85,7 +86,7 @@ struct Drawn {
     figure: Figure,
     /// The method: "rmje-exact, 100 segments".
     computed: Option<String>,
-    /// The conclusion in sentences.
+    /// A picture with its notes and warnings.
     conclusion: Vec<String>,
     notes: Vec<Note>,
     warnings: Vec<Warning>,

@@ -124,12 +124,12 @@ impl Ending for SweepFormat {
     const DEFAULT: Self = Self::Csv;
 }
 
-/// Successive rows.
+/// Successive rows, as on the command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct RowRange {
     /// The first row, from 0.
     pub(crate) start: u64,
-    /// The row behind the last one.
+    /// The number after the last row.
     pub(crate) end: u64,
 }
 
@@ -161,7 +161,7 @@ impl SweepArguments {
         self.threads.unwrap_or_else(available)
     }
 
-    /// The requested results: these options, otherwise those of a study.
+    /// The requested results: these options, otherwise the options of the study.
     pub(crate) fn results(&self, study: SweepResults) -> SweepResults {
         SweepResults {
             modes: self.modes.clone().unwrap_or(study.modes),
@@ -198,7 +198,7 @@ impl SweepArguments {
     /// Checks the options that need a file, and the file extension of the picture.
     ///
     /// # Errors
-    /// The message for an option that has no effect, or cannot have the requested one.
+    /// The message for an option that has no effect, or whose effect is impossible.
     pub(crate) fn check(&self) -> Result<(), &'static str> {
         if self.first_order {
             return self.check_first_order();
@@ -242,7 +242,7 @@ impl SweepArguments {
 }
 
 impl SweepArguments {
-    /// Refuses options for rows and their results.
+    /// Refuses options that apply only to rows and their results.
     fn check_first_order(&self) -> Result<(), &'static str> {
         let of_rows = [
             self.output.is_some(),
