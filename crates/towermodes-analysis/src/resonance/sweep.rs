@@ -93,6 +93,7 @@ struct Sweep {
     description: BladeDescription,
     /// The places where shapes are compared: distances from the rotor axis, m.
     radii_m: Vec<f64>,
+    /// The square roots of mass (kg) and polar inertia (kg m²) at each place.
     weights: Vec<[f64; 2]>,
     available: usize,
     solver: Solver,

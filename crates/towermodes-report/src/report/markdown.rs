@@ -9,10 +9,10 @@ use super::sections::document;
 use super::table::{Cell, Table};
 use crate::svg::DataTable;
 
-/// Tables with more rows are shortened like those of the page.
+/// Tables with more rows are shortened as on the page.
 const MOST_WHOLE_ROWS: usize = 100;
 
-/// The report as Markdown in the dialect of GitHub: the same as [`html()`](super::html()) without
+/// The report as GitHub-flavoured Markdown: the content of [`html()`](super::html()) without
 /// pictures, but with the commands that draw them.
 pub fn markdown(content: &ReportContent) -> String {
     let document = document(content);
@@ -79,12 +79,13 @@ fn statement(statement: &Statement) -> String {
     )
 }
 
-/// The word of a verdict.
+/// The text of a verdict.
 fn marked(mark: Mark) -> String {
     format!("**{}**", mark.word)
 }
 
-/// The description of a picture, and the command that draws it, otherwise its numbers.
+/// The description of a picture, and the command that draws it, or its data if there is no such
+/// command.
 fn of_picture(picture: &Picture, content: &ReportContent) -> String {
     let figure = &picture.figure;
     let heading = format!(
@@ -171,7 +172,7 @@ fn line(text: &str) -> String {
     escaped
 }
 
-/// Code within a fence longer than any in it.
+/// Code within a fence that is longer than any fence in the code.
 fn fenced(text: &str) -> String {
     let text = printable(text);
     let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);

@@ -2,7 +2,7 @@
 
 use towermodes::{EigenError, Family, SolveError};
 
-/// A suggestion so that a tower can be solved, for errors that have one.
+/// A suggestion how the tower can be solved, for errors that have one.
 pub fn remedy(error: &SolveError) -> Option<&'static str> {
     match error {
         SolveError::TooManyModes { .. } => {

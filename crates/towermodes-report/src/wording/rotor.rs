@@ -1,4 +1,4 @@
-//! The rotor and the verdicts on its excitations in words.
+//! The rotor and the verdicts on its excitations as text.
 
 use towermodes::Rotor;
 use towermodes::tower::Rpm;
@@ -34,7 +34,7 @@ pub fn operation_of(campbell: &Campbell) -> String {
     }
 }
 
-/// The verdict in upper case: `PASS`, `WARN`, `FAIL`; `-` where there is none.
+/// The verdict in upper case: `PASS`, `WARN`, `FAIL`; `-` if there is none.
 pub fn verdict_word(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Pass => "PASS",
@@ -44,7 +44,7 @@ pub fn verdict_word(verdict: Verdict) -> &'static str {
     }
 }
 
-/// How many pairs of a mode and an excitation pass, warn and fail, in this order.
+/// The numbers of pairs of a mode and an excitation that pass, warn and fail, in this order.
 pub fn verdict_counts(campbell: &Campbell) -> [usize; 3] {
     let count = |verdict| {
         let margins = campbell.margins.iter();

@@ -75,7 +75,7 @@ fn saved_name(name: &str) -> &str {
     }
 }
 
-/// A picture with a reference to its numbers.
+/// A picture with a reference to its data.
 fn of_picture(picture: &Picture) -> String {
     let Picture { figure, number, .. } = picture;
     let (title, description) = (text(&figure.title), text(&figure.description));
@@ -93,7 +93,7 @@ fn of_picture(picture: &Picture) -> String {
     )
 }
 
-/// The numbers of a picture.
+/// The data of a picture.
 fn of_numbers(numbers: &Numbers) -> String {
     let Numbers {
         picture,
