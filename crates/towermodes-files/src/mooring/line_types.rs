@@ -29,7 +29,7 @@ const STIFFNESS: Column = Column::new("EA", &["ea"], 3);
 const FRICTION: Column = Column::ordered("CB", &["cb"], [None, None, Some(4)]);
 const BENDING: Column = Column::ordered("EI", &["ei"], [Some(5), None, None]);
 
-/// The columns without which there is no line type.
+/// The columns that a line type must have.
 pub(super) const NEEDED: [Column; 4] = [NAME, DIAMETER, MASS, STIFFNESS];
 /// All columns that are read.
 pub(super) const READ: [Column; 5] = [NAME, DIAMETER, MASS, STIFFNESS, FRICTION];
@@ -74,7 +74,7 @@ pub(super) fn line_types<'a>(
     Ok(found)
 }
 
-/// EA: a number, or `static|dynamic` of ropes whose stiffness depends on the speed of loading.
+/// EA: a number, or `static|dynamic` for ropes whose stiffness depends on the loading rate.
 fn stiffness(row: &Row<'_>, source: &Source, notes: &mut Vec<Note>) -> Result<f64, Diagnostic> {
     let token = row.token(&STIFFNESS)?;
     let values = row.bars(&STIFFNESS);

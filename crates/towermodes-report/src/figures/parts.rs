@@ -226,8 +226,8 @@ impl RnaForm {
     /// The unit of length of the form, in radii of the tower top.
     pub const UNITS: f64 = 1.4;
 
-    /// The form for a unit of length; if a centre of mass is given, the nacelle is twice as high as
-    /// the centre is above the top, if that is neither too flat nor higher than `most`.
+    /// The form for a unit of length. The nacelle is twice as high as the centre of mass is above
+    /// the top, but at least 1.3 units and at most `most`.
     pub fn new(unit: f64, center_above: f64, most: f64) -> Self {
         let front = -1.7 * unit;
         let height = (2.0 * center_above).clamp(1.3 * unit, most.max(1.3 * unit));

@@ -31,6 +31,7 @@ pub(super) struct Scene {
     per_m: f64,
     /// The smallest x, y and z, m.
     low: Place,
+    /// The largest x, y and z, m.
     high: Place,
 }
 
