@@ -6,7 +6,7 @@ use super::section::{StripSection, blend};
 use super::strip::Stretch;
 
 impl Stretch {
-    /// Whether the coats of the stretch have mass.
+    /// Whether the stretch has added mass, growth or filling.
     pub(super) fn moves(&self) -> bool {
         let added = self
             .added_mass

@@ -32,8 +32,8 @@ pub struct SeaWater {
 }
 
 /// A structure stands on the seabed if the distance of its lowest point from the seabed is smaller
-/// than the larger of this fraction of the depth and this length, m, because piles end above or
-/// below the seabed.
+/// than the larger of this fraction of the depth and this length, m, because piles
+/// end above the seabed.
 const NEAR: f64 = 0.1;
 const NEAR_M: f64 = 2.0;
 /// Two heights that differ by less than this fraction of the depth count as equal.

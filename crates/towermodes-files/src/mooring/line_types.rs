@@ -117,8 +117,8 @@ fn is_file_name(text: &str) -> bool {
 }
 
 impl LineTypes<'_> {
-    /// The note on types that float where others do not: the modules that hold a line up, and no
-    /// mistake in the unit of the masses.
+    /// The note on types that float where others do not: the buoyancy modules of a line, which are
+    /// not a mistake in the unit of the masses.
     pub(super) fn buoyant(
         &self,
         table: &Rows<'_>,
