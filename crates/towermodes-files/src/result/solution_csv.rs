@@ -60,7 +60,8 @@ fn number(number: Option<f64>) -> Cell {
     Number(number.unwrap_or(f64::NAN))
 }
 
-/// The last column is of the tower: parts of the structure that it lacks, separated by spaces.
+/// The last column is a property of the tower: the parts of the structure that it lacks, separated
+/// by spaces.
 const MISSING_PARTS: &str = "missing_parts";
 
 /// The names of the columns of the CSV.
@@ -81,7 +82,7 @@ pub(super) fn records(solution: &Solution) -> impl Iterator<Item = Vec<String>> 
 /// Writes the modes of a solution as CSV with a header.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_csv(solution: &Solution, writer: impl Write) -> Result<(), ResultError> {
     let mut csv = ::csv::Writer::from_writer(writer);
     csv.write_record(header())?;

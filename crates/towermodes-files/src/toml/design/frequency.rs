@@ -1,4 +1,4 @@
-//! `[design.frequencies]`: what a design must reach.
+//! `[design.frequencies]`: the frequency bands of a design.
 
 use std::ops::Range;
 

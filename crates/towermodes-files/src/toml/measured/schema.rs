@@ -1,9 +1,9 @@
-//! The schema of measured frequencies: all tables and keys with their types, units and meanings.
+//! The schema of the calibration file: all tables and keys with their types, units and meanings.
 
 use super::super::schema::{KeySchema, TableSchema, tables};
 
 tables! {
-    /// All tables of a file of measured frequencies.
+    /// All tables of a calibration file.
     ///
     /// # Example
     /// ```

@@ -13,7 +13,7 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::sampling::{Sampling, SamplingError, SamplingKind, Varied};
 use crate::study::SweepRows;
 
-/// The rows of a sweep that has no table.
+/// The rows of a sweep without a table.
 pub(super) fn sampled(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepRows> {
     let hint = "sampling = \"grid\", \"latin-hypercube\", \"random\" or \"sobol\", or table = \"values.csv\"";
     let sampling = sweep.require("sampling", hint, reading);
@@ -60,7 +60,7 @@ pub(super) fn sampled(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepR
     })
 }
 
-/// The place of a mistake of the whole sampling.
+/// The place of a mistake in the whole sampling.
 fn place_of(
     error: &SamplingError,
     sampling: &Sampling,
