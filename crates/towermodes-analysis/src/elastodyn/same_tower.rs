@@ -7,9 +7,9 @@ use super::model::TowerModel;
 use super::model_difference::ModelDifference;
 use super::stations::{PointMasses, Rows, RowsError, tower_rows};
 
-/// A larger difference than this fraction gives a note.
+/// Towers whose mass or flexibility differs by more than this fraction are different towers.
 const DIFFERENT: f64 = 0.05;
-/// … and a larger difference than this is worth a note.
+/// A larger difference than this fraction gives a note.
 const NOTICEABLE: f64 = 0.005;
 /// Heights in decks are rounded to millimetres.
 const ROUNDING_M: f64 = 1e-3;

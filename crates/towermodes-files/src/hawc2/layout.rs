@@ -20,12 +20,12 @@ pub(super) struct Set<'a> {
     pub(super) span: Range<usize>,
 }
 
-/// The number of its set.
+/// A subset: a line `$1 20 name` and the rows after it.
 #[derive(Debug)]
 pub(super) struct Subset<'a> {
-    /// Its number.
+    /// The number of its set.
     pub(super) set: usize,
-    /// Its own number.
+    /// Its number.
     pub(super) number: usize,
     /// The number of rows that its line announces; memory must not be allocated according to it.
     pub(super) announced: usize,

@@ -30,10 +30,9 @@ pub struct ReportRequest {
     pub options: Options,
     /// Whether more modes are solved until they cover the excitations of the rotor.
     pub covers_excitations: bool,
-    /// The number of blades, if the input gives it without the speed: then there is a diagram
-    /// without verdicts.
+    /// The rotor; none if its speed is unknown.
     pub rotor: Option<Rotor>,
-    /// The number of blades, where the input gives it without the speed: then there is a diagram
+    /// The number of blades, if the input gives it without the speed: then there is a diagram
     /// without verdicts.
     pub blades: Option<usize>,
     /// One of the blades, if the input describes it.
@@ -97,8 +96,7 @@ pub enum ContentError {
     /// The rotor or its options are invalid.
     #[error(transparent)]
     Campbell(#[from] CampbellError),
-    /// Computes the results of a report. If the comparison of methods or the shapes for ElastoDyn
-    /// are not possible, the report contains the reason.
+    /// A factor of the soil stiffness is out of range, or the tower has no soil.
     #[error(transparent)]
     SoilBand(#[from] SoilBandError),
 }

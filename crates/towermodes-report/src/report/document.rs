@@ -18,9 +18,9 @@ pub(super) struct Document {
 
 /// A part with a heading.
 pub(super) struct Section {
-    /// Its id in links: a word in small letters.
-    pub id: &'static str,
     /// The id of the section in links: a word in lower case.
+    pub id: &'static str,
+    /// The heading.
     pub title: String,
     /// Whether it is an appendix; appendices have letters instead of numbers.
     pub is_appendix: bool,
@@ -68,11 +68,11 @@ pub(super) struct Statement {
 pub(super) struct Picture {
     /// The picture.
     pub figure: Figure,
-    /// Whether the tables of the section contain its data.
+    /// Its number, from 1.
     pub number: usize,
     /// Its name in `towermodes plot --what`; none if only reports have the picture.
     pub what: Option<&'static str>,
-    /// Whether the tables of the section have its numbers.
+    /// Whether the tables of the section contain its data.
     pub is_tabulated: bool,
 }
 

@@ -41,11 +41,11 @@ impl Frame {
 /// A field with an axis below and one on its left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Axes {
-    /// The scale along its lower edge.
+    /// The field.
     pub frame: Frame,
-    /// The scale along its left edge, upwards.
+    /// The scale along its lower edge.
     pub x: Scale,
-    /// Along its left edge, upwards.
+    /// The scale along its left edge, upwards.
     pub y: Scale,
 }
 

@@ -86,7 +86,7 @@ struct Drawn {
     figure: Figure,
     /// The method: "rmje-exact, 100 segments".
     computed: Option<String>,
-    /// A picture with its notes and warnings.
+    /// The conclusion in sentences.
     conclusion: Vec<String>,
     notes: Vec<Note>,
     warnings: Vec<Warning>,

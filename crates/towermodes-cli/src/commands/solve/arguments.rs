@@ -202,7 +202,8 @@ impl SolveArguments {
         Ok(())
     }
 
-    /// # Errors The message for an option that does not apply.
+    /// Checks that the options apply to a rotating blade: it has one method, and its deck gives
+    /// the elements.
     ///
     /// # Errors
     /// The message for an option that does not apply.

@@ -78,7 +78,7 @@ impl Kind {
     }
 }
 
-/// Refuses the keys of other kinds of members.
+/// All members, each with the index of its material.
 pub(super) fn members(
     table: &Table<'_>,
     joints: &Names,

@@ -10,15 +10,15 @@ use super::super::text::yaml::{Node, Value};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::note::Note;
 
-/// G and E/(2(1+ν)) may differ by this much, relatively: both are often rounded.
+/// G and E/(2(1+ν)) may differ by this much, relatively, because both are often rounded.
 const MODULI_TOLERANCE: f64 = 0.01;
 
-/// G and E/(2(1+ν)) may differ by this much, relatively, because both are often rounded.
+/// A material that is used in some wall.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Used {
     name: String,
     pub(crate) material: Material,
-    /// A material that is used in some wall.
+    /// The places of density, E and G.
     pub(super) spans: [Range<usize>; 3],
 }
 

@@ -19,11 +19,11 @@ const RIGHT: f64 = 884.0;
 const NUMBERS: f64 = 54.0;
 /// Approximate number of numbers along that axis.
 pub(super) const TICKS: usize = 8;
-/// Distance between panels.
+/// Width of the tower's column.
 const COLUMN: f64 = 152.0;
-/// Smallest width of a panel.
+/// Distance between panels.
 const GAP: f64 = 26.0;
-/// Narrowest panel.
+/// Smallest width of a panel.
 const NARROWEST: f64 = 96.0;
 /// Size of the text of a legend, and distance between its lines.
 pub(super) const LEGEND: (f64, f64) = (11.0, 14.5);

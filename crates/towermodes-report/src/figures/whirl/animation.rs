@@ -22,9 +22,9 @@ const FINEST: f64 = 1e-4;
 pub struct WhirlAnimation {
     /// The rotor speed, rpm.
     pub rotor_speed_rpm: f64,
-    /// Cone angle, rad; positive downwind.
+    /// Number of blades.
     pub blades: usize,
-    /// Cone, rad; positive downwind.
+    /// Cone angle, rad; positive downwind.
     pub cone_rad: f64,
     /// The axes of the shaft: along it downwind, to the left, upwards.
     pub shaft_axes: [Place; 3],

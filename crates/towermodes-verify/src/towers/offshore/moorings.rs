@@ -329,7 +329,7 @@ pub fn coupled() -> MooringDescription {
     coupled
 }
 
-/// Ropes lighter than water between anchors and fairleads at nearly the same height.
+/// A free rod between a chain and a rope, and two plain chains.
 pub fn rod() -> MooringDescription {
     let points = "
         fixed | 500 0 -150
@@ -355,7 +355,7 @@ pub fn rod() -> MooringDescription {
     rod
 }
 
-/// Ropes lighter than water between anchors and fairleads at nearly one level.
+/// Ropes lighter than water between anchors and fairleads at nearly the same height.
 pub fn buoyant() -> MooringDescription {
     let points = "
         fixed | 150 259.8076 -40
