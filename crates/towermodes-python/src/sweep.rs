@@ -148,7 +148,7 @@ impl SweepOptions {
     }
 }
 
-/// A sweep that cannot begin.
+/// The exception for a sweep that cannot begin.
 pub fn refused(error: SweepError) -> PyErr {
     match error {
         SweepError::Base(error) => of_tower(&error),

@@ -199,7 +199,7 @@ impl TurbineModes {
 }
 
 impl TurbineModes {
-    /// A number of each mode.
+    /// A quantity of each mode.
     fn of_each<'py>(
         &self,
         py: Python<'py>,

@@ -24,7 +24,7 @@ impl Seed {
         low + share * (high - low)
     }
 
-    /// Distributed so that its logarithm is even from `low` to `high`.
+    /// A number whose logarithm is uniformly distributed from that of `low` to that of `high`.
     pub fn log_between(&mut self, low: f64, high: f64) -> f64 {
         self.between(low.ln(), high.ln()).exp()
     }

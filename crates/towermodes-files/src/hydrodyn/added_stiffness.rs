@@ -35,7 +35,7 @@ pub(super) fn read(values: &Values<'_>, source: &Source) -> Result<Added, Diagno
 fn expect<'a>(values: &Values<'a>, name: &str, content: &str) -> Result<Line<'a>, Diagnostic> {
     let missing = || {
         let kind = DiagnosticKind::missing_key("the HydroDyn file", name);
-        let hint = format!("AddCLin and AddF0 have their name after the values: {name} needs {content}");
+        let hint = format!("{name} has {content}; the name follows the values of its first line");
         Diagnostic::new(0..0, kind).with_hint(hint)
     };
     values.line(name).ok_or_else(missing)

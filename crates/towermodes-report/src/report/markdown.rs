@@ -50,7 +50,7 @@ fn of_block(block: &Block, content: &ReportContent) -> Option<String> {
         Block::File(file) => of_file(file),
         Block::Table(table) => of_table(table),
         Block::Picture(picture) => of_picture(picture, content),
-        // The numbers are below the picture, or its command is.
+        // The picture is followed by its data or by the command that writes them.
         Block::Animation(_) | Block::Whirl(_) | Block::Numbers(_) => return None,
     })
 }
@@ -58,7 +58,7 @@ fn of_block(block: &Block, content: &ReportContent) -> Option<String> {
 fn of_file(file: &EmbeddedFile) -> String {
     let differs = file.differs.as_ref();
     let differs = differs.map_or(String::new(), |differs| {
-        format!(" Differs from the file: {}.", line(differs))
+        format!(" The text differs from the file: {}.", line(differs))
     });
     let text = fenced(file.text.strip_suffix('\n').unwrap_or(&file.text));
     format!("**{}**{differs}\n\n{text}", line(&file.name))

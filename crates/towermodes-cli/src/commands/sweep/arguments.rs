@@ -20,7 +20,7 @@ const EXAMPLES: &str = "Examples:
 
 The columns of a table are names of input values: rna.mass replaces the value, scale(stations[*].wall) multiplies it, add(stations[*].height) adds to it; `towermodes parameters FILE` lists the names. A sweep study is a TOML file with [sweep]: base, sampling, distributions and correlations.
 
-The results are one table, written as the rows are solved. A file gets its name when it is complete: a command that is interrupted leaves no file of this name. For many processors or hours of work, let each process write a slice of the rows (--rows) into a file of its own; existing files need not be computed again. --check reads the slices of one sweep: it refuses slices of another sweep and names the missing rows. A row that cannot be solved has the error message in the column error.
+The results are one table, written as the rows are solved. A file gets its name when it is complete: a command that is interrupted leaves no file of this name. For many processors or hours of work, let each process write a slice of the rows (--rows) into a file of its own; existing files need not be computed again. --check reads the slices of one sweep: it refuses slices of another sweep and names the missing rows. If a row cannot be solved, its column `error` contains the error message.
 
 Exit codes: 0 all rows are computed, possibly with rows that could not be solved (a warning gives their number), 1 the output failed, or with --check rows are missing or a slice is damaged, 2 wrong usage or wrong input. After Ctrl-C the exit status is 130.";
 

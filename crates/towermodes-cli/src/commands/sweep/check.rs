@@ -38,7 +38,7 @@ pub(super) fn run(
     if failed > 0 {
         let verb = if failed == 1 { "has" } else { "have" };
         warn_texts(&[format!(
-            "{failed} of {} {verb} no complete result; the column error has the reason",
+            "{failed} of {} {verb} no complete result; the column `error` states the reason",
             counted(slices.rows(), "row")
         )]);
     }

@@ -65,7 +65,7 @@ fn failures(solved: &Solved) -> Option<String> {
     let (count, rows) = (solved.failed, counted(solved.rows, "row"));
     let verb = if count == 1 { "has" } else { "have" };
     Some(format!(
-        "{count} of {rows} {verb} no complete result (column error); the first is row {row}, counted from 0: {sentence}"
+        "{count} of {rows} {verb} no complete result (see the column `error`); the first is row {row}, counted from 0: {sentence}"
     ))
 }
 

@@ -81,8 +81,8 @@ fn of_picture(picture: &Picture) -> String {
     let (title, description) = (text(&figure.title), text(&figure.description));
     let svg = figure.to_svg(Look::Inline);
     let numbers = match picture.is_tabulated {
-        true => "Its numbers are in the tables of this section.".to_owned(),
-        false => format!("<a href=\"#numbers-{number}\">Numbers of figure {number}</a>."),
+        true => "The tables of this section contain its data.".to_owned(),
+        false => format!("<a href=\"#numbers-{number}\">Data of figure {number}</a>."),
     };
     format!(
         "<figure>\n\

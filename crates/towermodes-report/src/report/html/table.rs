@@ -54,7 +54,7 @@ pub(super) fn of_data(number: usize, title: &str, data: &DataTable) -> String {
         0 => String::new(),
         left_out => format!(" ({left_out} more rows are left out)"),
     };
-    let caption = format!("Numbers of figure {number}. {title}{note}");
+    let caption = format!("Data of figure {number}. {title}{note}");
     let Some((first, others)) = columns.split_first().filter(|_| columns.len() > WIDE) else {
         return of_columns(&format!("{caption}."), &columns, |row| row.to_vec(), data);
     };
