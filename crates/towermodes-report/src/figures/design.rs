@@ -67,7 +67,9 @@ pub fn design(
     Figure {
         name: "design".to_owned(),
         title: format!("Design: {} t before, {} t after", mass[0], mass[1]),
-        description: format!("{profile}Frequencies before and after, with their target bands.{goals}"),
+        description: format!(
+            "{profile}Frequencies before and after, with their target bands.{goals}"
+        ),
         drawing: drawing([before, after], has_stations, modes),
         table: table((structure_mass(after.foundation.frame()), mass_kg), modes),
     }

@@ -18,8 +18,7 @@ pub(super) fn sampled(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepR
     let hint = "sampling = \"grid\", \"latin-hypercube\", \"random\" or \"sobol\", or table = \"values.csv\"";
     let sampling = sweep.require("sampling", hint, reading);
     let kind = sampling.and_then(|value| kind(value, reading));
-    let hint =
-        "add [sweep.vary] with the varied inputs, for example \"rna.mass\" = { uniform = [3.3e5, 3.7e5] }";
+    let hint = "add [sweep.vary] with the varied inputs, for example \"rna.mass\" = { uniform = [3.3e5, 3.7e5] }";
     let vary_value = sweep.require("vary", hint, reading);
     let vary = vary_value.and_then(|value| vary(value, kind, reading));
     let (sampling, kind) = (sampling?, kind?);

@@ -83,7 +83,9 @@ impl Written<'_> {
             return None;
         } else if number.starts_with('0') && !number.contains('.') && number.len() > 1 {
             // The rest of a number with a decimal comma in a list.
-            format!("write a decimal point, for example 0.{number}, or the number without zeros before it")
+            format!(
+                "write a decimal point, for example 0.{number}, or the number without zeros before it"
+            )
         } else {
             format!("write a digit before and after the point: {value:?}")
         };
