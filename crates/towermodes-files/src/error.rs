@@ -27,7 +27,7 @@ pub enum ReadError {
 }
 
 impl ReadError {
-    /// One mistake in a file.
+    /// The error for one mistake in a file.
     pub fn mistake(source: &Source, mistake: Diagnostic) -> Self {
         Self::mistakes(source, vec![mistake])
     }

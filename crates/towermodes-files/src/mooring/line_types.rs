@@ -134,7 +134,7 @@ impl LineTypes<'_> {
         let buoyant = buoyant.filter(|(_, of)| floats(of));
         let names: Vec<String> = buoyant.map(|(name, _)| quoted(name)).collect();
         let message = format!(
-            "these line types are lighter than the water that they displace, and hold up the lines of the others: {}",
+            "these line types are lighter than the water that they displace, so they lift the lines of the other types: {}",
             names.join(", ")
         );
         Some(Note::new(message).at(source, table.rows[first].span().start))

@@ -685,7 +685,7 @@ tables! {
         required "joint" Text "" "its name";
         optional "fixed" Any "" "which motions are fixed: x, y, z, rotation about x, y, z, each true or false";
         optional "stiffness" Matrix "N/m, N, N m" "x, y, z, rotation about x, y, z";
-        optional "inertia" Matrix "kg, kg m, kg m2" "of soil that moves with the joint";
+        optional "inertia" Matrix "kg, kg m, kg m2" "inertia of soil that moves with the joint";
 
     /// `[[substructure.mass]]`.
     SUBSTRUCTURE_MASS = "[[substructure.mass]]":

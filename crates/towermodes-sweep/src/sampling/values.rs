@@ -75,7 +75,7 @@ impl Values {
         }
     }
 
-    /// Whether it is a linear function of its score.
+    /// Whether the value is a linear function of the standard normal score.
     pub(super) fn is_normal(&self) -> bool {
         matches!(self, Self::Gaussian(of) if of.has_no_limits() && !of.is_logarithm)
     }

@@ -23,7 +23,7 @@ pub(crate) struct Deck {
     pub(crate) support: Support,
     /// The rows of the section file, by increasing `sec_loc`.
     pub(crate) sections: Vec<Section>,
-    /// The byte of the section file where numbers begin that are not used.
+    /// The byte of the section file at which the first unused number begins.
     pub(crate) extra_columns: Option<usize>,
 }
 

@@ -70,7 +70,8 @@ pub(super) fn layers(
             );
             let kind = DiagnosticKind::UnusedKey { key, because };
             let mistake = Diagnostic::new(value.span(), kind);
-            return reading.refuse(mistake.with_hint("keep the key or the column"));
+            return reading
+                .refuse(mistake.with_hint("give either the key or the column, not both"));
         }
     }
     let part = |numbers: &str, index: usize, reading: &mut Reading| {

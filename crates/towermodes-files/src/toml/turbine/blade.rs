@@ -64,7 +64,7 @@ fn sections_of_file(
     reading: &mut Reading,
 ) -> Option<Vec<BladeSection>> {
     for (name, _) in [("blade.span", None)].into_iter().chain(COLUMNS) {
-        let hint = "keep the file or the lists";
+        let hint = "give either the file or the lists, not both";
         table.refuse_unused(key(name), "together with file", hint, reading);
     }
     text(value, "file", reading)?;

@@ -1,4 +1,4 @@
-//! Tables whose values are described beside their fields: written by these descriptions.
+//! Writes tables from the constants that describe the fields of their structs.
 
 use towermodes::inputs::{Given, Input, Inputs, given_inputs};
 

@@ -62,7 +62,7 @@ impl Limits<'_> {
         let diameter = assembly.and_then(|assembly| assembly.get("rotor_diameter"));
         let Some(diameter) = diameter else {
             let message = format!(
-                "VS_maxspd = {highest} is read in rad/s, as in the schema; many files have rpm, and rotor_diameter, which would show it, is missing"
+                "VS_maxspd = {highest} is read in rad/s, as in the schema; many files have it in rpm, which cannot be checked because rotor_diameter is missing"
             );
             note(self.highest, Note::assumption(message));
             return Ok(30.0 / PI);

@@ -43,7 +43,7 @@ pub(super) struct Curve {
     pub points: Vec<(f64, f64)>,
 }
 
-/// Number of numbers on an axis from 0 or −1 to 1, in a narrow and in a wide panel.
+/// Number of labels on an axis from 0 or −1 to 1, in a narrow and in a wide panel.
 const SHARES: [usize; 2] = [2, 4];
 const DEFLECTION: [&str; 2] = [
     "deflection / largest (\u{2212})",

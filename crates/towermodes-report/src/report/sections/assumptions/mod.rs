@@ -93,7 +93,7 @@ fn gravity(content: &ReportContent) -> String {
         }
         (false, true) => format!(
             "Gravity is included as linear geometric stiffness, g = {} m/s²; it lowers the bending stiffness. With the platform weight and the \
-             hydrostatic stiffness it determines roll and pitch.",
+             hydrostatic stiffness, gravity determines roll and pitch.",
             given(g)
         ),
         (false, false) => format!(
